@@ -1,0 +1,67 @@
+//! Why a step was refused.
+
+use core::fmt;
+
+/// Why a step was refused. The integrator still holds the last good state and may go on, for instance with a smaller
+/// step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StepError {
+    /// The step size is zero, infinite or not a number.
+    InvalidStepSize {
+        /// The step size as given.
+        h: f64,
+    },
+    /// The state given to the integrator is not finite.
+    NonFiniteState {
+        /// Time of the state.
+        t: f64,
+    },
+    /// A step led from a finite state to one that is not finite.
+    NonFinite {
+        /// Time of the last good state.
+        t: f64,
+    },
+    /// A stage of the step left the domain of a function in the energy.
+    OutsideDomain {
+        /// Time of the last good state.
+        t: f64,
+        /// The function and the term, as in "`ln` of a number that is not positive: 1 - q".
+        what: &'static str,
+    },
+    /// The implicit equation of the step was not solved to rounding.
+    NotConverged {
+        /// Time of the last good state.
+        t: f64,
+        /// Newton iterations spent.
+        iterations: u32,
+        /// The last correction, relative to the increment.
+        correction: f64,
+    },
+}
+
+impl fmt::Display for StepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            StepError::InvalidStepSize { h } => {
+                write!(f, "the step size {h} is not a finite number other than zero")
+            }
+            StepError::NonFiniteState { t } => {
+                write!(f, "the state at t = {t} has an entry that is not finite")
+            }
+            StepError::NonFinite { t } => {
+                write!(f, "the step from t = {t} leads to a state that is not finite; try a smaller step")
+            }
+            StepError::OutsideDomain { t, what } => {
+                write!(f, "the step from t = {t} leaves the domain of the energy: {what}; try a smaller step")
+            }
+            StepError::NotConverged { t, iterations, correction } => write!(
+                f,
+                "the step from t = {t} was not solved in {iterations} Newton iterations \
+                 (last correction {correction:.1e} of the increment); try a smaller step"
+            ),
+        }
+    }
+}
+
+impl core::error::Error for StepError {}

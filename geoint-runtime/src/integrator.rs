@@ -1,0 +1,208 @@
+//! A system under a method: the object that users step.
+
+use crate::array::Array;
+use crate::error::StepError;
+use crate::method::{Clock, DomainWatch, Method};
+use crate::real::Real;
+use crate::state::{Coordinates, State};
+use crate::system::Hamiltonian;
+
+/// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
+/// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
+const STEPS_BETWEEN_LOOKS: u64 = 1024;
+
+/// A system under a method with a step size: a plain value, no borrow, no allocation.
+///
+/// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
+/// on, with a smaller step if [`Integrator::set_step_size`] was called.
+#[derive(Clone, Copy, Debug)]
+pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
+    system: S,
+    method: M,
+    prepared: M::Prepared,
+    t0: R,
+    h: R,
+    /// Steps since `t0`.
+    n: u64,
+    /// Steps since the beginning.
+    steps: u64,
+    q: S::Array,
+    p: S::Array,
+}
+
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+    pub(crate) fn new(system: S, method: M, h: R, state: State<S::Coordinates>) -> Self {
+        Integrator {
+            system,
+            method,
+            prepared: method.prepare(&system, h),
+            t0: state.t,
+            h,
+            n: 0,
+            steps: 0,
+            q: state.q.into_array(),
+            p: state.p.into_array(),
+        }
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.advance(1)
+    }
+
+    /// `n` steps: the bare loop, with last and first flows of neighbouring steps merged where the method has such.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    #[inline]
+    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.check_start()?;
+        let mut left = n;
+        while left > 0 {
+            let steps = left.min(STEPS_BETWEEN_LOOKS);
+            let (mut q, mut p) = (self.q, self.p);
+            let outcome = M::advance(&self.prepared, &self.clock(), steps, &mut q, &mut p);
+            if outcome.is_ok() && q.is_finite() && p.is_finite() {
+                self.accept(steps, q, p);
+            } else {
+                self.creep(steps)?;
+            }
+            left -= steps;
+        }
+        Ok(())
+    }
+
+    /// The same steps one by one, each watched, to stop at the last good state and to say why.
+    #[cold]
+    fn creep(&mut self, steps: u64) -> Result<(), StepError> {
+        for _ in 0..steps {
+            let (mut q, mut p) = (self.q, self.p);
+            let mut watch = DomainWatch { system: &self.system, found: None };
+            let start = self.clock().at(0);
+            let outcome = M::step(&self.prepared, start, &mut q, &mut p, &mut watch);
+            let t = real(start);
+            match (outcome, watch.found) {
+                (Ok(()), _) if q.is_finite() && p.is_finite() => self.accept(1, q, p),
+                (_, Some(what)) => return Err(StepError::OutsideDomain { t, what }),
+                (Ok(()), None) => return Err(StepError::NonFinite { t }),
+                (Err(e), None) => {
+                    return Err(StepError::NotConverged {
+                        t,
+                        iterations: e.iterations,
+                        correction: e.correction,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn check_start(&self) -> Result<(), StepError> {
+        let h = self.h.magnitude();
+        if !(h > 0.0 && h < f64::INFINITY) {
+            return Err(StepError::InvalidStepSize { h: real(self.h) });
+        }
+        if !(self.t0.magnitude() < f64::INFINITY && self.q.is_finite() && self.p.is_finite()) {
+            return Err(StepError::NonFiniteState { t: real(self.time()) });
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, steps: u64, q: S::Array, p: S::Array) {
+        (self.q, self.p) = (q, p);
+        self.n += steps;
+        self.steps += steps;
+    }
+
+    #[inline(always)]
+    fn clock(&self) -> Clock<R> {
+        Clock { t0: self.t0, h: self.h, first: self.n }
+    }
+
+    /// Changes the step size; time goes on from here.
+    pub fn set_step_size(&mut self, h: R) {
+        self.t0 = self.time();
+        self.n = 0;
+        self.h = h;
+        self.prepared = self.method.prepare(&self.system, h);
+    }
+
+    /// The step size.
+    pub fn step_size(&self) -> R {
+        self.h
+    }
+
+    /// `t0 + n·h`.
+    pub fn time(&self) -> R {
+        self.clock().at(0)
+    }
+
+    /// The state now.
+    pub fn state(&self) -> State<S::Coordinates> {
+        State::at(self.time(), Coordinates::from_array(self.q), Coordinates::from_array(self.p))
+    }
+
+    /// The energy now.
+    pub fn energy(&self) -> R {
+        self.system.hamiltonian(self.time(), &self.q, &self.p)
+    }
+
+    /// The number of steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The system with its parameters.
+    pub fn system(&self) -> &S {
+        &self.system
+    }
+
+    /// The method.
+    pub fn method(&self) -> &M {
+        &self.method
+    }
+
+    /// The state after every step up to the last one that is not after `t` (not before, if h < 0).
+    ///
+    /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away.
+    pub fn until(&mut self, t: R) -> Samples<'_, S, M, R> {
+        // A whole number of steps may come out a few roundings short.
+        let steps = real((t - self.time()) / self.h) * (1.0 + 8.0 * f64::EPSILON);
+        // An unusable step size gets one attempt, to report it.
+        Samples { sim: self, stride: 1, left: if steps.is_nan() { 1 } else { steps as u64 } }
+    }
+
+    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, S, M, R> {
+        Samples { sim: self, stride: k.max(1), left: u64::MAX }
+    }
+}
+
+/// A scalar as a plain number, with its sign.
+fn real<R: Real>(x: R) -> f64 {
+    if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
+}
+
+/// States along a trajectory; ends after the first error.
+pub struct Samples<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real> {
+    sim: &'a mut Integrator<S, M, R>,
+    stride: u64,
+    left: u64,
+}
+
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Iterator for Samples<'_, S, M, R> {
+    type Item = Result<State<S::Coordinates>, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        self.left = self.left.checked_sub(1)?;
+        let outcome = self.sim.advance(self.stride);
+        if outcome.is_err() {
+            self.left = 0;
+        }
+        Some(outcome.map(|()| self.sim.state()))
+    }
+}

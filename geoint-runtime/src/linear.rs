@@ -1,0 +1,49 @@
+//! Small linear systems, of a size known to the compiler.
+
+use crate::array::{Array, Square};
+use crate::real::Real;
+
+/// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
+///
+/// Returns false if a pivot vanishes or is not a number.
+#[inline(always)]
+pub fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
+    let n = A::LEN;
+    let rows = A::entries::<A>(matrix);
+    let b = rhs.as_mut_slice();
+    for k in 0..n {
+        let mut pivot = k;
+        for i in k + 1..n {
+            if rows[i].as_slice()[k].magnitude() > rows[pivot].as_slice()[k].magnitude() {
+                pivot = i;
+            }
+        }
+        if pivot != k {
+            rows.swap(k, pivot);
+            b.swap(k, pivot);
+        }
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        let top = upper[k].as_slice();
+        if !(top[k].magnitude() > 0.0) {
+            return false;
+        }
+        let reciprocal = A::Real::from_f64(1.0) / top[k];
+        for (i, row) in lower.iter_mut().enumerate() {
+            let row = row.as_mut_slice();
+            let factor = -(row[k] * reciprocal);
+            for j in k + 1..n {
+                row[j] = factor.multiply_add(top[j], row[j]);
+            }
+            b[k + 1 + i] = factor.multiply_add(b[k], b[k + 1 + i]);
+        }
+    }
+    for k in (0..n).rev() {
+        let row = rows[k].as_slice();
+        let mut x = b[k];
+        for j in k + 1..n {
+            x = (-row[j]).multiply_add(b[j], x);
+        }
+        b[k] = x / row[k];
+    }
+    true
+}

@@ -1,0 +1,322 @@
+//! Kick and drift in alternation: one driver for every table of a splitting method.
+//!
+//! A table says in which order and for which fractions of h the flows of T and V are applied. Time goes along twice: a
+//! kick happens at the time that the drifts so far have reached, a drift at the time that the kicks so far have
+//! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
+//! T or V depends on time.
+
+use crate::method::{Claims, Clock, Method, NotConverged, Probe, Unwatched};
+use crate::real::{Real, zero};
+use crate::system::{QuadraticKinetic, Separable};
+use core::marker::PhantomData;
+
+/// A table of fractions of h: outer₁, inner₁, outer₂, inner₂, …, inner_K, last, in order of application.
+///
+/// With `O` = [`KickFirst`] the outer flows are kicks, with [`DriftFirst`] drifts. If `last` is not zero the last flow
+/// of a step and the first of the next are merged: K force evaluations a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Splitting<const K: usize, O = KickFirst> {
+    claims: Claims,
+    outer: [f64; K],
+    inner: [f64; K],
+    last: f64,
+    order: PhantomData<O>,
+}
+
+impl<const K: usize, O> Splitting<K, O> {
+    /// A table as it stands.
+    pub const fn new(order: u32, symmetric: bool, outer: [f64; K], inner: [f64; K], last: f64) -> Self {
+        let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false };
+        Splitting { claims, outer, inner, last, order: PhantomData }
+    }
+
+    /// A table that reads the same from both ends, given by its first halves (the middle included).
+    pub(crate) const fn palindrome<const OUTER: usize, const INNER: usize>(
+        order: u32,
+        outer: [f64; OUTER],
+        inner: [f64; INNER],
+    ) -> Self {
+        assert!(OUTER == K / 2 + 1 && INNER == K.div_ceil(2));
+        let (mut x, mut y) = ([0.0; K], [0.0; K]);
+        let mut i = 0;
+        while i < K {
+            x[i] = outer[if i < OUTER { i } else { K - i }];
+            y[i] = inner[if i < INNER { i } else { K - 1 - i }];
+            i += 1;
+        }
+        Self::new(order, true, x, y, outer[0])
+    }
+
+    /// A symmetric composition of Verlet steps γ₁h, …, γ_K h with neighbouring outer flows merged.
+    pub(crate) fn of_verlet(order: u32, gamma: [f64; K]) -> Self {
+        let outer = core::array::from_fn(|i| {
+            let before = if i == 0 { 0.0 } else { gamma[i - 1] };
+            0.5 * (before + gamma[i])
+        });
+        Self::new(order, true, outer, gamma, 0.5 * gamma[K - 1])
+    }
+
+    /// What the table promises.
+    pub const fn claims(&self) -> Claims {
+        self.claims
+    }
+
+    /// Fractions of h for the outer flows, the last one included, and for the inner flows.
+    pub const fn coefficients(&self) -> (&[f64; K], f64, &[f64; K]) {
+        (&self.outer, self.last, &self.inner)
+    }
+}
+
+/// The outer flows are kicks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct KickFirst;
+
+/// The outer flows are drifts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriftFirst;
+
+/// Which of kick and drift is the outer flow.
+pub trait Order<S: Separable<R>, R: Real>: Copy {
+    /// Coefficients of an outer flow.
+    type Outer: Copy;
+    /// Coefficients of an inner flow.
+    type Inner: Copy;
+    /// Prepares an outer flow.
+    fn prepare_outer(system: &S, h: R) -> Self::Outer;
+    /// Prepares an inner flow.
+    fn prepare_inner(system: &S, h: R) -> Self::Inner;
+    /// An outer flow.
+    fn outer(flow: &Self::Outer, t: R, q: &mut S::Array, p: &mut S::Array);
+    /// An inner flow.
+    fn inner(flow: &Self::Inner, t: R, q: &mut S::Array, p: &mut S::Array);
+}
+
+impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
+    type Outer = S::Kick;
+    type Inner = S::Drift;
+    fn prepare_outer(system: &S, h: R) -> S::Kick {
+        system.prepare_kick(h)
+    }
+    fn prepare_inner(system: &S, h: R) -> S::Drift {
+        system.prepare_drift(h)
+    }
+    #[inline(always)]
+    fn outer(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array) {
+        S::kick(flow, t, q, p);
+    }
+    #[inline(always)]
+    fn inner(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array) {
+        S::drift(flow, t, q, p);
+    }
+}
+
+impl<S: Separable<R>, R: Real> Order<S, R> for DriftFirst {
+    type Outer = S::Drift;
+    type Inner = S::Kick;
+    fn prepare_outer(system: &S, h: R) -> S::Drift {
+        system.prepare_drift(h)
+    }
+    fn prepare_inner(system: &S, h: R) -> S::Kick {
+        system.prepare_kick(h)
+    }
+    #[inline(always)]
+    fn outer(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array) {
+        S::drift(flow, t, q, p);
+    }
+    #[inline(always)]
+    fn inner(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array) {
+        S::kick(flow, t, q, p);
+    }
+}
+
+/// A table multiplied by h: the flows of one step with the times at which they happen.
+#[derive(Clone, Copy, Debug)]
+pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
+    outer: [O::Outer; K],
+    inner: [O::Inner; K],
+    /// The last flow of a step, and the same merged with the first of the next.
+    last: Option<(O::Outer, O::Outer)>,
+    outer_at: [R; K],
+    inner_at: [R; K],
+    last_at: R,
+}
+
+impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
+    fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
+        let part = |fraction: f64| R::from_f64(fraction) * h;
+        let reached = |fractions: &[f64]| part(fractions.iter().sum());
+        Sequence {
+            outer: table.outer.map(|x| O::prepare_outer(system, part(x))),
+            inner: table.inner.map(|y| O::prepare_inner(system, part(y))),
+            last: (table.last != 0.0).then(|| {
+                let merged = table.last + table.outer[0];
+                (O::prepare_outer(system, part(table.last)), O::prepare_outer(system, part(merged)))
+            }),
+            outer_at: core::array::from_fn(|i| reached(&table.inner[..i])),
+            inner_at: core::array::from_fn(|i| reached(&table.outer[..=i])),
+            last_at: if table.last == 0.0 { zero() } else { h },
+        }
+    }
+
+    /// inner₁, outer₂, inner₂, …, inner_K.
+    #[inline(always)]
+    fn interior<P: Probe<S, R>>(&self, t: R, q: &mut S::Array, p: &mut S::Array, probe: &mut P) {
+        probe.visit(t + self.inner_at[0], q, p);
+        O::inner(&self.inner[0], t + self.inner_at[0], q, p);
+        for i in 1..K {
+            probe.visit(t + self.outer_at[i], q, p);
+            O::outer(&self.outer[i], t + self.outer_at[i], q, p);
+            probe.visit(t + self.inner_at[i], q, p);
+            O::inner(&self.inner[i], t + self.inner_at[i], q, p);
+        }
+    }
+
+    #[inline(always)]
+    fn step<P: Probe<S, R>>(&self, t: R, q: &mut S::Array, p: &mut S::Array, probe: &mut P) {
+        probe.visit(t, q, p);
+        O::outer(&self.outer[0], t, q, p);
+        self.interior(t, q, p, probe);
+        if let Some((last, _)) = &self.last {
+            probe.visit(t + self.last_at, q, p);
+            O::outer(last, t + self.last_at, q, p);
+        }
+    }
+
+    #[inline(always)]
+    fn advance(&self, clock: &Clock<R>, steps: u64, q: &mut S::Array, p: &mut S::Array) {
+        let (Some((last, merged)), Some(final_step)) = (&self.last, steps.checked_sub(1)) else {
+            for i in 0..steps {
+                self.step(clock.at(i), q, p, &mut Unwatched);
+            }
+            return;
+        };
+        // In locals of this loop, q and p stay in registers.
+        let (mut x, mut y) = (*q, *p);
+        O::outer(&self.outer[0], clock.at(0), &mut x, &mut y);
+        for i in 0..final_step {
+            self.interior(clock.at(i), &mut x, &mut y, &mut Unwatched);
+            O::outer(merged, clock.at(i + 1), &mut x, &mut y);
+        }
+        self.interior(clock.at(final_step), &mut x, &mut y, &mut Unwatched);
+        O::outer(last, clock.at(steps), &mut x, &mut y);
+        (*q, *p) = (x, y);
+    }
+}
+
+impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
+    type Prepared = Sequence<S, R, O, K>;
+
+    fn claims(&self) -> Claims {
+        self.claims
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        Sequence::prepare(self, system, h)
+    }
+
+    #[inline(always)]
+    fn step<P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        t: R,
+        q: &mut S::Array,
+        p: &mut S::Array,
+        probe: &mut P,
+    ) -> Result<(), NotConverged> {
+        prepared.step(t, q, p, probe);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn advance(
+        prepared: &Self::Prepared,
+        clock: &Clock<R>,
+        steps: u64,
+        q: &mut S::Array,
+        p: &mut S::Array,
+    ) -> Result<(), NotConverged> {
+        prepared.advance(clock, steps, q, p);
+        Ok(())
+    }
+}
+
+/// A method that is another one under a stricter condition or another name.
+macro_rules! delegate {
+    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr) => {
+        $(#[$doc])*
+        impl<$($generics)* S: $system<R>, R: Real> Method<S, R> for $method
+        where
+            $inner: Method<S, R>,
+        {
+            type Prepared = <$inner as Method<S, R>>::Prepared;
+
+            fn claims(&self) -> Claims {
+                let $this = self;
+                $table.claims()
+            }
+            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+                let $this = self;
+                Method::prepare(&$table, system, h)
+            }
+            #[inline(always)]
+            fn step<P: Probe<S, R>>(
+                prepared: &Self::Prepared,
+                t: R,
+                q: &mut S::Array,
+                p: &mut S::Array,
+                probe: &mut P,
+            ) -> Result<(), NotConverged> {
+                <$inner>::step(prepared, t, q, p, probe)
+            }
+            #[inline(always)]
+            fn advance(
+                prepared: &Self::Prepared,
+                clock: &Clock<R>,
+                steps: u64,
+                q: &mut S::Array,
+                p: &mut S::Array,
+            ) -> Result<(), NotConverged> {
+                <$inner as Method<S, R>>::advance(prepared, clock, steps, q, p)
+            }
+        }
+    };
+}
+
+/// A table of Runge–Kutta–Nyström type: its order conditions use \[V, \[V, \[V, T\]\]\] = 0, so T must be quadratic.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nystrom<const K: usize, O = KickFirst>(pub(crate) Splitting<K, O>);
+
+impl<const K: usize, O> Nystrom<K, O> {
+    /// The table.
+    pub const fn table(&self) -> &Splitting<K, O> {
+        &self.0
+    }
+}
+
+delegate!([const K: usize, O: Order<S, R>,] Nystrom<K, O>, QuadraticKinetic, Splitting<K, O>, |this| this.0);
+
+/// Kick, drift: p₁ = p₀ − h V'(q₀), q₁ = q₀ + h T'(p₁). Order 1, symplectic; its adjoint is
+/// [`SymplecticEulerAdjoint`]. R. de Vogelaere 1956; Hairer, Lubich & Wanner, *Geometric Numerical Integration*,
+/// (I.1.9).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SymplecticEuler;
+
+/// Drift, kick: q₁ = q₀ + h T'(p₀), p₁ = p₀ − h V'(q₁), the adjoint of [`SymplecticEuler`]. Order 1, symplectic.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct SymplecticEulerAdjoint;
+
+/// Half a kick, a drift, half a kick ("velocity Verlet", leapfrog). Order 2, symmetric, symplectic, one force a step.
+///
+/// The method of choice when the step is set by the fastest frequency ω (stable for hω < 2) and not by accuracy.
+/// C. Störmer 1907; L. Verlet, Phys. Rev. 159 (1967) 98; Hairer, Lubich & Wanner (I.1.17).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StormerVerlet;
+
+/// Half a drift, a kick, half a drift ("position Verlet"): [`StormerVerlet`] with the roles exchanged. Order 2,
+/// symmetric, symplectic, one force a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PositionVerlet;
+
+delegate!([] SymplecticEuler, Separable, Splitting<1, KickFirst>, |_this| Splitting::<1, KickFirst>::new(1, false, [1.0], [1.0], 0.0));
+delegate!([] SymplecticEulerAdjoint, Separable, Splitting<1, DriftFirst>, |_this| Splitting::<1, DriftFirst>::new(1, false, [1.0], [1.0], 0.0));
+delegate!([] StormerVerlet, Separable, Splitting<1, KickFirst>, |_this| Splitting::<1, KickFirst>::new(2, true, [0.5], [1.0], 0.5));
+delegate!([] PositionVerlet, Separable, Splitting<1, DriftFirst>, |_this| Splitting::<1, DriftFirst>::new(2, true, [0.5], [1.0], 0.5));
