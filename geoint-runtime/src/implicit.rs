@@ -34,8 +34,8 @@ fn step<G, S: MeanGradient<G, R>, R: Real, P: Probe<S, R>>(
     probe: &mut P,
 ) -> Result<(), NotConverged> {
     probe.visit(t, q, p);
-    let start = S::start(prepared, t, q, p);
-    let increment = newton::solve(S::predict(prepared, &start), S::origin(q, p), |increment, residual, jacobian| {
+    let (start, guess) = S::start(prepared, t, q, p);
+    let increment = newton::solve(guess, S::origin(q, p), |increment, residual, jacobian| {
         let (mut x, mut y) = (*q, *p);
         S::finish(prepared, &start, increment, &mut x, &mut y);
         probe.visit(t, &x, &y);

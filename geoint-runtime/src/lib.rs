@@ -16,6 +16,7 @@ mod tables;
 mod tableau;
 mod gauss;
 mod implicit;
+mod explicit;
 mod integrator;
 #[doc(hidden)]
 pub mod private;
@@ -30,6 +31,7 @@ pub use method::{Claims, Method};
 pub use splitting::{PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, Nystrom};
 pub use composition::{Composed, Composition, SymmetricMap};
 pub use implicit::{DiscreteGradient, ImplicitMidpoint};
+pub use explicit::ExplicitEuler;
 pub use gauss::Gauss;
 pub use system::{Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
@@ -38,7 +40,7 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        DiscreteGradient, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, PositionVerlet, State, StepError,
+        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, PositionVerlet, State, StepError,
         StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

@@ -7,7 +7,7 @@ use crate::real::Real;
 ///
 /// Returns false if a pivot vanishes or is not a number.
 #[inline(always)]
-pub fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
+pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
     let n = A::LEN;
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();

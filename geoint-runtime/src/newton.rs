@@ -18,7 +18,7 @@ const STAGNATION: f64 = 1e-9;
 /// hold only at the solved point. Convergence is quadratic: a correction that shrank by a factor θ is followed by one
 /// that shrinks by θ² or better.
 #[inline(always)]
-pub fn solve<A: Array>(
+pub(crate) fn solve<A: Array>(
     guess: A,
     origin: A,
     mut residual: impl FnMut(&A, &mut A, &mut Square<A>),

@@ -33,6 +33,11 @@ pub trait Real:
     /// Whether any component lies below `bound`.
     fn any_below(self, bound: f64) -> bool;
 
+    /// Whether any component lies above `bound`.
+    fn any_above(self, bound: f64) -> bool {
+        (-self).any_below(-bound)
+    }
+
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 

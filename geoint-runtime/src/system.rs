@@ -19,6 +19,9 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     /// H at a point.
     fn hamiltonian(&self, t: R, q: &Self::Array, p: &Self::Array) -> R;
 
+    /// ∂H/∂q and ∂H/∂p at a point.
+    fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
+
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array) -> Option<&'static str>;
 
@@ -94,12 +97,10 @@ pub trait MeanGradient<G, R: Real = f64>: Hamiltonian<R> {
 
     /// Coefficients for steps of length `h`.
     fn prepare(&self, h: R) -> Self::Prepared;
-    /// Everything that Newton's iterations share.
-    fn start(prepared: &Self::Prepared, t: R, q: &Self::Array, p: &Self::Array) -> Self::Start;
+    /// Everything that Newton's iterations share, and an explicit guess of the increment.
+    fn start(prepared: &Self::Prepared, t: R, q: &Self::Array, p: &Self::Array) -> (Self::Start, Self::Increment);
     /// What the increment is added to.
     fn origin(q: &Self::Array, p: &Self::Array) -> Self::Increment;
-    /// An explicit guess of the increment.
-    fn predict(prepared: &Self::Prepared, start: &Self::Start) -> Self::Increment;
     /// The equation's left side minus its right side, and the derivative of that.
     fn residual(
         prepared: &Self::Prepared,

@@ -1,0 +1,55 @@
+//! Which coordinates a node reads.
+
+use crate::ir::{Graph, Id, Node, Symbol};
+use std::collections::BTreeSet;
+
+/// What a node reads of phase space.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Reads {
+    pub(crate) q: bool,
+    pub(crate) p: bool,
+    pub(crate) t: bool,
+}
+
+impl Reads {
+    /// Whether a position or momentum is read.
+    pub(crate) fn state(self) -> bool {
+        self.q || self.p
+    }
+}
+
+/// What every node of a graph reads.
+pub(crate) struct Dependence(Vec<Reads>);
+
+impl Dependence {
+    pub(crate) fn of(graph: &Graph) -> Dependence {
+        let mut reads: Vec<Reads> = Vec::with_capacity(graph.len());
+        for id in graph.ids() {
+            let own = match graph.node(id) {
+                Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
+                Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
+                Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
+                node => node.children().iter().map(|child| reads[child.index()]).fold(Reads::default(), |a, b| Reads {
+                    q: a.q || b.q,
+                    p: a.p || b.p,
+                    t: a.t || b.t,
+                }),
+            };
+            reads.push(own);
+        }
+        Dependence(reads)
+    }
+
+    pub(crate) fn reads(&self, id: Id) -> Reads {
+        self.0[id.index()]
+    }
+}
+
+/// All symbols that a node reads.
+pub(crate) fn symbols(graph: &Graph, root: Id) -> BTreeSet<Symbol> {
+    let symbol = |id: Id| match graph.node(id) {
+        Node::Symbol(symbol) => Some(*symbol),
+        _ => None,
+    };
+    graph.reachable(&[root]).into_iter().filter_map(symbol).collect()
+}

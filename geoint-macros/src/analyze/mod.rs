@@ -1,0 +1,78 @@
+//! Facts about an energy, each proven from its graph, each with a witness where it does not hold. No messages.
+
+mod degree;
+mod dependence;
+mod separable;
+
+use crate::ir::{Graph, Id, Symbol};
+pub(crate) use dependence::Dependence;
+
+/// All facts that emission may rely on.
+#[derive(Debug)]
+pub(crate) struct Structure {
+    pub(crate) energy: Id,
+    pub(crate) split: Split,
+    /// Whether H reads t.
+    pub(crate) autonomous: bool,
+    /// Coordinates that H does not read: their momenta are conserved.
+    pub(crate) cyclic: Vec<u32>,
+    /// Momenta that H does not read: their coordinates stand still.
+    pub(crate) resting: Vec<u32>,
+    /// The degree of H as a polynomial in (q, p), if it is one.
+    pub(crate) degree: Option<u32>,
+}
+
+/// Whether H is a sum of a part in p and a part in q.
+#[derive(Debug)]
+pub(crate) enum Split {
+    Separable(Parts),
+    /// A term that reads both.
+    Coupled(Id),
+}
+
+/// H = kinetic(p, t) + potential(q, t).
+#[derive(Debug)]
+pub(crate) struct Parts {
+    pub(crate) kinetic: Id,
+    pub(crate) potential: Id,
+    /// `None` if the kinetic part is a polynomial of degree 2 in p with constant coefficients, else a term that is not.
+    pub(crate) not_quadratic: Option<Id>,
+}
+
+impl Structure {
+    pub(crate) fn parts(&self) -> Option<&Parts> {
+        match &self.split {
+            Split::Separable(parts) => Some(parts),
+            Split::Coupled(_) => None,
+        }
+    }
+
+    /// The parts, if T is quadratic with a constant mass matrix.
+    pub(crate) fn quadratic_parts(&self) -> Option<&Parts> {
+        self.parts().filter(|parts| parts.not_quadratic.is_none())
+    }
+}
+
+/// Finds everything.
+pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structure {
+    let split = match separable::split(graph, energy) {
+        Ok((kinetic, potential)) => {
+            let not_quadratic = separable::not_quadratic(graph, kinetic);
+            Split::Separable(Parts { kinetic, potential, not_quadratic })
+        }
+        Err(term) => Split::Coupled(term),
+    };
+    let dependence = Dependence::of(graph);
+    let unread = |symbol: fn(u32) -> Symbol| {
+        let symbols = dependence::symbols(graph, energy);
+        (0..degrees).filter(|i| !symbols.contains(&symbol(*i))).collect::<Vec<_>>()
+    };
+    Structure {
+        energy,
+        split,
+        autonomous: !dependence.reads(energy).t,
+        cyclic: unread(Symbol::Q),
+        resting: unread(Symbol::P),
+        degree: degree::degree(graph, energy, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))),
+    }
+}

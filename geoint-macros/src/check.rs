@@ -1,0 +1,42 @@
+//! What the user asked for against what was proven.
+
+use crate::analyze::{Split, Structure};
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::lower::Place;
+use crate::parse::{Energy, Requirement};
+use std::collections::HashMap;
+
+/// Reports every requirement that does not hold, at the term that breaks it.
+pub(crate) fn requests(
+    energy: &Energy,
+    structure: &Structure,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer { graph, name };
+    for (requirement, span) in &energy.requirements {
+        let witness = match (requirement, &structure.split) {
+            (_, Split::Coupled(term)) => Some((*term, COUPLED)),
+            (Requirement::Separable, Split::Separable(_)) => None,
+            (Requirement::QuadraticKinetic, Split::Separable(parts)) => {
+                parts.not_quadratic.map(|term| (term, NOT_QUADRATIC))
+            }
+        };
+        if let Some((term, why)) = witness {
+            // A term may have been put together from several that were written.
+            let place = places.get(&term).copied().unwrap_or((*span, *span));
+            errors.at_place(place, format!("{why}: {}", printer.excerpt(term)));
+        }
+    }
+    errors.or(())
+}
+
+pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
+                                  use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
+                                        Runge–Kutta–Nyström tables would lose their order; use a table for every \
+                                        separable energy, such as `BlanesMoan6`";

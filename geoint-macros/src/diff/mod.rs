@@ -1,0 +1,56 @@
+//! Derivations on the graph: gradient, Hessian, divided differences, and the equations of implicit steps.
+
+pub(crate) mod equation;
+mod forward;
+mod rules;
+mod slope;
+mod sweep;
+
+use crate::analyze::Structure;
+use crate::ir::{Graph, Id, Symbol};
+pub(crate) use forward::Forward;
+pub(crate) use slope::MissingSlope;
+
+/// The partial derivatives of a node with respect to positions and momenta.
+#[derive(Clone, Debug)]
+pub(crate) struct Gradient {
+    pub(crate) q: Vec<Id>,
+    pub(crate) p: Vec<Id>,
+}
+
+/// ∇ of `root` by one reverse sweep.
+pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
+    let Ok(entries) = sweep::reverse(graph, root, &mut |graph, id| Ok::<_, std::convert::Infallible>(rules::rule(graph, id)));
+    collect(graph, &entries, degrees)
+}
+
+/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp), or the term for which there is no slope.
+pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Result<Gradient, MissingSlope> {
+    let mut slopes = slope::Slopes::default();
+    let entries = sweep::reverse(graph, root, &mut |graph, id| slopes.rule(graph, id))?;
+    Ok(collect(graph, &entries, degrees))
+}
+
+fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradient {
+    let mut all = |symbol: fn(u32) -> Symbol| {
+        (0..degrees).map(|i| entries.get(&symbol(i)).copied().unwrap_or_else(|| graph.zero())).collect()
+    };
+    Gradient { q: all(Symbol::Q), p: all(Symbol::P) }
+}
+
+/// Everything that is derived from an energy.
+pub(crate) struct Derivatives {
+    pub(crate) gradient: Gradient,
+    pub(crate) midpoint: equation::Equation,
+    pub(crate) tree: Result<equation::Equation, MissingSlope>,
+    pub(crate) field: equation::Field,
+}
+
+/// Derives everything that some method needs.
+pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32) -> Derivatives {
+    let gradient = gradient(graph, structure.energy, degrees);
+    let midpoint = equation::midpoint(graph, &gradient, structure, degrees);
+    let tree = equation::tree(graph, &gradient, structure, degrees);
+    let field = equation::field(graph, &gradient, structure, degrees);
+    Derivatives { gradient, midpoint, tree, field }
+}

@@ -1,0 +1,158 @@
+//! The derivative of every operation with respect to its operands. One exhaustive match for nodes, one for functions.
+
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation};
+
+/// How a node changes with its operands.
+#[derive(Debug)]
+pub(super) enum Rule {
+    /// Σ coefficient·(change of operand).
+    Chain(Vec<(Id, Id)>),
+    /// The change of the branch that is taken.
+    Branch(Id, Id, Id),
+}
+
+/// The partial derivatives of a node.
+pub(super) fn rule(graph: &mut Graph, id: Id) -> Rule {
+    Rule::Chain(match graph.node(id).clone() {
+        Node::Number(_)
+        | Node::Symbol(_)
+        | Node::Compare(..)
+        | Node::And(..)
+        | Node::Or(..)
+        | Node::Not(_)
+        | Node::Truth(_) => vec![],
+        Node::Linear(_, terms) => terms.into_iter().map(|(c, term)| (term, graph.number(c))).collect(),
+        Node::Product(factors) => {
+            let others = |k: usize| factors.iter().enumerate().filter(move |(i, _)| *i != k).map(|(_, id)| *id);
+            (0..factors.len())
+                .map(|k| (factors[k], graph.product(&others(k).collect::<Vec<_>>())))
+                .collect()
+        }
+        Node::Power(base, exponent) => {
+            // The exponent is small, so that it can be lowered by one.
+            let lower = exponent.add(Ratio::integer(-1)).unwrap_or(exponent);
+            let power = graph.pow(base, lower);
+            vec![(base, graph.scale(Number::Exact(exponent), power))]
+        }
+        Node::Call(function, args) => {
+            let partials = function_partials(graph, id, function, &args);
+            args.into_iter().zip(partials).collect()
+        }
+        Node::Select(condition, first, second) => return Rule::Branch(condition, first, second),
+    })
+}
+
+/// The partial derivatives of `value = function(args)`.
+fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) -> Vec<Id> {
+    let (x, y) = (args[0], *args.get(1).unwrap_or(&args[0]));
+    let one = g.integer(1);
+    let square = |g: &mut Graph, x: Id| g.pow(x, Ratio::integer(2));
+    // (1 − x)(1 + x), which does not cancel at ±1 as 1 − x² does.
+    let circle = |g: &mut Graph, x: Id| {
+        let (minus, plus) = (g.sub(one, x), g.add(one, x));
+        g.mul(minus, plus)
+    };
+    let inverse_sqrt = |g: &mut Graph, x: Id| g.pow(x, Ratio { numerator: -1, denominator: 2 });
+    let logarithm = |g: &mut Graph, base: f64| {
+        let reciprocal = g.recip(x);
+        g.scale(Number::float(1.0 / base), reciprocal)
+    };
+    match function {
+        Function::Sin => vec![g.call(Function::Cos, &[x])],
+        Function::Cos => {
+            let sin = g.call(Function::Sin, &[x]);
+            vec![g.neg(sin)]
+        }
+        Function::Tan => {
+            let square = square(g, value);
+            vec![g.add(one, square)]
+        }
+        Function::Asin => {
+            let circle = circle(g, x);
+            vec![inverse_sqrt(g, circle)]
+        }
+        Function::Acos => {
+            let circle = circle(g, x);
+            let root = inverse_sqrt(g, circle);
+            vec![g.neg(root)]
+        }
+        Function::Atan => {
+            let square = square(g, x);
+            let sum = g.add(one, square);
+            vec![g.recip(sum)]
+        }
+        Function::Atan2 => {
+            // args are (y, x) of the point.
+            let squares = [square(g, x), square(g, y)];
+            let radius = g.sum(&squares);
+            let (by_y, by_x) = (g.div(y, radius), g.div(x, radius));
+            vec![by_y, g.neg(by_x)]
+        }
+        Function::Sinh => vec![g.call(Function::Cosh, &[x])],
+        Function::Cosh => vec![g.call(Function::Sinh, &[x])],
+        Function::Tanh => {
+            let cosh = g.call(Function::Cosh, &[x]);
+            vec![g.pow(cosh, Ratio::integer(-2))]
+        }
+        Function::Asinh => {
+            let square = square(g, x);
+            let sum = g.add(one, square);
+            vec![inverse_sqrt(g, sum)]
+        }
+        Function::Acosh => {
+            let (minus, plus) = (g.sub(x, one), g.add(x, one));
+            let product = g.mul(minus, plus);
+            vec![inverse_sqrt(g, product)]
+        }
+        Function::Atanh => {
+            let circle = circle(g, x);
+            vec![g.recip(circle)]
+        }
+        Function::Exp => vec![value],
+        Function::Exp2 => vec![g.scale(Number::float(std::f64::consts::LN_2), value)],
+        Function::ExpM1 => vec![g.call(Function::Exp, &[x])],
+        Function::Ln => vec![g.recip(x)],
+        Function::Ln1p => {
+            let sum = g.add(one, x);
+            vec![g.recip(sum)]
+        }
+        Function::Log2 => vec![logarithm(g, std::f64::consts::LN_2)],
+        Function::Log10 => vec![logarithm(g, std::f64::consts::LN_10)],
+        Function::Cbrt => {
+            let power = g.pow(value, Ratio::integer(-2));
+            vec![g.scale(Number::integer(3).pow(Ratio::integer(-1)).unwrap_or(Number::ONE), power)]
+        }
+        Function::Hypot => vec![g.div(x, value), g.div(y, value)],
+        Function::Powf => {
+            let lower = g.sub(y, one);
+            let power = match g.as_number(lower) {
+                Some(Number::Exact(ratio)) if ratio.denominator <= 2 => g.pow(x, ratio),
+                _ => g.call(Function::Powf, &[x, lower]),
+            };
+            let ln = g.call(Function::Ln, &[x]);
+            vec![g.mul(y, power), g.mul(value, ln)]
+        }
+        Function::Abs => vec![g.call(Function::Signum, &[x])],
+        Function::Min | Function::Max => {
+            let zero = g.zero();
+            let first = if function == Function::Min {
+                g.compare(Relation::LessEqual, x, y)
+            } else {
+                g.compare(Relation::LessEqual, y, x)
+            };
+            vec![g.select(first, one, zero), g.select(first, zero, one)]
+        }
+        Function::Signum => vec![g.zero()],
+        Function::Sinc => vec![g.call(Function::SincDerivative, &[x])],
+        // f[a, b] = f[b, a].
+        Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, x, y),
+        Function::LnSlope => slope_partials(g, Function::LnSlopeDerivative, x, y),
+        Function::SincDerivative | Function::ExpSlopeDerivative | Function::LnSlopeDerivative => {
+            unreachable!("divided differences are differentiated once, for Newton's matrix")
+        }
+    }
+}
+
+fn slope_partials(g: &mut Graph, derivative: Function, a: Id, b: Id) -> Vec<Id> {
+    vec![g.call(derivative, &[b, a]), g.call(derivative, &[a, b])]
+}

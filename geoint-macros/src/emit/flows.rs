@@ -1,0 +1,159 @@
+//! Kick and drift, if H = T(p) + V(q); otherwise an implementation that no scalar satisfies, whose message names the term
+//! that couples.
+
+use super::kernel::{Context, place};
+use super::system::self_type;
+use crate::analyze::{Parts, Split, Structure};
+use crate::check::{COUPLED, NOT_QUADRATIC};
+use crate::diff::Gradient;
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::schedule::{self, Operations};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// The tokens, and what a kick and a drift cost.
+pub(super) fn flows(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    structure: &Structure,
+    gradient: &Gradient,
+    bounds: &TokenStream,
+) -> (TokenStream, Option<[Operations; 2]>) {
+    match &structure.split {
+        Split::Separable(parts) => {
+            let (tokens, operations) = separable(context, graph, parts, gradient, bounds);
+            (tokens, Some(operations))
+        }
+        Split::Coupled(term) => (coupled(context, graph, *term, bounds), None),
+    }
+}
+
+fn separable(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    parts: &Parts,
+    gradient: &Gradient,
+    bounds: &TokenStream,
+) -> (TokenStream, [Operations; 2]) {
+    let (name, array) = (self_type(context), context.array());
+    let kick = flow(context, graph, "p", Symbol::P, &gradient.q, -1);
+    let drift = flow(context, graph, "q", Symbol::Q, &gradient.p, 1);
+    let quadratic = match parts.not_quadratic {
+        None => quote!(impl<R: #bounds> QuadraticKinetic<R> for #name {}),
+        Some(term) => {
+            let (marker, tokens) = unsatisfied(context, graph, "QuadraticIn", term, NOT_QUADRATIC);
+            quote!(#tokens impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {})
+        }
+    };
+    let (kick_slots, drift_slots) = (&kick.slots, &drift.slots);
+    let (prepare_kick, prepare_drift) = (&kick.prepare, &drift.prepare);
+    let (kick_body, drift_body) = (&kick.body, &drift.body);
+    let tokens = quote! {
+        impl<R: #bounds> Separable<R> for #name {
+            type Kick = [R; #kick_slots];
+            type Drift = [R; #drift_slots];
+
+            #[inline]
+            fn prepare_kick(&self, h: R) -> [R; #kick_slots] {
+                #prepare_kick
+            }
+            #[inline]
+            fn prepare_drift(&self, h: R) -> [R; #drift_slots] {
+                #prepare_drift
+            }
+            #[inline(always)]
+            fn kick(prepared: &[R; #kick_slots], t: R, q: &#array, p: &mut #array) {
+                #kick_body
+            }
+            #[inline(always)]
+            fn drift(prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &#array) {
+                #drift_body
+            }
+        }
+        #quadratic
+    };
+    (tokens, [kick.operations, drift.operations])
+}
+
+struct Flow {
+    slots: Literal,
+    prepare: TokenStream,
+    body: TokenStream,
+    operations: Operations,
+}
+
+/// x ← x ± h·slope, where what depends on h and parameters only is prepared.
+fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -> Symbol, slopes: &[Id], sign: i64) -> Flow {
+    let h = graph.symbol(Symbol::H);
+    let mut changed = vec![];
+    let mut roots = vec![];
+    for (i, slope) in slopes.iter().enumerate().filter(|(_, slope)| !graph.is_zero(**slope)).collect::<Vec<_>>() {
+        let increment = graph.mul(h, *slope);
+        let increment = graph.scale(crate::ir::Number::integer(sign), increment);
+        let start = graph.symbol(symbol(i as u32));
+        roots.push(graph.add(start, increment));
+        changed.push(context.coordinate(i as u32));
+    }
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
+    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
+    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
+    let body = context.planned(&plan.last[0], (&[], ""), |values| {
+        let base = format_ident!("{array}");
+        let places: Vec<_> = changed.iter().map(|indices| place(quote!(#base), indices)).collect();
+        let names: Vec<_> = (0..values.len()).map(|i| format_ident!("new{i}")).collect();
+        // All new values before the first one is written: slopes may read what is changed by others.
+        match &values[..] {
+            [value] => quote!(#(#places = #value;)*),
+            _ => quote!(#(let #names = #values;)* #(#places = #names;)*),
+        }
+    });
+    Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
+}
+
+fn coupled(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let (marker, tokens) = unsatisfied(context, graph, "Uncoupled", term, COUPLED);
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: #bounds + #marker> Separable<R> for #name {
+            type Kick = #never;
+            type Drift = #never;
+            fn prepare_kick(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn prepare_drift(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn kick(never: &#never, _: R, _: &#array, _: &mut #array) {
+                match *never {}
+            }
+            fn drift(never: &#never, _: R, _: &mut #array, _: &#array) {
+                match *never {}
+            }
+        }
+        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {}
+    }
+}
+
+/// A trait that nothing implements, whose message says why a system lacks a property.
+pub(super) fn unsatisfied(
+    context: &Context<'_>,
+    graph: &Graph,
+    what: &str,
+    term: Id,
+    why: &str,
+) -> (proc_macro2::Ident, TokenStream) {
+    let name = &context.energy.name;
+    let marker = format_ident!("{what}{name}");
+    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let message = format!("`{name}`: {why}");
+    let label = format!("the term is: {}", printer.excerpt(term));
+    // Braces in a message are read as parameters.
+    let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
+    let tokens = quote! {
+        #[diagnostic::on_unimplemented(message = #message, label = #label)]
+        pub trait #marker {}
+    };
+    (marker, tokens)
+}

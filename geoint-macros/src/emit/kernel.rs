@@ -1,0 +1,149 @@
+//! Functions of prepared coefficients and arrays: what routines read and write.
+
+use super::straight_line;
+use crate::ir::{Graph, Id, Symbol};
+use crate::parse::{Energy, Role, Shape};
+use crate::schedule::{self, Block};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// How kernels of one energy name things.
+pub(crate) struct Context<'a> {
+    pub(crate) energy: &'a Energy,
+    /// Constants that live outside the function.
+    pub(crate) constants: &'a [TokenStream],
+}
+
+/// `base[i][j]…`
+pub(crate) fn place(base: TokenStream, indices: &[usize]) -> TokenStream {
+    let indices = indices.iter().map(|i| Literal::usize_unsuffixed(*i));
+    quote!(#base #([#indices])*)
+}
+
+impl Context<'_> {
+    /// The indices of the `i`-th coordinate in its array.
+    pub(crate) fn coordinate(&self, i: u32) -> Vec<usize> {
+        let shape = &self.energy.coordinates.shape;
+        if shape.extents.is_empty() { vec![0] } else { shape.indices(i as usize) }
+    }
+
+    /// Indices of all coordinates.
+    pub(crate) fn coordinates(&self) -> Vec<Vec<usize>> {
+        (0..self.energy.degrees()).map(|i| self.coordinate(i)).collect()
+    }
+
+    /// The array type of q and p.
+    pub(crate) fn array(&self) -> TokenStream {
+        let extents = match &self.energy.coordinates.shape.extents[..] {
+            [] => vec![1],
+            extents => extents.to_vec(),
+        };
+        extents.iter().rev().fold(quote!(R), |inner, extent| {
+            let extent = Literal::usize_unsuffixed(*extent);
+            quote!([#inner; #extent])
+        })
+    }
+
+    /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other.
+    pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {
+        let coordinates = self.coordinates();
+        if unknowns == coordinates.len() {
+            return coordinates;
+        }
+        (0..2).flat_map(|half| coordinates.iter().map(move |place| [&[half], &place[..]].concat())).collect()
+    }
+
+    /// The type of an array of unknowns.
+    pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenStream {
+        let array = self.array();
+        if unknowns == self.energy.degrees() as usize { array } else { quote!([#array; 2]) }
+    }
+
+    /// A scalar of a parameter, or a constant from outside.
+    fn parameter(&self, index: u32) -> TokenStream {
+        let mut rest = index as usize;
+        for argument in self.energy.parameters() {
+            if rest < argument.shape.len() {
+                let name = &argument.name;
+                return place(quote!(self.#name), &argument.shape.indices(rest));
+            }
+            rest -= argument.shape.len();
+        }
+        let constant = &self.constants[rest];
+        quote!(R::from_f64((#constant) as f64))
+    }
+
+    /// What a symbol is called in every routine.
+    pub(crate) fn input(&self, symbol: Symbol) -> TokenStream {
+        match symbol {
+            Symbol::Q(i) => place(quote!(q), &self.coordinate(i)),
+            Symbol::P(i) => place(quote!(p), &self.coordinate(i)),
+            Symbol::T => quote!(t),
+            Symbol::H => quote!(h),
+            Symbol::Parameter(i) => self.parameter(i),
+            // Increments occur only as unknowns, which have an array of their own.
+            Symbol::Dq(i) | Symbol::Dp(i) => place(quote!(increment), &self.coordinate(i)),
+        }
+    }
+
+    /// What users call a symbol.
+    pub(crate) fn user_name(&self, symbol: Symbol) -> String {
+        let indexed = |name: String, shape: &Shape, i: usize| {
+            let indices: String = shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
+            name + &indices
+        };
+        let of_role = |role: Role, i: u32| {
+            let argument = self.energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
+            argument.map_or_else(String::new, |a| indexed(a.name.to_string(), &a.shape, i as usize))
+        };
+        match symbol {
+            Symbol::Q(i) => of_role(Role::Position, i),
+            Symbol::P(i) => of_role(Role::Momentum, i),
+            Symbol::T => of_role(Role::Time, 0),
+            Symbol::H => "h".into(),
+            Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
+            Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
+            Symbol::Parameter(index) => {
+                let mut rest = index as usize;
+                for argument in self.energy.parameters() {
+                    if rest < argument.shape.len() {
+                        return indexed(argument.name.to_string(), &argument.shape, rest);
+                    }
+                    rest -= argument.shape.len();
+                }
+                self.constants[rest].to_string().replace(' ', "")
+            }
+        }
+    }
+
+    /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
+    fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> TokenStream {
+        match unknowns.iter().position(|unknown| *unknown == symbol) {
+            Some(i) => {
+                let array = format_ident!("{array}");
+                place(quote!(#array), &self.unknown_places(unknowns.len())[i])
+            }
+            None => self.input(symbol),
+        }
+    }
+
+    /// One routine without levels: the statements, then what `finish` makes of the values of `roots`.
+    pub(crate) fn routine(
+        &self,
+        graph: &mut Graph,
+        roots: &[Id],
+        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    ) -> TokenStream {
+        straight_line::routine(&schedule::routine(graph, roots), &|symbol| self.input(symbol), finish)
+    }
+
+    /// A routine of a plan, in which `unknowns` are in the array `array`.
+    pub(crate) fn planned(
+        &self,
+        block: &Block,
+        (unknowns, array): (&[Symbol], &str),
+        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    ) -> TokenStream {
+        straight_line::routine(block, &|symbol| self.input_or_unknown(unknowns, array, symbol), finish)
+    }
+}

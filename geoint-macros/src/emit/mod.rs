@@ -1,0 +1,73 @@
+//! Tokens: the struct with its docs, and the implementations of the runtime's traits.
+//!
+//! Tokens are built, never printed and parsed again. They name nothing but `::core` and the runtime, and what the
+//! user's own signature names.
+
+mod flows;
+mod implicit;
+mod kernel;
+mod report;
+mod straight_line;
+mod system;
+
+use crate::analyze::Structure;
+use crate::diff::Derivatives;
+use crate::ir::Graph;
+use crate::parse::Energy;
+pub(crate) use kernel::Context;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Everything that is emitted beside the user's function.
+pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Structure, derivatives: &Derivatives) -> TokenStream {
+    let bounds = system::bounds(graph, structure.energy);
+    let (flows, flow_costs) = flows::flows(context, graph, structure, &derivatives.gradient, &bounds);
+    let (midpoint, midpoint_cost) = implicit::mean_gradient(context, graph, &derivatives.midpoint, "Midpoint", &bounds);
+    let (tree, tree_cost) = match &derivatives.tree {
+        Ok(equation) => {
+            let (tokens, cost) = implicit::mean_gradient(context, graph, equation, "Tree", &bounds);
+            (tokens, Some(cost))
+        }
+        Err(missing) => (implicit::missing_tree(context, graph, *missing, &bounds), None),
+    };
+    let collocation = implicit::collocation(context, graph, &derivatives.field, &bounds);
+    let hamiltonian = system::hamiltonian(context, graph, structure, &derivatives.gradient, &bounds);
+
+    let costs = report::Costs { flows: flow_costs, midpoint: midpoint_cost, tree: tree_cost };
+    let report = report::report(context, graph, structure, derivatives, &costs);
+    let docs = format!("\n# What was derived\n\n```text\n{report}```");
+    let Energy { name, runtime, .. } = context.energy;
+    let structure = system::structure(context, &docs);
+    let function = &context.energy.item.sig.ident;
+    quote! {
+        #structure
+
+        #[allow(
+            clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, missing_docs, private_bounds,
+            unreachable_pub, unused_imports, unused_mut, unused_variables, reason = "generated code"
+        )]
+        const _: () = {
+            use #runtime::private::{
+                Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real, Separable, Square, Tree,
+                slope,
+            };
+
+            // The function is the source of all this, and the user need not call it.
+            const _: fn() = || {
+                let _ = #function;
+            };
+
+            impl #name {
+                /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
+                /// skipped and why.
+                pub const REPORT: &'static str = #report;
+            }
+
+            #hamiltonian
+            #flows
+            #midpoint
+            #tree
+            #collocation
+        };
+    }
+}

@@ -1,0 +1,151 @@
+//! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
+
+use super::implicit::NO_SLOPE;
+use super::kernel::Context;
+use crate::analyze::{Split, Structure};
+use crate::diff::Derivatives;
+use crate::ir::{Graph, Id, print::Printer};
+use crate::parse::Role;
+use crate::schedule::{self, Operations};
+use std::fmt::Write;
+
+/// What the kernels cost.
+pub(super) struct Costs {
+    pub(super) flows: Option<[Operations; 2]>,
+    pub(super) midpoint: Operations,
+    pub(super) tree: Option<Operations>,
+}
+
+/// The report. Lines are short enough for a terminal unless a formula is not.
+pub(super) fn report(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    structure: &Structure,
+    derivatives: &Derivatives,
+    costs: &Costs,
+) -> String {
+    let gradient_roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
+    let gradient_cost = schedule::routine(graph, &gradient_roots).operations();
+    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = sections(&mut text, context, &printer, structure, derivatives, costs, gradient_cost);
+    text
+}
+
+fn sections<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    derivatives: &Derivatives,
+    costs: &Costs,
+    gradient_cost: Operations,
+) -> std::fmt::Result {
+    let energy = context.energy;
+    let name_of = |role: Role| {
+        energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, a)| a.name.to_string()).unwrap_or_default()
+    };
+    let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
+    writeln!(text, "H = {}", printer.formula(structure.energy))?;
+    for (symbols, slopes) in [(&q, &derivatives.gradient.q), (&p, &derivatives.gradient.p)] {
+        for (i, slope) in slopes.iter().enumerate() {
+            let indices: String = energy.coordinates.shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
+            writeln!(text, "∂H/∂{symbols}{indices} = {}", formula(printer, *slope))?;
+        }
+    }
+
+    writeln!(text, "\nStructure")?;
+    match &structure.split {
+        Split::Separable(parts) => {
+            writeln!(text, "- H = T({p}) + V({q}): kick and drift are exact flows")?;
+            match parts.not_quadratic {
+                None => writeln!(text, "- T is quadratic in {p} with a constant mass matrix")?,
+                Some(term) => writeln!(text, "- T is not quadratic in {p}: {}", printer.excerpt(term))?,
+            }
+        }
+        Split::Coupled(term) => writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?,
+    }
+    match structure.degree {
+        Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,
+        None => writeln!(text, "- H is not a polynomial in {q} and {p}")?,
+    }
+    let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
+    writeln!(text, "- H {reads_time} on time")?;
+
+    writeln!(text, "\nConserved by the flow")?;
+    if structure.autonomous {
+        writeln!(text, "- the energy")?;
+    }
+    let listed = |name: &str, indices: &[u32]| {
+        let one = |i: &u32| {
+            let indices: String = energy.coordinates.shape.indices(*i as usize).iter().map(|i| format!("[{i}]")).collect();
+            format!("{name}{indices}")
+        };
+        indices.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
+    if !structure.cyclic.is_empty() {
+        writeln!(text, "- {}: H does not read {}", listed(&p, &structure.cyclic), listed(&q, &structure.cyclic))?;
+    }
+    if !structure.resting.is_empty() {
+        writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
+    }
+    if structure.autonomous == false && structure.cyclic.is_empty() && structure.resting.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
+    writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
+    if let Some([kick, drift]) = costs.flows {
+        writeln!(text, "- kick: {}", counted(kick))?;
+        writeln!(text, "- drift: {}", counted(drift))?;
+    }
+    writeln!(text, "- Newton iteration of the implicit midpoint rule: {}", counted(costs.midpoint))?;
+    if let Some(tree) = costs.tree {
+        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(tree))?;
+    }
+
+    writeln!(text, "\nSkipped")?;
+    if structure.parts().is_some() {
+        writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
+    }
+    if structure.quadratic_parts().is_some() {
+        writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
+    }
+    if structure.autonomous {
+        writeln!(text, "- the clock: H does not depend on time")?;
+    }
+    if !structure.cyclic.is_empty() {
+        writeln!(text, "- the force on {}: it is zero", listed(&p, &structure.cyclic))?;
+    }
+    writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
+    match (&structure.split, &derivatives.tree) {
+        (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
+        _ if structure.quadratic_parts().is_none() => {
+            writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
+        }
+        _ => {}
+    }
+    if let Err(missing) = &derivatives.tree {
+        writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
+    }
+    Ok(())
+}
+
+/// A derivative, written out unless it fills the screen.
+fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id) -> String {
+    let formula = printer.formula(id);
+    if formula.chars().count() > 400 { printer.excerpt(id) } else { formula }
+}
+
+fn counted(operations: Operations) -> String {
+    let Operations { arithmetic, divisions, calls } = operations;
+    let mut parts = vec![format!("{arithmetic} sums and products")];
+    if divisions > 0 {
+        parts.push(format!("{divisions} divisions and roots"));
+    }
+    if calls > 0 {
+        parts.push(format!("{calls} functions"));
+    }
+    parts.join(", ")
+}

@@ -1,0 +1,169 @@
+//! The struct, and what every system offers: its energy, its domain.
+
+use super::kernel::Context;
+use crate::analyze::Structure;
+use crate::diff::Gradient;
+use crate::ir::op::Domain;
+use crate::ir::{Function, Graph, Id, Node, print::Printer};
+use crate::parse::over_scalar;
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+use std::collections::HashSet;
+
+/// The generated struct: a field a parameter.
+pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
+    let energy = context.energy;
+    let (name, vis, float) = (&energy.name, &energy.item.vis, &energy.float);
+    let own_docs = energy.item.attrs.iter().filter(|attribute| attribute.path().is_ident("doc"));
+    let scalar = format_ident!("R");
+    let fields: Vec<TokenStream> = energy
+        .parameters()
+        .map(|parameter| {
+            let (name, ty) = (&parameter.name, over_scalar(&parameter.ty, float, &scalar));
+            let doc = format!("The parameter `{name}` of the energy.");
+            quote!(#[doc = #doc] pub #name: #ty)
+        })
+        .collect();
+    let derives = quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    if fields.is_empty() {
+        quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name;)
+    } else {
+        quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+    }
+}
+
+/// `Name<R>`, or `Name` if there are no parameters.
+pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
+    let name = &context.energy.name;
+    if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
+}
+
+/// What kernels ask of their scalar: comparisons only if the energy has branches.
+pub(super) fn bounds(graph: &Graph, energy: Id) -> TokenStream {
+    let compares = |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
+    if graph.reachable(&[energy]).iter().any(compares) {
+        quote!(Real + ::core::cmp::PartialOrd)
+    } else {
+        quote!(Real)
+    }
+}
+
+pub(super) fn hamiltonian(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    structure: &Structure,
+    gradient: &Gradient,
+    bounds: &TokenStream,
+) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
+    let outside = outside_domain(context, graph, structure.energy);
+    let places = context.coordinates();
+    let roots = [&gradient.q[..], &gradient.p[..]].concat();
+    let slopes = context.routine(graph, &roots, |values| {
+        let (q, p) = values.split_at(places.len());
+        let write = |base: TokenStream, values: &[TokenStream]| -> TokenStream {
+            let places = places.iter().map(|place| super::kernel::place(base.clone(), place));
+            quote!(#(#places = #values;)*)
+        };
+        let (q, p) = (write(quote!(dq), q), write(quote!(dp), p));
+        quote!(#q #p)
+    });
+    quote! {
+        impl<R: #bounds> Hamiltonian<R> for #name {
+            type Coordinates = #coordinates;
+            type Array = #array;
+
+            #[inline]
+            fn hamiltonian(&self, t: R, q: &#array, p: &#array) -> R {
+                #value
+            }
+            #[inline]
+            fn gradient(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
+                #slopes
+            }
+            fn outside_domain(&self, t: R, q: &#array, p: &#array) -> ::core::option::Option<&'static str> {
+                #outside
+            }
+        }
+    }
+}
+
+/// A condition under which a node is undefined, as a method call on an argument.
+struct Check {
+    argument: Id,
+    /// Tokens behind the argument.
+    test: TokenStream,
+    message: String,
+}
+
+fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id) -> TokenStream {
+    let checks = checks(context, graph, energy);
+    let roots: Vec<Id> = checks.iter().map(|check| check.argument).collect();
+    context.routine(graph, &roots, |values| {
+        let tests = checks.iter().zip(values).map(|(Check { test, message, .. }, value)| {
+            quote!(if (#value) #test { return ::core::option::Option::Some(#message); })
+        });
+        quote!(#(#tests)* ::core::option::Option::None)
+    })
+}
+
+/// What has to be tested for the energy, and its gradient, to be defined. Branches test for themselves: that is what an
+/// `if` around a root is for.
+fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
+    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    // The smallest positive number: below it is zero or negative.
+    let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
+    let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));
+    let mut checks = vec![];
+    for id in unconditional(graph, energy) {
+        match graph.node(id) {
+            Node::Power(base, exponent) => {
+                let term = printer.excerpt(*base);
+                let (test, message) = match (exponent.is_integer(), exponent.numerator < 0) {
+                    (true, false) => continue,
+                    (true, true) => (zero.clone(), format!("division by zero: {term}")),
+                    (false, true) => (not_positive.clone(), format!("division by the root of a number that is not positive: {term}")),
+                    (false, false) => (quote!(.any_below(0.0)), format!("`sqrt` of a negative number: {term}")),
+                };
+                checks.push(Check { argument: *base, test, message });
+            }
+            Node::Call(function, args) => {
+                let Domain::Interval(low, high, what) = function.entry().domain else { continue };
+                let message = format!("`{}` of {what}: {}", function.entry().name, printer.excerpt(args[0]));
+                let open = matches!(function, Function::Ln | Function::Log2 | Function::Log10);
+                let low = proc_macro2::Literal::f64_unsuffixed(low.abs());
+                let below = match (open, function.entry().domain) {
+                    (true, _) => not_positive.clone(),
+                    (_, Domain::Interval(bound, ..)) if bound < 0.0 => quote!(.any_below(-#low)),
+                    _ => quote!(.any_below(#low)),
+                };
+                checks.push(Check { argument: args[0], test: below, message: message.clone() });
+                if high.is_finite() {
+                    let high = proc_macro2::Literal::f64_unsuffixed(high);
+                    checks.push(Check { argument: args[0], test: quote!(.any_above(#high)), message });
+                }
+            }
+            _ => {}
+        }
+    }
+    checks
+}
+
+/// Nodes that are computed whatever the conditions are.
+fn unconditional(graph: &Graph, root: Id) -> Vec<Id> {
+    let (mut seen, mut open) = (HashSet::new(), vec![root]);
+    while let Some(id) = open.pop() {
+        if seen.insert(id) {
+            match graph.node(id) {
+                Node::Select(condition, _, _) => open.push(*condition),
+                node => open.extend(node.children()),
+            }
+        }
+    }
+    let mut all: Vec<Id> = seen.into_iter().collect();
+    all.sort();
+    all
+}
+

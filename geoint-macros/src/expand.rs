@@ -1,0 +1,36 @@
+//! The compiler on one screen: from the annotated function to the code that integrates it.
+
+use crate::diagnostics::Result;
+use crate::{analyze, check, diff, emit, lower, parse};
+use proc_macro2::TokenStream;
+use quote::{ToTokens, quote};
+
+/// The user's function, and all that is made from it; with messages in place of that if something is wrong.
+pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
+    match syn::parse2::<syn::ItemFn>(item.clone()) {
+        // The function comes first and unchanged, so that rustc and editors see it whatever happens.
+        Ok(function) => {
+            let derived = derive(args, function).unwrap_or_else(|errors| errors.into_tokens());
+            quote!(#item #derived)
+        }
+        Err(_) => match syn::parse2::<syn::Item>(item.clone()) {
+            Ok(other) => {
+                let message = syn::Error::new_spanned(other.to_token_stream(), "this attribute goes above a function");
+                let message = message.into_compile_error();
+                quote!(#item #message)
+            }
+            // Not Rust at all: rustc says it better.
+            Err(_) => item,
+        },
+    }
+}
+
+fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
+    let energy = parse::energy(args, item)?; // who is q, p, t
+    let lower::Lowered { mut graph, energy: root, places, constants } = lower::body(&energy)?; // Rust to graph
+    let context = emit::Context { energy: &energy, constants: &constants };
+    let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
+    check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());
+    Ok(emit::items(&context, &mut graph, &structure, &derivatives))
+}

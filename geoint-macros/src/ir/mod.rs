@@ -1,0 +1,12 @@
+//! The graph of an energy: operations, interned nodes, their value, their formula. Knows no syntax and no emission.
+
+pub(crate) mod eval;
+pub(crate) mod graph;
+pub(crate) mod number;
+pub(crate) mod op;
+pub(crate) mod print;
+pub(crate) mod substitute;
+
+pub(crate) use graph::{Graph, Id, Node};
+pub(crate) use number::{Number, Ratio};
+pub(crate) use op::{Function, Relation, Symbol};

@@ -1,0 +1,155 @@
+//! Nodes as formulas: for messages, documentation and snapshots.
+
+use super::graph::{Graph, Id, Node};
+use super::number::{Number, Ratio};
+use super::op::{Relation, Symbol};
+
+/// Longer formulas are cut in messages.
+const MESSAGE_LENGTH: usize = 90;
+
+/// Prints nodes with the names that the user gave.
+pub(crate) struct Printer<'a, F> {
+    pub(crate) graph: &'a Graph,
+    pub(crate) name: F,
+}
+
+/// How tightly an operand must hold together.
+#[derive(Clone, Copy, PartialEq, PartialOrd)]
+enum Level {
+    Sum,
+    Product,
+    Atom,
+}
+
+impl<F: Fn(Symbol) -> String> Printer<'_, F> {
+    /// The whole formula.
+    pub(crate) fn formula(&self, id: Id) -> String {
+        self.print(id, Level::Sum)
+    }
+
+    /// The formula, cut if it would not fit into a message.
+    pub(crate) fn excerpt(&self, id: Id) -> String {
+        let formula = self.formula(id);
+        if formula.chars().count() <= MESSAGE_LENGTH {
+            return formula;
+        }
+        formula.chars().take(MESSAGE_LENGTH).chain(" …".chars()).collect()
+    }
+
+    fn print(&self, id: Id, outside: Level) -> String {
+        let (text, level) = match self.graph.node(id) {
+            Node::Number(value) => (number(*value), if value.is_negative() { Level::Sum } else { Level::Atom }),
+            Node::Symbol(symbol) => ((self.name)(*symbol), Level::Atom),
+            Node::Linear(constant, terms) => self.linear(*constant, terms),
+            Node::Product(_) | Node::Power(..) => self.fraction(Number::ONE, id),
+            Node::Call(function, args) => {
+                let args: Vec<_> = args.iter().map(|id| self.formula(*id)).collect();
+                (format!("{}({})", function.entry().name, args.join(", ")), Level::Atom)
+            }
+            Node::Select(c, a, b) => {
+                let [c, a, b] = [c, a, b].map(|id| self.formula(*id));
+                (format!("if {c} {{ {a} }} else {{ {b} }}"), Level::Sum)
+            }
+            Node::Compare(relation, a, b) => {
+                let sign = match relation {
+                    Relation::Less => "<",
+                    Relation::LessEqual => "≤",
+                    Relation::Equal => "=",
+                };
+                (format!("{} {sign} {}", self.formula(*a), self.formula(*b)), Level::Sum)
+            }
+            Node::And(a, b) => (format!("{} and {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum),
+            Node::Or(a, b) => (format!("{} or {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum),
+            Node::Not(a) => (format!("not {}", self.print(*a, Level::Atom)), Level::Product),
+            Node::Truth(value) => (value.to_string(), Level::Atom),
+        };
+        if level < outside { format!("({text})") } else { text }
+    }
+
+    fn linear(&self, constant: Number, terms: &[(Number, Id)]) -> (String, Level) {
+        let mut text = String::new();
+        // A positive term leads if there is one.
+        let mut order: Vec<_> = terms.to_vec();
+        if let Some(first) = order.iter().position(|(c, _)| !c.is_negative()) {
+            order[..=first].rotate_right(1);
+        }
+        for (c, id) in order {
+            let magnitude = if c.is_negative() { c.neg() } else { c };
+            let sign = match (text.is_empty(), c.is_negative()) {
+                (true, false) => "",
+                (true, true) => "-",
+                (false, false) => " + ",
+                (false, true) => " - ",
+            };
+            text += sign;
+            text += &self.scaled(magnitude, id);
+        }
+        if !constant.is_zero() {
+            let magnitude = if constant.is_negative() { constant.neg() } else { constant };
+            text += if constant.is_negative() { " - " } else { " + " };
+            text += &number(magnitude);
+        }
+        let single = terms.len() == 1 && constant.is_zero() && !terms[0].0.is_negative();
+        (text, if single { Level::Product } else { Level::Sum })
+    }
+
+    fn scaled(&self, c: Number, id: Id) -> String {
+        match c {
+            Number::ONE => self.print(id, Level::Product),
+            _ => self.fraction(c, id).0,
+        }
+    }
+
+    /// c·node as one fraction.
+    fn fraction(&self, c: Number, id: Id) -> (String, Level) {
+        let (mut above, mut below) = (vec![], vec![]);
+        match c {
+            Number::ONE => {}
+            Number::Exact(Ratio { numerator, denominator }) if denominator < 100 => {
+                above.extend((numerator != 1).then(|| numerator.to_string()));
+                below.extend((denominator != 1).then(|| denominator.to_string()));
+            }
+            _ => above.push(number(c)),
+        }
+        let mut factors = self.graph.factors(id);
+        factors.sort_by_key(|(base, _)| *base);
+        for (base, exponent) in factors {
+            let side = if exponent.numerator < 0 { &mut below } else { &mut above };
+            side.push(self.power(base, exponent));
+        }
+        let alone = below.is_empty() && above.len() == 1;
+        let join = |factors: &[String]| factors.join("·");
+        let text = match (&above[..], &below[..]) {
+            (_, []) => join(&above),
+            ([], [one]) => format!("1/{one}"),
+            ([], _) => format!("1/({})", join(&below)),
+            (_, [one]) => format!("{}/{one}", join(&above)),
+            _ => format!("{}/({})", join(&above), join(&below)),
+        };
+        (text, if alone { Level::Atom } else { Level::Product })
+    }
+
+    /// A base to the magnitude of an exponent.
+    fn power(&self, base: Id, exponent: Ratio) -> String {
+        let n = exponent.numerator.abs();
+        match (n, exponent.denominator) {
+            (1, 1) => self.print(base, Level::Atom),
+            (1, _) => format!("√{}", self.print(base, Level::Atom)),
+            (_, 1) => format!("{}{}", self.print(base, Level::Atom), superscript(n)),
+            _ => format!("{}^({n}/{})", self.print(base, Level::Atom), exponent.denominator),
+        }
+    }
+}
+
+fn superscript(n: i64) -> String {
+    n.to_string().chars().map(|c| c.to_digit(10).and_then(|d| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(d as usize)).unwrap_or(c)).collect()
+}
+
+fn number(value: Number) -> String {
+    match value {
+        // Short decimals are read more easily than fractions.
+        Number::Exact(r) if r.denominator == 1 => r.numerator.to_string(),
+        Number::Exact(r) if format!("{}", r.to_f64()).len() > 8 => format!("{}/{}", r.numerator, r.denominator),
+        _ => format!("{}", value.to_f64()),
+    }
+}

@@ -1,0 +1,50 @@
+//! Symbols replaced by expressions.
+
+use super::graph::{Graph, Id, Node};
+use super::op::Symbol;
+use std::collections::HashMap;
+
+/// A replacement of symbols that remembers what it has rebuilt.
+pub(crate) struct Substitution<F> {
+    replace: F,
+    done: HashMap<Id, Id>,
+}
+
+impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
+    pub(crate) fn new(replace: F) -> Self {
+        Substitution { replace, done: HashMap::new() }
+    }
+
+    /// `root` with every symbol replaced for which there is a replacement.
+    pub(crate) fn apply(&mut self, graph: &mut Graph, root: Id) -> Id {
+        for id in graph.reachable(&[root]) {
+            if self.done.contains_key(&id) {
+                continue;
+            }
+            let node = graph.node(id).clone();
+            let new = |id: &Id| self.done[id];
+            let rebuilt = match &node {
+                Node::Symbol(symbol) => (self.replace)(graph, *symbol).unwrap_or(id),
+                Node::Number(_) | Node::Truth(_) => id,
+                Node::Linear(constant, terms) => {
+                    let mut sum = graph.number(*constant);
+                    for (c, term) in terms {
+                        let term = graph.scale(*c, new(term));
+                        sum = graph.add(sum, term);
+                    }
+                    sum
+                }
+                Node::Product(ids) => graph.product(&ids.iter().map(new).collect::<Vec<_>>()),
+                Node::Power(base, exponent) => graph.pow(new(base), *exponent),
+                Node::Call(function, args) => graph.call(*function, &args.iter().map(new).collect::<Vec<_>>()),
+                Node::Select(c, a, b) => graph.select(new(c), new(a), new(b)),
+                Node::Compare(relation, a, b) => graph.compare(*relation, new(a), new(b)),
+                Node::And(a, b) => graph.and(new(a), new(b)),
+                Node::Or(a, b) => graph.or(new(a), new(b)),
+                Node::Not(a) => graph.not(new(a)),
+            };
+            self.done.insert(id, rebuilt);
+        }
+        self.done[&root]
+    }
+}

@@ -1,0 +1,133 @@
+//! The function's body to the graph: a partial evaluation of Rust in which numbers are nodes.
+//!
+//! Integers, ranges, loops, closures and arrays are evaluated while lowering; what is left is arithmetic on numbers.
+//! This is the last stage that sees syntax: it hands on a table from nodes to the places at which they were written.
+
+mod expr;
+mod method;
+mod scope;
+mod statement;
+mod value;
+
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Symbol};
+use crate::parse::{Argument, Energy};
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+use scope::Scopes;
+use std::collections::HashMap;
+use std::fmt::Display;
+use value::Value;
+
+/// A body as a graph.
+pub(crate) struct Lowered {
+    pub(crate) graph: Graph,
+    /// The energy.
+    pub(crate) energy: Id,
+    /// Where nodes were written first: the first and the last token.
+    pub(crate) places: HashMap<Id, Place>,
+    /// Constants that live outside the function: symbols `Parameter(n)` after those of the parameters.
+    pub(crate) constants: Vec<TokenStream>,
+}
+
+/// The first and the last token of a term.
+pub(crate) type Place = (Span, Span);
+
+/// Unrolled bodies beyond this size would take rustc seconds.
+const MAX_NODES: usize = 20_000;
+
+/// Evaluations, to stop loops that do nothing but run.
+const MAX_EVALUATIONS: usize = 500_000;
+
+/// Calls inside calls.
+const MAX_DEPTH: usize = 64;
+
+/// Lowers the body of an energy.
+pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
+    let mut lowering = Lowering {
+        graph: Graph::default(),
+        errors: Diagnostics::default(),
+        scopes: Scopes::default(),
+        places: HashMap::new(),
+        constants: vec![],
+        parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
+        evaluations: 0,
+        calls: vec![],
+    };
+    for (role, argument) in &energy.arguments {
+        let symbols = energy.symbols(*role, argument);
+        let value = lowering.argument(argument, &symbols);
+        lowering.scopes.bind(&argument.name, value);
+    }
+    let value = lowering.block(&energy.item.block);
+    let root = lowering.real(&energy.item.block, value);
+    let Lowering { graph, errors, places, constants, .. } = lowering;
+    errors.or(Lowered { graph, energy: root, places, constants })
+}
+
+/// The evaluator.
+struct Lowering {
+    graph: Graph,
+    errors: Diagnostics,
+    scopes: Scopes,
+    places: HashMap<Id, Place>,
+    constants: Vec<TokenStream>,
+    /// The number of scalar parameters.
+    parameters: u32,
+    evaluations: usize,
+    /// Nested functions being evaluated.
+    calls: Vec<String>,
+}
+
+impl Lowering {
+    /// Says what is wrong; the value that comes of it silences what would follow.
+    fn refuse(&mut self, syntax: &impl ToTokens, message: impl Display) -> Value {
+        self.errors.at(syntax, message);
+        Value::Poison
+    }
+
+    /// An argument of the energy as a value.
+    fn argument(&mut self, argument: &Argument, symbols: &[Symbol]) -> Value {
+        let ids: Vec<Id> = symbols.iter().map(|symbol| self.graph.symbol(*symbol)).collect();
+        for id in &ids {
+            self.places.entry(*id).or_insert((argument.name.span(), argument.name.span()));
+        }
+        value::shaped(&argument.shape, &ids)
+    }
+
+    /// A value as a number.
+    fn real(&mut self, syntax: &impl ToTokens, value: Value) -> Id {
+        match value {
+            Value::Real(id) => id,
+            Value::Opaque(path) => self.constant(path),
+            Value::Poison => self.graph.zero(),
+            other => {
+                self.refuse(syntax, format!("expected a number of the type of the energy, found {}", other.kind()));
+                self.graph.zero()
+            }
+        }
+    }
+
+    /// A constant that lives outside as a symbol.
+    fn constant(&mut self, path: TokenStream) -> Id {
+        let text = path.to_string();
+        let known = self.constants.iter().position(|other| other.to_string() == text);
+        let index = known.unwrap_or_else(|| {
+            self.constants.push(path);
+            self.constants.len() - 1
+        });
+        self.graph.symbol(Symbol::Parameter(self.parameters + index as u32))
+    }
+
+    /// Remembers where a node was written first.
+    fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Id {
+        if !self.places.contains_key(&id) {
+            let mut tokens = syntax.to_token_stream().into_iter();
+            if let Some(first) = tokens.next() {
+                let last = tokens.last().map_or(first.span(), |last| last.span());
+                self.places.insert(id, (first.span(), last));
+            }
+        }
+        id
+    }
+}

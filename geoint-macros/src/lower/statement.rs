@@ -1,0 +1,218 @@
+//! Blocks, `let`, items, loops and accumulation.
+
+use super::scope::Refused;
+use super::value::{Callable, Value};
+use super::{Lowering, MAX_NODES};
+use quote::ToTokens;
+use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
+use syn::visit::Visit;
+use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, Item, Pat, Stmt};
+
+const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for` with `+=`, and a last expression";
+
+impl Lowering {
+    pub(super) fn block(&mut self, block: &Block) -> Value {
+        self.scopes.enter();
+        self.items(block);
+        let mut last = Value::unit();
+        for statement in &block.stmts {
+            last = self.statement(statement);
+        }
+        self.scopes.leave();
+        last
+    }
+
+    /// Constants and functions can be used before they are written.
+    fn items(&mut self, block: &Block) {
+        for statement in &block.stmts {
+            if let Stmt::Item(Item::Fn(item)) = statement {
+                let parameters = item.sig.inputs.iter().filter_map(|input| match input {
+                    syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
+                    syn::FnArg::Receiver(_) => None,
+                });
+                let callable = Callable {
+                    name: Some(item.sig.ident.to_string()),
+                    parameters: parameters.collect(),
+                    body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
+                    visible: HashMap::new(),
+                };
+                self.scopes.bind(&item.sig.ident, Value::Callable(Rc::new(callable)));
+            }
+        }
+        for statement in &block.stmts {
+            if let Stmt::Item(Item::Const(item)) = statement {
+                let value = self.expr(&item.expr);
+                self.scopes.bind(&item.ident, value);
+            }
+        }
+    }
+
+    fn statement(&mut self, statement: &Stmt) -> Value {
+        match statement {
+            Stmt::Local(local) => match &local.init {
+                Some(init) if init.diverge.is_none() => {
+                    let value = self.expr(&init.expr);
+                    self.bind(&local.pat, value);
+                    Value::unit()
+                }
+                Some(_) => self.refuse(local, "`let … else` has no derivative; use `if` as an expression"),
+                None => self.refuse(local, "give the variable its value here: `let name = …;`"),
+            },
+            Stmt::Item(Item::Fn(_) | Item::Const(_)) => Value::unit(),
+            Stmt::Item(Item::Use(item)) if item.to_token_stream().to_string().contains("consts") => Value::unit(),
+            Stmt::Item(Item::Use(item)) => {
+                self.refuse(item, "the generated code cannot see imports inside the body: move this above the function")
+            }
+            Stmt::Item(item) => self.refuse(item, format!("this item is not part of an energy; {STATEMENTS}")),
+            Stmt::Expr(expr, semicolon) => {
+                let value = self.expr(expr);
+                if semicolon.is_some() { Value::unit() } else { value }
+            }
+            Stmt::Macro(call) => self.refuse(call, format!("the macro cannot see into other macros; {STATEMENTS}")),
+        }
+    }
+
+    /// Binds the names of a pattern.
+    pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
+        match (pattern, value) {
+            (Pat::Ident(ident), value) if ident.subpat.is_none() => self.scopes.bind(&ident.ident, value),
+            (Pat::Type(typed), value) => self.bind(&typed.pat, value),
+            (Pat::Paren(inner), value) => self.bind(&inner.pat, value),
+            (Pat::Reference(inner), value) => self.bind(&inner.pat, value),
+            (Pat::Wild(_), _) => {}
+            (Pat::Tuple(pattern), Value::Tuple(values)) if pattern.elems.len() == values.len() => {
+                for (pattern, value) in pattern.elems.iter().zip(values) {
+                    self.bind(pattern, value);
+                }
+            }
+            (Pat::Slice(pattern), Value::List(values)) if pattern.elems.len() == values.len() => {
+                for (pattern, value) in pattern.elems.iter().zip(values) {
+                    self.bind(pattern, value);
+                }
+            }
+            (pattern, Value::Poison) => self.poison_names(pattern),
+            (pattern, value) => {
+                let kind = value.kind();
+                self.refuse(
+                    pattern,
+                    format!("this pattern does not fit {kind}; patterns are names, tuples `(a, b)` and arrays `[a, b]`"),
+                );
+                self.poison_names(pattern);
+            }
+        }
+    }
+
+    /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
+    fn poison_names(&mut self, pattern: &Pat) {
+        struct Names<'a>(&'a mut Lowering);
+        impl Visit<'_> for Names<'_> {
+            fn visit_pat_ident(&mut self, pattern: &syn::PatIdent) {
+                self.0.scopes.bind(&pattern.ident, Value::Poison);
+            }
+        }
+        Names(self).visit_pat(pattern);
+    }
+
+    pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
+        let domain = self.expr(&for_loop.expr);
+        let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
+        self.scopes.enter_loop(accumulated(&for_loop.body));
+        for item in items {
+            if self.exhausted(&for_loop.for_token) {
+                break;
+            }
+            self.scopes.enter();
+            self.bind(&for_loop.pat, item);
+            self.block(&for_loop.body);
+            self.scopes.leave();
+        }
+        self.scopes.leave_loop();
+        Value::unit()
+    }
+
+    /// Whether unrolling has gone too far; says so once.
+    pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
+        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > super::MAX_EVALUATIONS;
+        if exhausted {
+            self.refuse(
+                syntax,
+                format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),
+            );
+        }
+        exhausted
+    }
+
+    /// `name += value` or `name -= value`.
+    pub(super) fn accumulate(&mut self, expr: &ExprBinary) -> Value {
+        let Some(name) = simple_name(&expr.left) else {
+            return self.refuse(&expr.left, "only a whole variable can be accumulated: `let mut sum = 0.0;`");
+        };
+        let term = self.expr(&expr.right);
+        let accumulator = match self.scopes.accumulator(&name) {
+            Ok(value) => value.clone(),
+            Err(Refused::Unknown) => return self.expr(&expr.left),
+            Err(Refused::Outside) => return self.refuse(expr, assignment_outside(&name)),
+        };
+        let op = match expr.op {
+            BinOp::AddAssign(_) => BinOp::Add(Default::default()),
+            _ => BinOp::Sub(Default::default()),
+        };
+        let total = self.arithmetic(expr, &op, accumulator, term);
+        if let Ok(value) = self.scopes.accumulator(&name) {
+            *value = total;
+        }
+        Value::unit()
+    }
+
+    /// Any other assignment.
+    pub(super) fn assign(&mut self, assignment: &impl ToTokens, target: &Expr) -> Value {
+        let Some(name) = simple_name(target) else {
+            return self.refuse(assignment, "elements cannot be assigned to; build the array in one expression");
+        };
+        if self.scopes.is_accumulating(&name) || !matches!(self.scopes.accumulator(&name), Ok(_) | Err(Refused::Unknown)) {
+            return self.refuse(assignment, assignment_outside(&name));
+        }
+        self.refuse(
+            assignment,
+            format!("`{name}` cannot be assigned again: bind a new variable with `let`; sums grow with `{name} += …`"),
+        )
+    }
+}
+
+fn assignment_outside(name: &str) -> String {
+    format!(
+        "`{name}` is a variable outside of this loop, branch or closure: make the branch an expression, as in \
+         `{name} += if … {{ … }} else {{ 0.0 }}`; a loop may only add with `{name} += …`"
+    )
+}
+
+pub(super) fn simple_name(expr: &Expr) -> Option<String> {
+    match expr {
+        Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
+        Expr::Paren(inner) => simple_name(&inner.expr),
+        Expr::Group(inner) => simple_name(&inner.expr),
+        Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => simple_name(expr),
+        _ => None,
+    }
+}
+
+/// Names to which a loop's body assigns.
+fn accumulated(body: &Block) -> HashSet<String> {
+    struct Targets(HashSet<String>);
+    impl Visit<'_> for Targets {
+        fn visit_expr_binary(&mut self, expr: &ExprBinary) {
+            if let (BinOp::AddAssign(_) | BinOp::SubAssign(_), Some(name)) = (&expr.op, simple_name(&expr.left)) {
+                self.0.insert(name);
+            }
+            syn::visit::visit_expr_binary(self, expr);
+        }
+        fn visit_expr_assign(&mut self, expr: &syn::ExprAssign) {
+            self.0.extend(simple_name(&expr.left));
+            syn::visit::visit_expr_assign(self, expr);
+        }
+    }
+    let mut targets = Targets(HashSet::new());
+    targets.visit_block(body);
+    targets.0
+}

@@ -1,0 +1,167 @@
+//! Statements: what a routine does, in order.
+
+use crate::ir::{Function, Number, Relation, Symbol};
+
+/// A value of a routine that is computed once.
+pub(crate) type Register = usize;
+
+/// What an instruction reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Operand {
+    Constant(Number),
+    Truth(bool),
+    /// Something that the routine is given.
+    Input(Symbol),
+    /// A value stored by the routine of an earlier level.
+    Slot(usize, usize),
+    Register(Register),
+}
+
+/// One operation.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Instruction {
+    Neg(Operand),
+    Add(Operand, Operand),
+    Sub(Operand, Operand),
+    Mul(Operand, Operand),
+    Div(Operand, Operand),
+    /// a·b + c.
+    MulAdd(Operand, Operand, Operand),
+    Sqrt(Operand),
+    Call(Function, Vec<Operand>),
+    Compare(Relation, Operand, Operand),
+    And(Operand, Operand),
+    Or(Operand, Operand),
+    Not(Operand),
+}
+
+/// One step of a routine.
+#[derive(Clone, Debug)]
+pub(crate) enum Statement {
+    Let(Register, Instruction),
+    /// Sine and cosine of one argument.
+    SinCos(Register, Register, Operand),
+    /// Values that depend on a condition; each branch computes what only it needs.
+    If { registers: Vec<Register>, condition: Operand, first: Block, second: Block },
+}
+
+/// Statements and what comes of them.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Block {
+    pub(crate) statements: Vec<Statement>,
+    pub(crate) results: Vec<Operand>,
+}
+
+/// How much a block does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Operations {
+    /// Sums, differences, products.
+    pub(crate) arithmetic: usize,
+    /// Divisions and square roots.
+    pub(crate) divisions: usize,
+    /// Functions; a sine with its cosine is one.
+    pub(crate) calls: usize,
+}
+
+impl Operations {
+    /// Every operation as one, a·b + c as two, a sine with its cosine as two.
+    pub(crate) fn total(self) -> usize {
+        self.arithmetic + self.divisions + self.calls
+    }
+}
+
+impl std::ops::Add for Operations {
+    type Output = Operations;
+    fn add(self, other: Operations) -> Operations {
+        Operations {
+            arithmetic: self.arithmetic + other.arithmetic,
+            divisions: self.divisions + other.divisions,
+            calls: self.calls + other.calls,
+        }
+    }
+}
+
+impl Instruction {
+    pub(crate) fn operands(&self) -> Vec<Operand> {
+        match self {
+            Instruction::Neg(a) | Instruction::Sqrt(a) | Instruction::Not(a) => vec![*a],
+            Instruction::Add(a, b)
+            | Instruction::Sub(a, b)
+            | Instruction::Mul(a, b)
+            | Instruction::Div(a, b)
+            | Instruction::Compare(_, a, b)
+            | Instruction::And(a, b)
+            | Instruction::Or(a, b) => vec![*a, *b],
+            Instruction::MulAdd(a, b, c) => vec![*a, *b, *c],
+            Instruction::Call(_, args) => args.clone(),
+        }
+    }
+}
+
+impl Block {
+    /// What the block costs; of two branches the dearer one.
+    pub(crate) fn operations(&self) -> Operations {
+        let one = |arithmetic, divisions, calls| Operations { arithmetic, divisions, calls };
+        let cost = |statement: &Statement| match statement {
+            Statement::Let(_, instruction) => match instruction {
+                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Mul(..) | Instruction::Neg(_) => one(1, 0, 0),
+                Instruction::MulAdd(..) => one(2, 0, 0),
+                Instruction::Div(..) | Instruction::Sqrt(_) => one(0, 1, 0),
+                Instruction::Call(..) => one(0, 0, 1),
+                Instruction::Compare(..) | Instruction::And(..) | Instruction::Or(..) | Instruction::Not(_) => {
+                    one(0, 0, 0)
+                }
+            },
+            Statement::SinCos(..) => one(0, 0, 2),
+            Statement::If { first, second, .. } => {
+                let (first, second) = (first.operations(), second.operations());
+                if first.total() < second.total() { second } else { first }
+            }
+        };
+        self.statements.iter().map(cost).fold(Operations::default(), |a, b| a + b)
+    }
+
+    /// How often each register is read; reading inside a branch counts twice, since it must exist before the branch.
+    pub(crate) fn reads(&self) -> std::collections::HashMap<Register, usize> {
+        let mut reads = std::collections::HashMap::new();
+        self.count_reads(1, &mut reads);
+        reads
+    }
+
+    fn count_reads(&self, weight: usize, reads: &mut std::collections::HashMap<Register, usize>) {
+        let mut read = |operand: &Operand, weight: usize| {
+            if let Operand::Register(register) = operand {
+                *reads.entry(*register).or_default() += weight;
+            }
+        };
+        for statement in &self.statements {
+            match statement {
+                Statement::Let(_, instruction) => instruction.operands().iter().for_each(|o| read(o, weight)),
+                Statement::SinCos(_, _, operand) => read(operand, weight),
+                Statement::If { condition, .. } => read(condition, weight),
+            }
+        }
+        self.results.iter().for_each(|operand| read(operand, weight));
+        for statement in &self.statements {
+            if let Statement::If { first, second, .. } = statement {
+                let mut inner = std::collections::HashMap::new();
+                first.count_reads(1, &mut inner);
+                second.count_reads(1, &mut inner);
+                let own = first.defined().chain(second.defined()).collect::<std::collections::HashSet<_>>();
+                for (register, count) in inner {
+                    *reads.entry(register).or_default() += if own.contains(&register) { count } else { 2 * count };
+                }
+            }
+        }
+    }
+
+    fn defined(&self) -> impl Iterator<Item = Register> + '_ {
+        self.statements.iter().flat_map(|statement| match statement {
+            Statement::Let(register, _) => vec![*register],
+            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
+            Statement::If { registers, first, second, .. } => {
+                registers.iter().copied().chain(first.defined()).chain(second.defined()).collect()
+            }
+        })
+    }
+}
