@@ -10,6 +10,8 @@ mod diff;
 mod schedule;
 mod emit;
 mod expand;
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 

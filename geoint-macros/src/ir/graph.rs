@@ -6,6 +6,7 @@
 
 use super::number::{Number, Ratio};
 use super::op::{Function, Parity, Relation, Symbol};
+use super::table::Table;
 use std::collections::HashMap;
 
 /// A node of a [`Graph`]; operands have smaller numbers than what is built of them.
@@ -15,6 +16,10 @@ pub(crate) struct Id(u32);
 impl Id {
     pub(crate) fn index(self) -> usize {
         self.0 as usize
+    }
+
+    pub(super) fn from_index(index: usize) -> Id {
+        Id(index as u32)
     }
 }
 
@@ -42,15 +47,21 @@ pub(crate) enum Node {
 }
 
 impl Node {
-    pub(crate) fn children(&self) -> Vec<Id> {
+    pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Id)) {
         match self {
-            Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => vec![],
-            Node::Linear(_, terms) => terms.iter().map(|(_, id)| *id).collect(),
-            Node::Product(ids) | Node::Call(_, ids) => ids.clone(),
-            Node::Power(id, _) | Node::Not(id) => vec![*id],
-            Node::Select(c, a, b) => vec![*c, *a, *b],
-            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => vec![*a, *b],
+            Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => {}
+            Node::Linear(_, terms) => terms.iter().for_each(|(_, id)| visit(*id)),
+            Node::Product(ids) | Node::Call(_, ids) => ids.iter().for_each(|id| visit(*id)),
+            Node::Power(id, _) | Node::Not(id) => visit(*id),
+            Node::Select(c, a, b) => [*c, *a, *b].into_iter().for_each(visit),
+            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => [*a, *b].into_iter().for_each(visit),
         }
+    }
+
+    pub(crate) fn children(&self) -> Vec<Id> {
+        let mut children = vec![];
+        self.for_each_child(|child| children.push(child));
+        children
     }
 }
 
@@ -72,7 +83,7 @@ impl Graph {
 
     /// Every node, operands first.
     pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + use<> {
-        (0..self.nodes.len()).map(|i| Id(i as u32))
+        (0..self.nodes.len()).map(Id::from_index)
     }
 
     /// Every node that the roots are built of, operands first.
@@ -81,14 +92,31 @@ impl Graph {
         let mut open = roots.to_vec();
         while let Some(id) = open.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
-                open.extend(self.node(id).children());
+                self.node(id).for_each_child(|child| open.push(child));
             }
         }
-        (0..self.nodes.len()).filter(|i| seen[*i]).map(|i| Id(i as u32)).collect()
+        (0..self.nodes.len()).filter(|i| seen[*i]).map(Id::from_index).collect()
+    }
+
+    /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
+    /// not looked at.
+    pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
+        let mut found = vec![];
+        let mut seen: Table<()> = Table::default();
+        let mut open = vec![root];
+        while let Some(id) = open.pop() {
+            if !known.contains(id) && !seen.contains(id) {
+                seen.insert(id, ());
+                found.push(id);
+                self.node(id).for_each_child(|child| open.push(child));
+            }
+        }
+        found.sort_unstable();
+        found
     }
 
     fn intern(&mut self, node: Node) -> Id {
-        let next = Id(self.nodes.len() as u32);
+        let next = Id::from_index(self.nodes.len());
         *self.known.entry(node).or_insert_with_key(|node| {
             self.nodes.push(node.clone());
             next

@@ -6,7 +6,9 @@ pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod print;
 pub(crate) mod substitute;
+mod table;
 
 pub(crate) use graph::{Graph, Id, Node};
 pub(crate) use number::{Number, Ratio};
 pub(crate) use op::{Function, Relation, Symbol};
+pub(crate) use table::Table;

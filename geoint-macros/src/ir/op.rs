@@ -169,7 +169,8 @@ mod tests {
         for entry in FUNCTIONS.iter().filter(|e| e.arity == 1) {
             let (plus, minus) = ((entry.value)(&[0.3]), (entry.value)(&[-0.3]));
             match entry.parity {
-                Parity::Odd => assert_eq!(minus, -plus, "{}", entry.name),
+                // Not every library rounds both sides alike.
+                Parity::Odd => assert!((minus + plus).abs() < 1e-15, "{}", entry.name),
                 Parity::Even => assert_eq!(minus, plus, "{}", entry.name),
                 // Odd, but kept apart: it is constant but for the jump.
                 Parity::Neither => assert!(entry.function == Function::Signum || minus != plus, "{}", entry.name),

@@ -2,27 +2,24 @@
 
 use super::graph::{Graph, Id, Node};
 use super::op::Symbol;
-use std::collections::HashMap;
+use super::table::Table;
 
 /// A replacement of symbols that remembers what it has rebuilt.
 pub(crate) struct Substitution<F> {
     replace: F,
-    done: HashMap<Id, Id>,
+    done: Table<Id>,
 }
 
 impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
     pub(crate) fn new(replace: F) -> Self {
-        Substitution { replace, done: HashMap::new() }
+        Substitution { replace, done: Table::default() }
     }
 
     /// `root` with every symbol replaced for which there is a replacement.
     pub(crate) fn apply(&mut self, graph: &mut Graph, root: Id) -> Id {
-        for id in graph.reachable(&[root]) {
-            if self.done.contains_key(&id) {
-                continue;
-            }
+        for id in graph.unknown(root, &self.done) {
             let node = graph.node(id).clone();
-            let new = |id: &Id| self.done[id];
+            let new = |id: &Id| self.done[*id];
             let rebuilt = match &node {
                 Node::Symbol(symbol) => (self.replace)(graph, *symbol).unwrap_or(id),
                 Node::Number(_) | Node::Truth(_) => id,
@@ -45,6 +42,6 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
             };
             self.done.insert(id, rebuilt);
         }
-        self.done[&root]
+        self.done[root]
     }
 }

@@ -1,32 +1,32 @@
 //! One routine: nodes to statements.
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-use std::collections::{HashMap, HashSet};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
+use std::collections::HashMap;
 
 /// The level of every node; constants have none.
 pub(super) struct Levels<F> {
     of_symbol: F,
-    known: HashMap<Id, Option<usize>>,
+    known: Table<Option<usize>>,
 }
 
 impl<F: Fn(Symbol) -> usize> Levels<F> {
     pub(super) fn new(of_symbol: F) -> Self {
-        Levels { of_symbol, known: HashMap::new() }
+        Levels { of_symbol, known: Table::default() }
     }
 
     fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {
-        if let Some(level) = self.known.get(&id) {
-            return *level;
+        if let Some(level) = self.known.get(id) {
+            return level;
         }
-        for id in graph.reachable(&[id]) {
+        for id in graph.unknown(id, &self.known) {
             let level = match graph.node(id) {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
-                node => node.children().iter().filter_map(|child| self.known[child]).max(),
+                node => node.children().iter().filter_map(|child| self.known[*child]).max(),
             };
             self.known.insert(id, level);
         }
-        self.known[&id]
+        self.known[id]
     }
 }
 
@@ -34,10 +34,10 @@ impl<F: Fn(Symbol) -> usize> Levels<F> {
 #[derive(Default)]
 struct Scope {
     block: Block,
-    values: HashMap<Id, Operand>,
+    values: Table<Operand>,
     numbered: HashMap<Instruction, Operand>,
     /// What is computed here whatever the conditions are.
-    always: HashSet<Id>,
+    always: Table<()>,
 }
 
 /// A summand or factor: a sign and a value, or a product that has not been taken yet.
@@ -53,7 +53,7 @@ pub(super) struct Lowering<'a, F> {
     levels: &'a mut Levels<F>,
     slots: &'a mut Vec<Vec<Id>>,
     level: usize,
-    uses: HashMap<Id, usize>,
+    uses: Table<usize>,
     scopes: Vec<Scope>,
     registers: usize,
 }
@@ -67,15 +67,12 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         level: usize,
         roots: &[Id],
     ) -> Block {
-        let mut uses: HashMap<Id, usize> = HashMap::new();
+        let mut uses: Table<usize> = Table::default();
+        let mut count = |id: Id| uses.insert(id, uses.get(id).unwrap_or(0) + 1);
         for id in graph.reachable(roots) {
-            for child in graph.node(id).children() {
-                *uses.entry(child).or_default() += 1;
-            }
+            graph.node(id).for_each_child(&mut count);
         }
-        for root in roots {
-            *uses.entry(*root).or_default() += 1;
-        }
+        roots.iter().copied().for_each(count);
         let mut lowering = Lowering { graph, levels, slots, level, uses, scopes: vec![], registers: 0 };
         lowering.block(roots)
     }
@@ -90,16 +87,17 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     /// What is needed for `roots` whatever the conditions are, at this level.
-    fn always(&mut self, roots: &[Id]) -> HashSet<Id> {
-        let mut seen = HashSet::new();
+    fn always(&mut self, roots: &[Id]) -> Table<()> {
+        let mut seen: Table<()> = Table::default();
         let mut open = roots.to_vec();
         while let Some(id) = open.pop() {
-            if self.levels.of(self.graph, id) != Some(self.level) || !seen.insert(id) {
+            if self.levels.of(self.graph, id) != Some(self.level) || seen.contains(id) {
                 continue;
             }
+            seen.insert(id, ());
             match self.graph.node(id) {
                 Node::Select(condition, _, _) => open.push(*condition),
-                node => open.extend(node.children()),
+                node => node.for_each_child(|child| open.push(child)),
             }
         }
         seen
@@ -125,7 +123,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             return known;
         }
         // Computed as far outside as it is needed whatever the conditions are.
-        let home = self.scopes.iter().position(|scope| scope.always.contains(&id)).unwrap_or(self.scopes.len() - 1);
+        let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(self.scopes.len() - 1);
         let inner = self.scopes.split_off(home + 1);
         let operand = self.compute(id);
         self.scopes[home].values.insert(id, operand);
@@ -134,7 +132,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     fn known(&self, id: Id) -> Option<Operand> {
-        self.scopes.iter().find_map(|scope| scope.values.get(&id).copied())
+        self.scopes.iter().find_map(|scope| scope.values.get(id))
     }
 
     fn slot(&mut self, level: usize, id: Id) -> Operand {
@@ -317,7 +315,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
 
     /// Whether a node has one use and no value yet.
     fn is_single(&self, id: Id) -> bool {
-        self.uses.get(&id).is_none_or(|uses| *uses <= 1) && self.known(id).is_none()
+        self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
     }
 
     // ------------------------------------------------------------------------------------------------------ powers
@@ -365,7 +363,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let other = if function == Function::Sin { Function::Cos } else { Function::Sin };
         let value = self.operand(arg);
         let partner = self.graph.call(other, &[arg]);
-        let wanted = self.scopes.last().is_some_and(|scope| scope.always.contains(&partner));
+        let wanted = self.scopes.last().is_some_and(|scope| scope.always.contains(partner));
         if !wanted || self.known(partner).is_some() {
             return self.emit(Instruction::Call(function, vec![value]));
         }
@@ -381,13 +379,12 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     /// All selections by one condition that do not need each other, as one `if`.
     fn select(&mut self, id: Id, condition: Id) -> Operand {
         let mut group = vec![id];
-        let always: Vec<Id> = self.scopes.last().map(|scope| scope.always.iter().copied().collect()).unwrap_or_default();
-        let mut candidates: Vec<Id> = always
+        let always: Vec<Id> = self.scopes.last().map(|scope| scope.always.ids().collect()).unwrap_or_default();
+        let candidates: Vec<Id> = always
             .into_iter()
             .filter(|other| matches!(self.graph.node(*other), Node::Select(c, _, _) if *c == condition))
             .filter(|other| *other != id && self.known(*other).is_none())
             .collect();
-        candidates.sort();
         for other in candidates {
             let needs = |a: Id, b: Id| self.graph.reachable(&[a]).contains(&b);
             if group.iter().all(|member| !needs(other, *member) && !needs(*member, other)) {

@@ -1,0 +1,76 @@
+//! What the compiler costs, and how good its code is in operations.
+
+use crate::{analyze, diff, expand, lower, parse, schedule};
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::time::Instant;
+
+fn pendulum() -> TokenStream {
+    quote! {
+        fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+            p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+        }
+    }
+}
+
+fn double_pendulum() -> TokenStream {
+    quote! {
+        fn double_pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
+            let (s, c) = (q[0] - q[1]).sin_cos();
+            let numerator = m2 * l2 * l2 * p[0] * p[0] + (m1 + m2) * l1 * l1 * p[1] * p[1]
+                - 2.0 * m2 * l1 * l2 * p[0] * p[1] * c;
+            let denominator = 2.0 * m2 * l1 * l1 * l2 * l2 * (m1 + m2 * s * s);
+            numerator / denominator - (m1 + m2) * g * l1 * q[0].cos() - m2 * g * l2 * q[1].cos()
+        }
+    }
+}
+
+fn outer_solar_system() -> TokenStream {
+    quote! {
+        fn outer_solar_system(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..6 {
+                energy += p[i].norm_squared() / (2.0 * m[i]);
+                for j in 0..i {
+                    energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+                }
+            }
+            energy
+        }
+    }
+}
+
+#[test]
+fn the_gradient_of_the_double_pendulum_is_short() {
+    let item = syn::parse2(double_pendulum()).expect("a function");
+    let energy = parse::energy(quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let structure = analyze::structure(&mut lowered.graph, lowered.energy, 2);
+    let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
+    let roots = [gradient.q, gradient.p].concat();
+    let operations = schedule::routine(&mut lowered.graph, &roots).operations();
+    // The best tools reach 58 to 79.
+    assert!(operations.total() <= 65, "{operations:?}");
+}
+
+/// Prints the time from tokens to tokens. Proc macros are built without optimisation, so this is what users pay.
+#[test]
+#[ignore = "prints times, asserts nothing about them: run it by hand"]
+fn time_from_tokens_to_tokens() {
+    let energies = [
+        ("pendulum", pendulum(), 2.0),
+        ("double pendulum", double_pendulum(), 5.0),
+        ("outer solar system", outer_solar_system(), 60.0),
+    ];
+    for (name, item, bar) in energies {
+        let mut best = f64::INFINITY;
+        for _ in 0..5 {
+            let item = item.clone();
+            let start = Instant::now();
+            let tokens = expand::hamiltonian(quote!(), item);
+            best = best.min(start.elapsed().as_secs_f64() * 1e3);
+            assert!(!tokens.to_string().contains("compile_error"));
+        }
+        println!("{name:20} {best:8.2} ms (aim: {bar} ms)");
+    }
+}

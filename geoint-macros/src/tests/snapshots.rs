@@ -1,0 +1,46 @@
+//! Input and pretty-printed expansion side by side. `UPDATE_EXPECT=1 cargo test -p geoint-macros` refreshes them; read the
+//! difference before committing it.
+
+use crate::expand;
+use expect_test::{ExpectFile, expect_file};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+fn check(args: TokenStream, item: TokenStream, expected: &ExpectFile) {
+    let file = syn::parse2(expand::hamiltonian(args, item)).expect("what is emitted is Rust");
+    expected.assert_eq(&prettyplease::unparse(&file));
+}
+
+/// One degree of freedom, separable, quadratic T: everything is reduced to scalars.
+#[test]
+fn pendulum() {
+    let item = quote! {
+        /// Planar pendulum.
+        pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+            p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+        }
+    };
+    check(quote!(), item, &expect_file!["snapshots/pendulum.rs"]);
+}
+
+/// A branch, explicit time, no parameters: `if` stays a branch, and T is not quadratic.
+#[test]
+fn branch() {
+    let item = quote! {
+        fn half_spring(q: f64, p: f64, t: f64) -> f64 {
+            (1.0 + p * p).sqrt() + if q > 0.0 { q.powi(4) * t.cos() } else { 0.0 }
+        }
+    };
+    check(quote!(name = Spring), item, &expect_file!["snapshots/branch.rs"]);
+}
+
+/// Coupled coordinates: kick and drift exist for no scalar, and their absence is explained.
+#[test]
+fn coupled() {
+    let item = quote! {
+        fn coupled(q: [f64; 2], p: [f64; 2]) -> f64 {
+            (1.0 + q[0] * q[0]) * p[0] * p[0] + p[1] * q[1]
+        }
+    };
+    check(quote!(), item, &expect_file!["snapshots/coupled.rs"]);
+}

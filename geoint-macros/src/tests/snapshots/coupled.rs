@@ -1,0 +1,382 @@
+fn coupled(q: [f64; 2], p: [f64; 2]) -> f64 {
+    (1.0 + q[0] * q[0]) * p[0] * p[0] + p[1] * q[1]
+}
+/**
+# What was derived
+
+```text
+H = p[0]²·(q[0]² + 1) + q[1]·p[1]
+∂H/∂q[0] = 2·q[0]·p[0]²
+∂H/∂q[1] = p[1]
+∂H/∂p[0] = 2·p[0]·(q[0]² + 1)
+∂H/∂p[1] = q[1]
+
+Structure
+- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)
+- H is a polynomial of degree 4 in q and p
+- H does not depend on time
+
+Conserved by the flow
+- the energy
+
+Operations (a sine with its cosine counts as two)
+- gradient of H: 7 sums and products
+- Newton iteration of the implicit midpoint rule: 28 sums and products
+- Newton iteration of the discrete gradient: 29 sums and products
+
+Skipped
+- the clock: H does not depend on time
+- recomputing what depends on parameters and the step size: prepared once
+- kick and drift: they do not exist for this H
+```*/
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+struct Coupled;
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction,
+    missing_docs,
+    private_bounds,
+    unreachable_pub,
+    unused_imports,
+    unused_mut,
+    unused_variables,
+    reason = "generated code"
+)]
+const _: () = {
+    use ::geoint_runtime::private::{
+        Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real,
+        Separable, Square, Tree, slope,
+    };
+    const _: fn() = || {
+        let _ = coupled;
+    };
+    impl Coupled {
+        /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
+        /// skipped and why.
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 7 sums and products\n- Newton iteration of the implicit midpoint rule: 28 sums and products\n- Newton iteration of the discrete gradient: 29 sums and products\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+    }
+    impl<R: Real> Hamiltonian<R> for Coupled {
+        type Coordinates = [R; 2];
+        type Array = [R; 2];
+        #[inline]
+        fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2]) -> R {
+            q[1].multiply_add(p[1], ((R::from_f64(1.0) + (q[0] * q[0])) * (p[0] * p[0])))
+        }
+        #[inline]
+        fn gradient(
+            &self,
+            t: R,
+            q: &[R; 2],
+            p: &[R; 2],
+            dq: &mut [R; 2],
+            dp: &mut [R; 2],
+        ) {
+            dq[0] = (R::from_f64(2.0) * q[0]) * (p[0] * p[0]);
+            dq[1] = p[1];
+            dp[0] = (R::from_f64(2.0) * p[0]) * (R::from_f64(1.0) + (q[0] * q[0]));
+            dp[1] = q[1];
+        }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 2],
+            p: &[R; 2],
+        ) -> ::core::option::Option<&'static str> {
+            ::core::option::Option::None
+        }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",
+        label = "the term is: p[0]²·(q[0]² + 1)"
+    )]
+    pub trait UncoupledCoupled {}
+    impl<R: Real + UncoupledCoupled> Separable<R> for Coupled {
+        type Kick = ::core::convert::Infallible;
+        type Drift = ::core::convert::Infallible;
+        fn prepare_kick(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn prepare_drift(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn kick(never: &::core::convert::Infallible, _: R, _: &[R; 2], _: &mut [R; 2]) {
+            match *never {}
+        }
+        fn drift(never: &::core::convert::Infallible, _: R, _: &mut [R; 2], _: &[R; 2]) {
+            match *never {}
+        }
+    }
+    impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
+    impl<R: Real> MeanGradient<Midpoint, R> for Coupled {
+        type Increment = [[R; 2]; 2];
+        type Prepared = [R; 8];
+        type Start = [R; 4];
+        #[inline]
+        fn prepare(&self, h: R) -> [R; 8] {
+            let v0 = R::from_f64(2.0) * h;
+            let v5 = R::from_f64(0.5) * h;
+            [
+                -v0,
+                -h,
+                v0,
+                h,
+                R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0)),
+                R::from_f64(0.5).multiply_add(h, R::from_f64(1.0)),
+                v5,
+                -v5,
+            ]
+        }
+        #[inline(always)]
+        fn start(
+            prepared: &[R; 8],
+            t: R,
+            q: &[R; 2],
+            p: &[R; 2],
+        ) -> ([R; 4], [[R; 2]; 2]) {
+            let v2 = (prepared[1] * q[0]).multiply_add((p[0] * p[0]), p[0]);
+            let v6 = (prepared[3] * p[0])
+                .multiply_add((R::from_f64(1.0) + (q[0] * q[0])), q[0]);
+            let mut guess = <[[R; 2]; 2] as Array>::zero();
+            guess[0][0] = (prepared[2] * v2) * (R::from_f64(1.0) + (v6 * v6));
+            guess[0][1] = prepared[3] * (prepared[6].multiply_add(q[1], q[1]));
+            guess[1][0] = (prepared[0] * v6) * (v2 * v2);
+            guess[1][1] = prepared[1] * (prepared[7].multiply_add(p[1], p[1]));
+            ([p[0], q[0], q[1], p[1]], guess)
+        }
+        #[inline(always)]
+        fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
+            [*q, *p]
+        }
+        #[inline(always)]
+        fn residual(
+            prepared: &[R; 8],
+            start: &[R; 4],
+            increment: &[[R; 2]; 2],
+            residual: &mut [[R; 2]; 2],
+            jacobian: &mut Square<[[R; 2]; 2]>,
+        ) {
+            let v0 = R::from_f64(0.5).multiply_add(increment[1][0], start[0]);
+            let v1 = R::from_f64(0.5).multiply_add(increment[0][0], start[1]);
+            let v3 = R::from_f64(1.0) + (v1 * v1);
+            let v8 = v0 * v0;
+            let v9 = prepared[2] * v1;
+            residual[0][0] = (prepared[0] * v0).multiply_add(v3, increment[0][0]);
+            residual[0][1] = prepared[1]
+                .multiply_add(
+                    (R::from_f64(0.5).multiply_add(increment[0][1], start[2])),
+                    increment[0][1],
+                );
+            residual[1][0] = v9.multiply_add(v8, increment[1][0]);
+            residual[1][1] = prepared[3]
+                .multiply_add(
+                    (R::from_f64(0.5).multiply_add(increment[1][1], start[3])),
+                    increment[1][1],
+                );
+            jacobian[0][0][0][0] = (prepared[0] * v1).multiply_add(v0, R::from_f64(1.0));
+            jacobian[0][0][0][1] = R::from_f64(0.0);
+            jacobian[0][0][1][0] = prepared[1] * v3;
+            jacobian[0][0][1][1] = R::from_f64(0.0);
+            jacobian[0][1][0][0] = R::from_f64(0.0);
+            jacobian[0][1][0][1] = prepared[4];
+            jacobian[0][1][1][0] = R::from_f64(0.0);
+            jacobian[0][1][1][1] = R::from_f64(0.0);
+            jacobian[1][0][0][0] = prepared[3] * v8;
+            jacobian[1][0][0][1] = R::from_f64(0.0);
+            jacobian[1][0][1][0] = v9.multiply_add(v0, R::from_f64(1.0));
+            jacobian[1][0][1][1] = R::from_f64(0.0);
+            jacobian[1][1][0][0] = R::from_f64(0.0);
+            jacobian[1][1][0][1] = R::from_f64(0.0);
+            jacobian[1][1][1][0] = R::from_f64(0.0);
+            jacobian[1][1][1][1] = prepared[5];
+        }
+        #[inline(always)]
+        fn finish(
+            prepared: &[R; 8],
+            start: &[R; 4],
+            increment: &[[R; 2]; 2],
+            q: &mut [R; 2],
+            p: &mut [R; 2],
+        ) {
+            q[0] += increment[0][0];
+            q[1] += increment[0][1];
+            p[0] += increment[1][0];
+            p[1] += increment[1][1];
+        }
+    }
+    impl<R: Real> MeanGradient<Tree, R> for Coupled {
+        type Increment = [[R; 2]; 2];
+        type Prepared = [R; 8];
+        type Start = [R; 8];
+        #[inline]
+        fn prepare(&self, h: R) -> [R; 8] {
+            let v0 = R::from_f64(0.5) * h;
+            let v5 = R::from_f64(2.0) * h;
+            [
+                -v0,
+                -h,
+                v0,
+                h,
+                R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0)),
+                R::from_f64(0.5).multiply_add(h, R::from_f64(1.0)),
+                v5,
+                -v5,
+            ]
+        }
+        #[inline(always)]
+        fn start(
+            prepared: &[R; 8],
+            t: R,
+            q: &[R; 2],
+            p: &[R; 2],
+        ) -> ([R; 8], [[R; 2]; 2]) {
+            let v0 = p[0] * p[0];
+            let v2 = (prepared[1] * q[0]).multiply_add(v0, p[0]);
+            let v4 = R::from_f64(1.0) + (q[0] * q[0]);
+            let v6 = (prepared[3] * p[0]).multiply_add(v4, q[0]);
+            let mut guess = <[[R; 2]; 2] as Array>::zero();
+            guess[0][0] = (prepared[6] * v2) * (R::from_f64(1.0) + (v6 * v6));
+            guess[0][1] = prepared[3] * (prepared[2].multiply_add(q[1], q[1]));
+            guess[1][0] = (prepared[7] * v6) * (v2 * v2);
+            guess[1][1] = prepared[1] * (prepared[0].multiply_add(p[1], p[1]));
+            (
+                [
+                    v4,
+                    q[0],
+                    R::from_f64(2.0) * p[0],
+                    q[1],
+                    v0,
+                    p[0],
+                    R::from_f64(2.0) * q[0],
+                    p[1],
+                ],
+                guess,
+            )
+        }
+        #[inline(always)]
+        fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
+            [*q, *p]
+        }
+        #[inline(always)]
+        fn residual(
+            prepared: &[R; 8],
+            start: &[R; 8],
+            increment: &[[R; 2]; 2],
+            residual: &mut [[R; 2]; 2],
+            jacobian: &mut Square<[[R; 2]; 2]>,
+        ) {
+            let v0 = start[1] + increment[0][0];
+            let v4 = start[2] + increment[1][0];
+            let v5 = prepared[0] * (start[0] + (R::from_f64(1.0) + (v0 * v0)));
+            let v9 = start[5] + increment[1][0];
+            let v12 = start[6] + increment[0][0];
+            let v13 = prepared[2] * (start[4] + (v9 * v9));
+            residual[0][0] = v5.multiply_add(v4, increment[0][0]);
+            residual[0][1] = prepared[1]
+                .multiply_add(
+                    (R::from_f64(0.5).multiply_add(increment[0][1], start[3])),
+                    increment[0][1],
+                );
+            residual[1][0] = v13.multiply_add(v12, increment[1][0]);
+            residual[1][1] = prepared[3]
+                .multiply_add(
+                    (R::from_f64(0.5).multiply_add(increment[1][1], start[7])),
+                    increment[1][1],
+                );
+            jacobian[0][0][0][0] = (prepared[1] * v0).multiply_add(v4, R::from_f64(1.0));
+            jacobian[0][0][0][1] = R::from_f64(0.0);
+            jacobian[0][0][1][0] = v5;
+            jacobian[0][0][1][1] = R::from_f64(0.0);
+            jacobian[0][1][0][0] = R::from_f64(0.0);
+            jacobian[0][1][0][1] = prepared[4];
+            jacobian[0][1][1][0] = R::from_f64(0.0);
+            jacobian[0][1][1][1] = R::from_f64(0.0);
+            jacobian[1][0][0][0] = v13;
+            jacobian[1][0][0][1] = R::from_f64(0.0);
+            jacobian[1][0][1][0] = (prepared[3] * v9)
+                .multiply_add(v12, R::from_f64(1.0));
+            jacobian[1][0][1][1] = R::from_f64(0.0);
+            jacobian[1][1][0][0] = R::from_f64(0.0);
+            jacobian[1][1][0][1] = R::from_f64(0.0);
+            jacobian[1][1][1][0] = R::from_f64(0.0);
+            jacobian[1][1][1][1] = prepared[5];
+        }
+        #[inline(always)]
+        fn finish(
+            prepared: &[R; 8],
+            start: &[R; 8],
+            increment: &[[R; 2]; 2],
+            q: &mut [R; 2],
+            p: &mut [R; 2],
+        ) {
+            q[0] += increment[0][0];
+            q[1] += increment[0][1];
+            p[0] += increment[1][0];
+            p[1] += increment[1][1];
+        }
+    }
+    impl<R: Real> Collocation<R> for Coupled {
+        type Unknown = [[R; 2]; 2];
+        type Prepared = [R; 0];
+        const DERIVATIVE: usize = 1;
+        #[inline]
+        fn prepare(&self) -> [R; 0] {
+            []
+        }
+        #[inline(always)]
+        fn unknown(
+            prepared: &[R; 0],
+            q: &[R; 2],
+            p: &[R; 2],
+        ) -> ([[R; 2]; 2], [[R; 2]; 2]) {
+            ([*q, *p], <[[R; 2]; 2] as Array>::zero())
+        }
+        #[inline(always)]
+        fn field(
+            prepared: &[R; 0],
+            t: R,
+            y: &[[R; 2]; 2],
+            f: &mut [[R; 2]; 2],
+            jacobian: &mut Square<[[R; 2]; 2]>,
+        ) {
+            let v1 = R::from_f64(1.0) + (y[0][0] * y[0][0]);
+            let v4 = y[1][0] * y[1][0];
+            let v10 = (R::from_f64(4.0) * y[0][0]) * y[1][0];
+            f[0][0] = (R::from_f64(2.0) * y[1][0]) * v1;
+            f[0][1] = y[0][1];
+            f[1][0] = -((R::from_f64(2.0) * y[0][0]) * v4);
+            f[1][1] = -y[1][1];
+            jacobian[0][0][0][0] = v10;
+            jacobian[0][0][0][1] = R::from_f64(0.0);
+            jacobian[0][0][1][0] = R::from_f64(2.0) * v1;
+            jacobian[0][0][1][1] = R::from_f64(0.0);
+            jacobian[0][1][0][0] = R::from_f64(0.0);
+            jacobian[0][1][0][1] = R::from_f64(1.0);
+            jacobian[0][1][1][0] = R::from_f64(0.0);
+            jacobian[0][1][1][1] = R::from_f64(0.0);
+            jacobian[1][0][0][0] = -(R::from_f64(2.0) * v4);
+            jacobian[1][0][0][1] = R::from_f64(0.0);
+            jacobian[1][0][1][0] = -v10;
+            jacobian[1][0][1][1] = R::from_f64(0.0);
+            jacobian[1][1][0][0] = R::from_f64(0.0);
+            jacobian[1][1][0][1] = R::from_f64(0.0);
+            jacobian[1][1][1][0] = R::from_f64(0.0);
+            jacobian[1][1][1][1] = R::from_f64(-1.0);
+        }
+        #[inline(always)]
+        fn impulse(prepared: &[R; 0], t: R, w: R, y: &[[R; 2]; 2], p: &mut [R; 2]) {}
+        #[inline(always)]
+        fn advance(increment: &[[R; 2]; 2], q: &mut [R; 2], p: &mut [R; 2]) {
+            q[0] += increment[0][0];
+            p[0] += increment[1][0];
+            q[1] += increment[0][1];
+            p[1] += increment[1][1];
+        }
+    }
+};

@@ -1,0 +1,279 @@
+/// Planar pendulum.
+pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+    p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+}
+/// Planar pendulum.
+/**
+# What was derived
+
+```text
+H = p²/(2·(m·l²)) - m·l·g·cos(q)
+∂H/∂q = m·l·g·sin(q)
+∂H/∂p = p/(m·l²)
+
+Structure
+- H = T(p) + V(q): kick and drift are exact flows
+- T is quadratic in p with a constant mass matrix
+- H is not a polynomial in q and p
+- H does not depend on time
+
+Conserved by the flow
+- the energy
+
+Operations (a sine with its cosine counts as two)
+- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions
+- kick: 2 sums and products, 1 functions
+- drift: 2 sums and products
+- Newton iteration of the implicit midpoint rule: 8 sums and products, 2 functions
+- Newton iteration of the discrete gradient: 14 sums and products, 4 functions
+
+Skipped
+- Newton's iteration in explicit methods: T and V have exact flows
+- half of the unknowns of implicit methods: T is quadratic
+- the clock: H does not depend on time
+- recomputing what depends on parameters and the step size: prepared once
+```*/
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+pub struct Pendulum<R = f64> {
+    ///The parameter `m` of the energy.
+    pub m: R,
+    ///The parameter `l` of the energy.
+    pub l: R,
+    ///The parameter `g` of the energy.
+    pub g: R,
+}
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction,
+    missing_docs,
+    private_bounds,
+    unreachable_pub,
+    unused_imports,
+    unused_mut,
+    unused_variables,
+    reason = "generated code"
+)]
+const _: () = {
+    use ::geoint_runtime::private::{
+        Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real,
+        Separable, Square, Tree, slope,
+    };
+    const _: fn() = || {
+        let _ = pendulum;
+    };
+    impl Pendulum {
+        /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
+        /// skipped and why.
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- Newton iteration of the implicit midpoint rule: 8 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+    }
+    impl<R: Real> Hamiltonian<R> for Pendulum<R> {
+        type Coordinates = R;
+        type Array = [R; 1];
+        #[inline]
+        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
+            (-((self.l * self.m) * self.g))
+                .multiply_add(
+                    (q[0].cos()),
+                    ((R::from_f64(0.5) * (p[0] * p[0])) / (self.m * (self.l * self.l))),
+                )
+        }
+        #[inline]
+        fn gradient(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+            dq: &mut [R; 1],
+            dp: &mut [R; 1],
+        ) {
+            dq[0] = ((self.l * self.m) * self.g) * (q[0].sin());
+            dp[0] = p[0] / (self.m * (self.l * self.l));
+        }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+        ) -> ::core::option::Option<&'static str> {
+            if (self.m * (self.l * self.l)).abs().any_below(f64::MIN_POSITIVE) {
+                return ::core::option::Option::Some("division by zero: m·l²");
+            }
+            ::core::option::Option::None
+        }
+    }
+    impl<R: Real> Separable<R> for Pendulum<R> {
+        type Kick = [R; 1];
+        type Drift = [R; 1];
+        #[inline]
+        fn prepare_kick(&self, h: R) -> [R; 1] {
+            [-(((h * self.g) * self.m) * self.l)]
+        }
+        #[inline]
+        fn prepare_drift(&self, h: R) -> [R; 1] {
+            [h / (self.m * (self.l * self.l))]
+        }
+        #[inline(always)]
+        fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
+            p[0] = prepared[0].multiply_add((q[0].sin()), p[0]);
+        }
+        #[inline(always)]
+        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
+            q[0] = prepared[0].multiply_add(p[0], q[0]);
+        }
+    }
+    impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
+    impl<R: Real> MeanGradient<Midpoint, R> for Pendulum<R> {
+        type Increment = [R; 1];
+        type Prepared = [R; 5];
+        type Start = [R; 2];
+        #[inline]
+        fn prepare(&self, h: R) -> [R; 5] {
+            let v2 = ((self.g * self.m) * self.l) * h;
+            let v5 = R::from_f64(1.0) / (self.m * (self.l * self.l));
+            let v13 = ((((R::from_f64(0.25) * (h * h)) * v5) * self.g) * self.m)
+                * self.l;
+            [v2, (R::from_f64(0.5) * v5) * h, v13, v5 * h, -v2]
+        }
+        #[inline(always)]
+        fn start(prepared: &[R; 5], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
+            let mut guess = <[R; 1] as Array>::zero();
+            guess[0] = prepared[4] * ((prepared[1].multiply_add(p[0], q[0])).sin());
+            ([q[0], p[0]], guess)
+        }
+        #[inline(always)]
+        fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
+            *p
+        }
+        #[inline(always)]
+        fn residual(
+            prepared: &[R; 5],
+            start: &[R; 2],
+            increment: &[R; 1],
+            residual: &mut [R; 1],
+            jacobian: &mut Square<[R; 1]>,
+        ) {
+            let (v2, v3) = (prepared[1]
+                .multiply_add(
+                    (R::from_f64(0.5).multiply_add(increment[0], start[1])),
+                    start[0],
+                ))
+                .sin_cos();
+            residual[0] = prepared[0].multiply_add(v2, increment[0]);
+            jacobian[0][0] = prepared[2].multiply_add(v3, R::from_f64(1.0));
+        }
+        #[inline(always)]
+        fn finish(
+            prepared: &[R; 5],
+            start: &[R; 2],
+            increment: &[R; 1],
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+        ) {
+            q[0]
+                += prepared[3] * (R::from_f64(0.5).multiply_add(increment[0], start[1]));
+            p[0] += increment[0];
+        }
+    }
+    impl<R: Real> MeanGradient<Tree, R> for Pendulum<R> {
+        type Increment = [R; 1];
+        type Prepared = [R; 4];
+        type Start = [R; 2];
+        #[inline]
+        fn prepare(&self, h: R) -> [R; 4] {
+            let v4 = self.m * (self.l * self.l);
+            [
+                ((self.l * self.m) * self.g) * h,
+                (R::from_f64(0.25) * h) / v4,
+                (R::from_f64(0.5) * h) / v4,
+                -(((self.g * self.m) * self.l) * h),
+            ]
+        }
+        #[inline(always)]
+        fn start(prepared: &[R; 4], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
+            let mut guess = <[R; 1] as Array>::zero();
+            guess[0] = prepared[3] * ((prepared[2].multiply_add(p[0], q[0])).sin());
+            ([q[0], R::from_f64(2.0) * p[0]], guess)
+        }
+        #[inline(always)]
+        fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
+            *p
+        }
+        #[inline(always)]
+        fn residual(
+            prepared: &[R; 4],
+            start: &[R; 2],
+            increment: &[R; 1],
+            residual: &mut [R; 1],
+            jacobian: &mut Square<[R; 1]>,
+        ) {
+            let v0 = start[1] + increment[0];
+            let (v2, v3) = (prepared[1].multiply_add(v0, start[0])).sin_cos();
+            let v4 = prepared[1] * v0;
+            let v5 = slope::sinc(v4);
+            residual[0] = (prepared[0] * v2).multiply_add(v5, increment[0]);
+            jacobian[0][0] = prepared[0]
+                .multiply_add(
+                    ((prepared[1] * v2)
+                        .multiply_add(
+                            (slope::sinc_derivative(v4)),
+                            ((prepared[1] * v5) * v3),
+                        )),
+                    R::from_f64(1.0),
+                );
+        }
+        #[inline(always)]
+        fn finish(
+            prepared: &[R; 4],
+            start: &[R; 2],
+            increment: &[R; 1],
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+        ) {
+            q[0] += prepared[2] * (start[1] + increment[0]);
+            p[0] += increment[0];
+        }
+    }
+    impl<R: Real> Collocation<R> for Pendulum<R> {
+        type Unknown = [R; 1];
+        type Prepared = [R; 3];
+        const DERIVATIVE: usize = 2;
+        #[inline]
+        fn prepare(&self) -> [R; 3] {
+            let v2 = R::from_f64(1.0) / (self.m * (self.l * self.l));
+            [-(((v2 * self.l) * self.m) * self.g), v2, -((self.g * self.m) * self.l)]
+        }
+        #[inline(always)]
+        fn unknown(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1]) {
+            let mut velocity = <[R; 1] as Array>::zero();
+            velocity[0] = prepared[1] * p[0];
+            (*q, velocity)
+        }
+        #[inline(always)]
+        fn field(
+            prepared: &[R; 3],
+            t: R,
+            y: &[R; 1],
+            f: &mut [R; 1],
+            jacobian: &mut Square<[R; 1]>,
+        ) {
+            let (v0, v1) = y[0].sin_cos();
+            f[0] = prepared[0] * v0;
+            jacobian[0][0] = prepared[0] * v1;
+        }
+        #[inline(always)]
+        fn impulse(prepared: &[R; 3], t: R, w: R, y: &[R; 1], p: &mut [R; 1]) {
+            p[0] = w.multiply_add(prepared[2] * (y[0].sin()), p[0]);
+        }
+        #[inline(always)]
+        fn advance(increment: &[R; 1], q: &mut [R; 1], p: &mut [R; 1]) {
+            q[0] += increment[0];
+        }
+    }
+};
