@@ -15,7 +15,7 @@ pub mod composition;
 mod tables;
 mod tableau;
 mod gauss;
-mod implicit;
+mod discrete_gradient;
 mod explicit;
 mod integrator;
 #[doc(hidden)]
@@ -30,9 +30,9 @@ pub use integrator::{Integrator, Samples};
 pub use method::{Claims, Method};
 pub use splitting::{PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, Nystrom};
 pub use composition::{Composed, Composition, SymmetricMap};
-pub use implicit::{DiscreteGradient, ImplicitMidpoint};
+pub use discrete_gradient::DiscreteGradient;
 pub use explicit::ExplicitEuler;
-pub use gauss::Gauss;
+pub use gauss::{Gauss, ImplicitMidpoint};
 pub use system::{Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
 

@@ -4,5 +4,4 @@ pub use crate::array::{Array, Square};
 pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::Coordinates;
-pub use crate::system::mean_gradient::{Midpoint, Tree};
-pub use crate::system::{Collocation, Hamiltonian, MeanGradient, QuadraticKinetic, Separable};
+pub use crate::system::{Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Separable};

@@ -75,18 +75,8 @@ pub trait Separable<R: Real = f64>: Hamiltonian<R> {
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 
-/// Which gradient stands in x₁ = x₀ + h J ∇̄H(x₀, x₁).
-pub mod mean_gradient {
-    /// ∇H((x₀ + x₁)/2): the implicit midpoint rule.
-    #[derive(Clone, Copy, Debug)]
-    pub enum Midpoint {}
-    /// The tree discrete gradient: the chain rule with divided differences, ∇̄H·(x₁ − x₀) = H(x₁) − H(x₀).
-    #[derive(Clone, Copy, Debug)]
-    pub enum Tree {}
-}
-
-/// The equation x₁ = x₀ + h J ∇̄H(x₀, x₁), written in the increment and reduced as far as H allows.
-pub trait MeanGradient<G, R: Real = f64>: Hamiltonian<R> {
+/// x₁ = x₀ + h J ∇̄H(x₀, x₁) for the tree discrete gradient ∇̄H, written in the increment and reduced as far as H allows.
+pub trait DiscreteGradientStep<R: Real = f64>: Hamiltonian<R> {
     /// The increment that is solved for: of p alone if T is quadratic (that of q is then a linear function of it), else
     /// of q and p.
     type Increment: Array<Real = R>;
@@ -119,21 +109,25 @@ pub trait MeanGradient<G, R: Real = f64>: Hamiltonian<R> {
     );
 }
 
-/// The differential equation in the form that collocation solves: y' = f(y, t) for y = (q, p), or q'' = f(q, t) if T is
-/// quadratic.
+/// The differential equation in the form that collocation solves: y' = f(y, t) for y = (q, p); or, if T is quadratic,
+/// q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
-    /// y: an array of (q, p), or q alone.
+    /// y: an array of (q, p), or q alone. f has the same shape.
     type Unknown: Array<Real = R>;
     /// What depends on parameters only.
     type Prepared: Copy;
-    /// k of the form y⁽ᵏ⁾ = f(y, t).
+    /// The order of the differential equation, 1 or 2.
     const DERIVATIVE: usize;
 
     /// Coefficients.
     fn prepare(&self) -> Self::Prepared;
-    /// y of a point, and its velocity if the equation is of second order (else zero).
-    fn unknown(prepared: &Self::Prepared, q: &Self::Array, p: &Self::Array) -> (Self::Unknown, Self::Unknown);
-    /// f and its derivative.
+    /// y at a point; q' if the equation is of second order, else zero; and what f changes: y, or p.
+    fn start(
+        prepared: &Self::Prepared,
+        q: &Self::Array,
+        p: &Self::Array,
+    ) -> (Self::Unknown, Self::Unknown, Self::Unknown);
+    /// f, and its derivative ∂f/∂y (times M⁻¹ if the equation is of second order).
     fn field(
         prepared: &Self::Prepared,
         t: R,
@@ -141,8 +135,8 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
-    /// Adds `w`·(−∂V/∂q at `y`) to `p`, or does nothing in first-order form.
-    fn impulse(prepared: &Self::Prepared, t: R, w: R, y: &Self::Unknown, p: &mut Self::Array);
-    /// Adds the increment of y to the point.
-    fn advance(increment: &Self::Unknown, q: &mut Self::Array, p: &mut Self::Array);
+    /// y ← y + w·f, or y + w·M⁻¹f.
+    fn add(prepared: &Self::Prepared, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
+    /// (q, p) ← y; or q ← y, p ← p + impulse.
+    fn finish(y: &Self::Unknown, impulse: &Self::Unknown, q: &mut Self::Array, p: &mut Self::Array);
 }

@@ -1,9 +1,10 @@
-//! Implicit steps as equations in the increment, with Newton's matrix.
+//! What implicit methods solve: the equation of a discrete gradient, and the field that collocation follows.
 //!
-//! x₁ = x₀ + h J ḡ(x₀, x₁) for a mean gradient ḡ. If T is quadratic its mean gradient is that of the mean momentum, dq is
-//! a linear function of dp, and the equation is one in dp alone.
+//! If T is quadratic both are reduced to half of the unknowns. The mean gradient of T is then that of the mean momentum, so
+//! that dq is a linear function of dp, and the differential equation is one of second order in q.
 
-use super::{Forward, Gradient, MissingSlope, discrete_gradient, gradient};
+use super::forward::jacobian;
+use super::{Gradient, MissingSlope, discrete_gradient};
 use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
@@ -23,18 +24,24 @@ pub(crate) struct Equation {
     pub(crate) dp: Vec<Id>,
 }
 
-/// y' = f(y, t), or q'' = f(q, t), with the derivative of f.
+/// y' = f(y, t) for y = (q, p); or q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 #[derive(Debug)]
 pub(crate) struct Field {
     pub(crate) unknowns: Vec<Symbol>,
     pub(crate) f: Vec<Id>,
+    /// ∂f/∂y, times M⁻¹ for equations of second order.
     pub(crate) jacobian: Vec<Vec<Id>>,
-    /// 1 or 2.
-    pub(crate) derivative: u32,
-    /// q', for equations of second order.
+    /// For equations of second order.
+    pub(crate) second_order: Option<SecondOrder>,
+}
+
+/// What T adds to an equation of second order, as functions of the momenta.
+#[derive(Debug)]
+pub(crate) struct SecondOrder {
+    /// ∂T/∂p.
     pub(crate) velocity: Vec<Id>,
-    /// −∂V/∂q, for equations of second order.
-    pub(crate) force: Vec<Id>,
+    /// M⁻¹p.
+    pub(crate) acceleration: Vec<Id>,
 }
 
 fn symbols(of: fn(u32) -> Symbol, degrees: u32) -> Vec<Symbol> {
@@ -43,6 +50,10 @@ fn symbols(of: fn(u32) -> Symbol, degrees: u32) -> Vec<Symbol> {
 
 fn nodes(graph: &mut Graph, symbols: &[Symbol]) -> Vec<Id> {
     symbols.iter().map(|symbol| graph.symbol(*symbol)).collect()
+}
+
+fn scaled(graph: &mut Graph, factor: Id, ids: &[Id]) -> Vec<Id> {
+    ids.iter().map(|id| graph.mul(factor, *id)).collect()
 }
 
 /// t + h/2.
@@ -58,26 +69,8 @@ fn substitute(graph: &mut Graph, roots: &[Id], replace: impl Fn(&mut Graph, Symb
     roots.iter().map(|root| substitution.apply(graph, *root)).collect()
 }
 
-/// ḡ = ∇H((x₀ + x₁)/2, t + h/2).
-pub(crate) fn midpoint(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Equation {
-    let mean = |graph: &mut Graph, roots: &[Id]| substitute(graph, roots, mean_point);
-    let mean = Gradient { q: mean(graph, &gradient.q), p: mean(graph, &gradient.p) };
-    equation(graph, gradient, &mean, structure, degrees)
-}
-
-fn mean_point(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
-    let increment = match symbol {
-        Symbol::Q(i) => Symbol::Dq(i),
-        Symbol::P(i) => Symbol::Dp(i),
-        Symbol::T => return Some(middle_time(graph)),
-        _ => return None,
-    };
-    let (start, increment) = (graph.symbol(symbol), graph.symbol(increment));
-    let half = graph.scale(Number::HALF, increment);
-    Some(graph.add(start, half))
-}
-
-/// ḡ is the tree discrete gradient of H at time t + h/2.
+/// x₁ = x₀ + h J ∇̄H(x₀, x₁) for the tree discrete gradient of H at time t + h/2:
+/// dq − h ∇̄_pH = 0, dp + h ∇̄_qH = 0.
 pub(crate) fn tree(
     graph: &mut Graph,
     gradient: &Gradient,
@@ -88,61 +81,46 @@ pub(crate) fn tree(
     let at_middle = |graph: &mut Graph, roots: &[Id]| {
         substitute(graph, roots, |graph, symbol| (symbol == Symbol::T).then(|| middle_time(graph)))
     };
-    let mean = Gradient { q: at_middle(graph, &discrete.q), p: at_middle(graph, &discrete.p) };
-    Ok(equation(graph, gradient, &mean, structure, degrees))
-}
-
-/// dq − h ḡ_p = 0, dp + h ḡ_q = 0.
-fn equation(
-    graph: &mut Graph,
-    gradient: &Gradient,
-    mean: &Gradient,
-    structure: &Structure,
-    degrees: u32,
-) -> Equation {
     let h = graph.symbol(Symbol::H);
-    let (dq, dp) = (symbols(Symbol::Dq, degrees), symbols(Symbol::Dp, degrees));
-    let scaled = |graph: &mut Graph, factor: Id, ids: &[Id]| -> Vec<Id> {
-        ids.iter().map(|id| graph.mul(factor, *id)).collect()
-    };
     let minus_h = graph.neg(h);
-    let drift = scaled(graph, h, &mean.p);
-    let kick = scaled(graph, minus_h, &mean.q);
-    let reduced = structure.quadratic_parts().is_some();
-    let (unknowns, increments, targets) = if reduced {
-        // The mean gradient of a quadratic T reads dp only, so that it gives dq.
-        let kick = substitute(graph, &kick, |_, symbol| match symbol {
-            Symbol::Dq(i) => Some(drift[i as usize]),
-            _ => None,
-        });
-        let momenta = nodes(graph, &dp);
-        (dp, [drift, momenta], kick)
-    } else {
-        let increments = [nodes(graph, &dq), nodes(graph, &dp)];
-        ([dq, dp].concat(), increments, [drift, kick].concat())
-    };
-    let residual: Vec<Id> = unknowns
-        .iter()
-        .zip(&targets)
-        .map(|(unknown, target)| {
-            let unknown = graph.symbol(*unknown);
-            graph.sub(unknown, *target)
-        })
-        .collect();
-    let jacobian = jacobian(graph, &residual, &unknowns);
-    let guess = guess(graph, gradient, reduced);
-    let [dq, dp] = increments;
-    Equation { unknowns, residual, jacobian, guess, dq, dp }
+    let slopes = [at_middle(graph, &discrete.q), at_middle(graph, &discrete.p)];
+    let (kick, drift) = (scaled(graph, minus_h, &slopes[0]), scaled(graph, h, &slopes[1]));
+    let (dq, dp) = (symbols(Symbol::Dq, degrees), symbols(Symbol::Dp, degrees));
+    let guess = guess(graph, gradient, structure);
+    let (q, p) = (nodes(graph, &dq), nodes(graph, &dp));
+    if structure.quadratic_parts().is_none() {
+        let unknowns = [dq, dp].concat();
+        let residual = difference(graph, &[&q[..], &p].concat(), &[drift, kick].concat());
+        let jacobian = jacobian(graph, &residual, &unknowns);
+        return Ok(Equation { unknowns, residual, jacobian, guess, dq: q, dp: p });
+    }
+    // ∂residual/∂dp = 1 − (∂kick/∂dq)·(∂dq/∂dp): the chain rule by hand keeps ∂dq/∂dp, a constant, out of every term.
+    let inner = jacobian(graph, &kick, &dq);
+    let outer = jacobian(graph, &drift, &dp);
+    let residual = difference(graph, &p, &kick);
+    let mut entries = product(graph, &inner, &outer).concat();
+    let n = degrees as usize;
+    for (place, entry) in entries.iter_mut().enumerate() {
+        let unit = graph.integer(i64::from(place % (n + 1) == 0));
+        *entry = graph.sub(unit, *entry);
+    }
+    // In terms of dp alone.
+    let roots = [&residual[..], &entries].concat();
+    let reduced = substitute(graph, &roots, |_, symbol| match symbol {
+        Symbol::Dq(i) => Some(drift[i as usize]),
+        _ => None,
+    });
+    let (residual, entries) = reduced.split_at(n);
+    let jacobian = entries.chunks(n).map(<[Id]>::to_vec).collect();
+    Ok(Equation { unknowns: dp, residual: residual.to_vec(), jacobian, guess, dq: drift, dp: p })
 }
 
-fn jacobian(graph: &mut Graph, roots: &[Id], unknowns: &[Symbol]) -> Vec<Vec<Id>> {
-    let mut columns: Vec<Forward> = unknowns.iter().map(|symbol| Forward::new(*symbol)).collect();
-    roots.iter().map(|root| columns.iter_mut().map(|column| column.of(graph, *root)).collect()).collect()
+fn difference(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {
+    a.iter().zip(b).map(|(a, b)| graph.sub(*a, *b)).collect()
 }
 
-/// The explicit midpoint rule x₀ + h J∇H(x₀ + (h/2) J∇H(x₀)): two more orders than the increment itself, for one gradient
-/// (that of q, if T is quadratic) more.
-fn guess(graph: &mut Graph, gradient: &Gradient, reduced: bool) -> Vec<Id> {
+/// The explicit midpoint rule h J∇H(x₀ + (h/2) J∇H(x₀)): one more order than h J∇H(x₀), for one more gradient.
+fn guess(graph: &mut Graph, gradient: &Gradient, structure: &Structure) -> Vec<Id> {
     let h = graph.symbol(Symbol::H);
     let half = graph.scale(Number::HALF, h);
     let forward = |graph: &mut Graph, symbol: Symbol| {
@@ -157,44 +135,38 @@ fn guess(graph: &mut Graph, gradient: &Gradient, reduced: bool) -> Vec<Id> {
         let start = graph.symbol(symbol);
         Some(graph.add(start, increment))
     };
-    let mut roots = vec![];
-    if !reduced {
-        roots.extend(gradient.p.iter().map(|slope| graph.mul(h, *slope)));
-    }
-    for slope in &gradient.q {
-        let kick = graph.mul(h, *slope);
-        roots.push(graph.neg(kick));
-    }
+    let minus_h = graph.neg(h);
+    let kick = scaled(graph, minus_h, &gradient.q);
+    let roots = match structure.quadratic_parts() {
+        Some(_) => kick,
+        None => [scaled(graph, h, &gradient.p), kick].concat(),
+    };
     substitute(graph, &roots, forward)
 }
 
-/// The vector field with its derivative; of second order in q if T is quadratic.
+/// The vector field, or the force if T is quadratic, with its derivative.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
     let force: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
-    let second_order = structure.quadratic_parts().map(|parts| parts.kinetic);
-    let (unknowns, f) = match second_order {
-        Some(kinetic) => {
-            // q'' = T'(−V'(q)) without the constant part of T'.
-            let acceleration = substitute(graph, &gradient.p, |_, symbol| match symbol {
-                Symbol::P(i) => Some(force[i as usize]),
-                _ => None,
-            });
-            let at_rest = gradient_at_rest(graph, kinetic, degrees);
-            let f = acceleration.iter().zip(at_rest).map(|(a, rest)| graph.sub(*a, rest)).collect();
-            (symbols(Symbol::Q, degrees), f)
-        }
-        None => {
-            let unknowns = [symbols(Symbol::Q, degrees), symbols(Symbol::P, degrees)].concat();
-            (unknowns, [gradient.p.clone(), force.clone()].concat())
-        }
-    };
-    let jacobian = jacobian(graph, &f, &unknowns);
-    let derivative = if second_order.is_some() { 2 } else { 1 };
-    Field { unknowns, f, jacobian, derivative, velocity: gradient.p.clone(), force }
+    let (q, p) = (symbols(Symbol::Q, degrees), symbols(Symbol::P, degrees));
+    if structure.quadratic_parts().is_none() {
+        let (unknowns, f) = ([q, p].concat(), [gradient.p.clone(), force].concat());
+        let jacobian = jacobian(graph, &f, &unknowns);
+        return Field { unknowns, f, jacobian, second_order: None };
+    }
+    let inverse_mass = jacobian(graph, &gradient.p, &p);
+    let slope = jacobian(graph, &force, &q);
+    let momenta = nodes(graph, &p);
+    let acceleration = product(graph, &inverse_mass, &momenta.iter().map(|p| vec![*p]).collect::<Vec<_>>()).concat();
+    let jacobian = product(graph, &slope, &inverse_mass);
+    let second_order = Some(SecondOrder { velocity: gradient.p.clone(), acceleration });
+    Field { unknowns: q, f: force, jacobian, second_order }
 }
 
-/// ∂T/∂p at p = 0.
-fn gradient_at_rest(graph: &mut Graph, kinetic: Id, degrees: u32) -> Vec<Id> {
-    let slopes = gradient(graph, kinetic, degrees).p;
-    substitute(graph, &slopes, |graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()))
+/// The product of two matrices.
+fn product(graph: &mut Graph, a: &[Vec<Id>], b: &[Vec<Id>]) -> Vec<Vec<Id>> {
+    let mut entry = |row: &[Id], column: usize| {
+        let parts: Vec<Id> = row.iter().zip(b).map(|(x, y)| graph.mul(*x, y[column])).collect();
+        graph.sum(&parts)
+    };
+    a.iter().map(|row| (0..b[0].len()).map(|column| entry(row, column)).collect()).collect()
 }

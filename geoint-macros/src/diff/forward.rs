@@ -1,42 +1,66 @@
-//! The forward derivative with respect to one symbol: columns of Hessians and of Newton's matrices.
+//! Forward derivatives with respect to several symbols at once: Hessians and Newton's matrices, zeros left out.
 
 use super::rules::{Rule, rule};
 use crate::ir::{Graph, Id, Node, Symbol, Table};
+use std::rc::Rc;
 
-/// ∂/∂symbol, shared between all nodes it is applied to.
-pub(crate) struct Forward {
-    symbol: Symbol,
-    done: Table<Id>,
+/// The derivatives of a node that are not zero, by column, in order.
+type Row = Rc<[(usize, Id)]>;
+
+/// ∂root/∂symbol, a row a root.
+pub(super) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
+    let mut rows: Table<usize> = Table::default();
+    let mut all: Vec<Row> = vec![];
+    for root in roots {
+        for id in graph.unknown(*root, &rows) {
+            let of = |id: Id| all[rows[id]].clone();
+            let row = derivatives(graph, id, symbols, of);
+            rows.insert(id, all.len());
+            all.push(row);
+        }
+    }
+    let zero = graph.zero();
+    let dense = |root: &Id| {
+        let mut row = vec![zero; symbols.len()];
+        all[rows[*root]].iter().for_each(|(column, derivative)| row[*column] = *derivative);
+        row
+    };
+    roots.iter().map(dense).collect()
 }
 
-impl Forward {
-    pub(crate) fn new(symbol: Symbol) -> Self {
-        Forward { symbol, done: Table::default() }
+/// The row of a node from the rows of its operands.
+fn derivatives(graph: &mut Graph, id: Id, symbols: &[Symbol], of: impl Fn(Id) -> Row) -> Row {
+    if let Node::Symbol(symbol) = graph.node(id) {
+        let column = symbols.iter().position(|other| other == symbol);
+        return column.map(|column| (column, graph.integer(1))).into_iter().collect();
     }
-
-    /// The derivative of `root`.
-    pub(crate) fn of(&mut self, graph: &mut Graph, root: Id) -> Id {
-        let zero = graph.zero();
-        for id in graph.unknown(root, &self.done) {
-            let derivative = match graph.node(id) {
-                Node::Symbol(symbol) if *symbol == self.symbol => graph.integer(1),
-                node if node.children().iter().all(|child| self.done[*child] == zero) => zero,
-                _ => match rule(graph, id) {
-                    Rule::Chain(partials) => {
-                        let parts: Vec<Id> = partials
-                            .into_iter()
-                            .filter(|(operand, _)| self.done[*operand] != zero)
-                            .map(|(operand, partial)| graph.mul(partial, self.done[operand]))
-                            .collect();
-                        graph.sum(&parts)
-                    }
-                    Rule::Branch(condition, first, second) => {
-                        graph.select(condition, self.done[first], self.done[second])
-                    }
-                },
-            };
-            self.done.insert(id, derivative);
+    if graph.node(id).children().iter().all(|operand| of(*operand).is_empty()) {
+        return Rc::new([]);
+    }
+    match rule(graph, id) {
+        Rule::Chain(partials) => {
+            let mut parts: Vec<(usize, Id)> = vec![];
+            for (operand, partial) in partials {
+                for (column, inner) in of(operand).iter() {
+                    parts.push((*column, graph.mul(partial, *inner)));
+                }
+            }
+            parts.sort_by_key(|(column, _)| *column);
+            let summed = parts.chunk_by(|a, b| a.0 == b.0).map(|chunk| match chunk {
+                [single] => *single,
+                _ => (chunk[0].0, graph.sum(&chunk.iter().map(|(_, part)| *part).collect::<Vec<_>>())),
+            });
+            summed.collect::<Vec<_>>().into_iter().filter(|(_, id)| !graph.is_zero(*id)).collect()
         }
-        self.done[root]
+        Rule::Branch(condition, first, second) => {
+            let (first, second) = (of(first), of(second));
+            let zero = graph.zero();
+            let side = |row: &Row, column| row.iter().find(|(c, _)| *c == column).map_or(zero, |(_, id)| *id);
+            let mut columns: Vec<usize> = first.iter().chain(second.iter()).map(|(column, _)| *column).collect();
+            columns.sort_unstable();
+            columns.dedup();
+            let select = |column| (column, graph.select(condition, side(&first, column), side(&second, column)));
+            columns.into_iter().map(select).collect()
+        }
     }
 }

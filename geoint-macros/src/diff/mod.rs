@@ -8,7 +8,6 @@ mod sweep;
 
 use crate::analyze::Structure;
 use crate::ir::{Graph, Id, Symbol};
-pub(crate) use forward::Forward;
 pub(crate) use slope::MissingSlope;
 
 /// The partial derivatives of a node with respect to positions and momenta.
@@ -41,7 +40,6 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
 /// Everything that is derived from an energy.
 pub(crate) struct Derivatives {
     pub(crate) gradient: Gradient,
-    pub(crate) midpoint: equation::Equation,
     pub(crate) tree: Result<equation::Equation, MissingSlope>,
     pub(crate) field: equation::Field,
 }
@@ -49,8 +47,7 @@ pub(crate) struct Derivatives {
 /// Derives everything that some method needs.
 pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32) -> Derivatives {
     let gradient = gradient(graph, structure.energy, degrees);
-    let midpoint = equation::midpoint(graph, &gradient, structure, degrees);
     let tree = equation::tree(graph, &gradient, structure, degrees);
     let field = equation::field(graph, &gradient, structure, degrees);
-    Derivatives { gradient, midpoint, tree, field }
+    Derivatives { gradient, tree, field }
 }

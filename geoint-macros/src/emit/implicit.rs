@@ -1,4 +1,4 @@
-//! Implicit steps: the equation of a mean gradient, and the field that collocation solves.
+//! Implicit steps: the equation of the discrete gradient, and the field that collocation follows.
 
 use super::flows::unsatisfied;
 use super::kernel::{Context, place};
@@ -8,7 +8,7 @@ use crate::diff::equation::{Equation, Field};
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 /// Statements that write rows of values to `base[row][column]`, or values to `base[row]`.
 fn write(base: &TokenStream, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
@@ -20,15 +20,14 @@ fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
-/// `impl MeanGradient<rule>`, and what an iteration costs.
-pub(super) fn mean_gradient(
+/// `impl DiscreteGradientStep`, and what an iteration costs.
+pub(super) fn discrete_gradient(
     context: &Context<'_>,
     graph: &mut Graph,
     equation: &Equation,
-    rule: &str,
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
-    let (name, array, rule) = (self_type(context), context.array(), format_ident!("{rule}"));
+    let (name, array) = (self_type(context), context.array());
     let unknowns = &equation.unknowns;
     let increment = context.unknown_type(unknowns.len());
     let places = context.unknown_places(unknowns.len());
@@ -69,7 +68,7 @@ pub(super) fn mean_gradient(
     let origin = if unknowns.len() == context.coordinates().len() { quote!(*p) } else { quote!([*q, *p]) };
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
-        impl<R: #bounds> MeanGradient<#rule, R> for #name {
+        impl<R: #bounds> DiscreteGradientStep<R> for #name {
             type Increment = #increment;
             type Prepared = [R; #prepared];
             type Start = [R; #started];
@@ -112,13 +111,13 @@ pub(super) fn mean_gradient(
 }
 
 /// An implementation that no scalar satisfies, whose message names the term that has no slope.
-pub(super) fn missing_tree(context: &Context<'_>, graph: &Graph, missing: MissingSlope, bounds: &TokenStream) -> TokenStream {
+pub(super) fn missing_discrete_gradient(context: &Context<'_>, graph: &Graph, missing: MissingSlope, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, "DividedDifferencesOf", missing.0, NO_SLOPE);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
-        impl<R: #bounds + #marker> MeanGradient<Tree, R> for #name {
+        impl<R: #bounds + #marker> DiscreteGradientStep<R> for #name {
             type Increment = #array;
             type Prepared = #never;
             type Start = #never;
@@ -144,20 +143,26 @@ pub(super) fn missing_tree(context: &Context<'_>, graph: &Graph, missing: Missin
 pub(super) const NO_SLOPE: &str = "this term has no divided difference yet, so the discrete gradient does not exist; use \
                                    `ImplicitMidpoint` or `Gauss`";
 
-/// `impl Collocation`.
-pub(super) fn collocation(context: &Context<'_>, graph: &mut Graph, field: &Field, bounds: &TokenStream) -> TokenStream {
+/// `impl Collocation`, and what one evaluation of the field with its derivative costs.
+pub(super) fn collocation(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    field: &Field,
+    bounds: &TokenStream,
+) -> (TokenStream, Operations) {
     let (name, array) = (self_type(context), context.array());
     let unknowns = &field.unknowns;
     let unknown = context.unknown_type(unknowns.len());
     let places = context.unknown_places(unknowns.len());
     let entries = square(&places);
-    let derivative = Literal::usize_unsuffixed(field.derivative as usize);
-    let second_order = field.derivative == 2;
 
     let values: Vec<Id> = field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect();
     let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_)));
-    let (velocity, force): (&[Id], &[Id]) = if second_order { (&field.velocity, &field.force) } else { (&[], &[]) };
-    let plan = schedule::plan(graph, level, &[&[]], &[&values, velocity, force]);
+    let (velocity, acceleration): (&[Id], &[Id]) = match &field.second_order {
+        Some(second_order) => (&second_order.velocity, &second_order.acceleration),
+        None => (&[], &[]),
+    };
+    let plan = schedule::plan(graph, level, &[&[]], &[&values, velocity, acceleration]);
 
     let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let evaluate = context.planned(&plan.last[0], (unknowns, "y"), |values| {
@@ -166,30 +171,33 @@ pub(super) fn collocation(context: &Context<'_>, graph: &mut Graph, field: &Fiel
         let jacobian = write(&quote!(jacobian), &entries, jacobian);
         quote!(#f #jacobian)
     });
-    let (start, impulse, advance) = if second_order {
-        let velocity = context.planned(&plan.last[1], (&[], ""), |values| {
-            let velocity = write(&quote!(velocity), &places, &values);
-            quote!(let mut velocity = <#array as Array>::zero(); #velocity (*q, velocity))
+    let [derivative, start, add, finish] = if field.second_order.is_some() {
+        let velocity = context.planned(&plan.last[1], (&[], ""), |values| write(&quote!(velocity), &places, &values));
+        let momenta: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::P).collect();
+        let add = context.planned(&plan.last[2], (&momenta, "f"), |values| {
+            let y: Vec<_> = places.iter().map(|indices| place(quote!(y), indices)).collect();
+            quote!(#(#y = w.multiply_add(#values, #y);)*)
         });
-        let impulse = context.planned(&plan.last[2], (unknowns, "y"), |values| {
-            let places = places.iter().map(|indices| place(quote!(p), indices)).collect::<Vec<_>>();
-            quote!(#(#places = w.multiply_add(#values, #places);)*)
-        });
-        let advance = places.iter().map(|indices| {
-            let (q, increment) = (place(quote!(q), indices), place(quote!(increment), indices));
-            quote!(#q += #increment;)
-        });
-        (velocity, impulse, quote!(#(#advance)*))
+        let momenta: Vec<_> = places.iter().map(|indices| place(quote!(p), indices)).collect();
+        let impulse = places.iter().map(|indices| place(quote!(impulse), indices));
+        [
+            quote!(2),
+            quote!(let mut velocity = <#array as Array>::zero(); #velocity (*q, velocity, *p)),
+            add,
+            quote!(*q = *y; #(#momenta += #impulse;)*),
+        ]
     } else {
-        let advance = context.coordinates().into_iter().map(|indices| {
-            let (q, p) = (place(quote!(q), &indices), place(quote!(p), &indices));
-            let (dq, dp) = (place(quote!(increment[0]), &indices), place(quote!(increment[1]), &indices));
-            quote!(#q += #dq; #p += #dp;)
-        });
-        (quote!(([*q, *p], <#unknown as Array>::zero())), quote!(), quote!(#(#advance)*))
+        let y: Vec<_> = places.iter().map(|indices| place(quote!(y), indices)).collect();
+        let f = places.iter().map(|indices| place(quote!(f), indices));
+        [
+            quote!(1),
+            quote!(([*q, *p], <#unknown as Array>::zero(), [*q, *p])),
+            quote!(#(#y = w.multiply_add(#f, #y);)*),
+            quote!([*q, *p] = *y;),
+        ]
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
-    quote! {
+    let tokens = quote! {
         impl<R: #bounds> Collocation<R> for #name {
             type Unknown = #unknown;
             type Prepared = [R; #prepared];
@@ -200,7 +208,7 @@ pub(super) fn collocation(context: &Context<'_>, graph: &mut Graph, field: &Fiel
                 #prepare
             }
             #[inline(always)]
-            fn unknown(prepared: &[R; #prepared], q: &#array, p: &#array) -> (#unknown, #unknown) {
+            fn start(prepared: &[R; #prepared], q: &#array, p: &#array) -> (#unknown, #unknown, #unknown) {
                 #start
             }
             #[inline(always)]
@@ -214,13 +222,14 @@ pub(super) fn collocation(context: &Context<'_>, graph: &mut Graph, field: &Fiel
                 #evaluate
             }
             #[inline(always)]
-            fn impulse(prepared: &[R; #prepared], t: R, w: R, y: &#unknown, p: &mut #array) {
-                #impulse
+            fn add(prepared: &[R; #prepared], w: R, f: &#unknown, y: &mut #unknown) {
+                #add
             }
             #[inline(always)]
-            fn advance(increment: &#unknown, q: &mut #array, p: &mut #array) {
-                #advance
+            fn finish(y: &#unknown, impulse: &#unknown, q: &mut #array, p: &mut #array) {
+                #finish
             }
         }
-    }
+    };
+    (tokens, plan.last[0].operations())
 }

@@ -22,18 +22,17 @@ use quote::quote;
 pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Structure, derivatives: &Derivatives) -> TokenStream {
     let bounds = system::bounds(graph, structure.energy);
     let (flows, flow_costs) = flows::flows(context, graph, structure, &derivatives.gradient, &bounds);
-    let (midpoint, midpoint_cost) = implicit::mean_gradient(context, graph, &derivatives.midpoint, "Midpoint", &bounds);
-    let (tree, tree_cost) = match &derivatives.tree {
+    let (discrete, discrete_cost) = match &derivatives.tree {
         Ok(equation) => {
-            let (tokens, cost) = implicit::mean_gradient(context, graph, equation, "Tree", &bounds);
+            let (tokens, cost) = implicit::discrete_gradient(context, graph, equation, &bounds);
             (tokens, Some(cost))
         }
-        Err(missing) => (implicit::missing_tree(context, graph, *missing, &bounds), None),
+        Err(missing) => (implicit::missing_discrete_gradient(context, graph, *missing, &bounds), None),
     };
-    let collocation = implicit::collocation(context, graph, &derivatives.field, &bounds);
+    let (collocation, field_cost) = implicit::collocation(context, graph, &derivatives.field, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, &derivatives.gradient, &bounds);
 
-    let costs = report::Costs { flows: flow_costs, midpoint: midpoint_cost, tree: tree_cost };
+    let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
     let report = report::report(context, graph, structure, derivatives, &costs);
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { name, runtime, .. } = context.energy;
@@ -48,8 +47,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Struct
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real, Separable, Square, Tree,
-                slope,
+                Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real, Separable, Square, slope,
             };
 
             // The function is the source of all this, and the user need not call it.
@@ -65,8 +63,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Struct
 
             #hamiltonian
             #flows
-            #midpoint
-            #tree
+            #discrete
             #collocation
         };
     }

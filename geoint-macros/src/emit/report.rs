@@ -12,8 +12,9 @@ use std::fmt::Write;
 /// What the kernels cost.
 pub(super) struct Costs {
     pub(super) flows: Option<[Operations; 2]>,
-    pub(super) midpoint: Operations,
-    pub(super) tree: Option<Operations>,
+    /// The field of implicit methods with its derivative.
+    pub(super) field: Operations,
+    pub(super) discrete: Option<Operations>,
 }
 
 /// The report. Lines are short enough for a terminal unless a formula is not.
@@ -100,9 +101,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- kick: {}", counted(kick))?;
         writeln!(text, "- drift: {}", counted(drift))?;
     }
-    writeln!(text, "- Newton iteration of the implicit midpoint rule: {}", counted(costs.midpoint))?;
-    if let Some(tree) = costs.tree {
-        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(tree))?;
+    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(costs.field))?;
+    if let Some(discrete) = costs.discrete {
+        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(discrete))?;
     }
 
     writeln!(text, "\nSkipped")?;

@@ -7,6 +7,7 @@
 use super::number::{Number, Ratio};
 use super::op::{Function, Parity, Relation, Symbol};
 use super::table::Table;
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 /// A node of a [`Graph`]; operands have smaller numbers than what is built of them.
@@ -70,6 +71,8 @@ impl Node {
 pub(crate) struct Graph {
     nodes: Vec<Node>,
     known: HashMap<Node, Id>,
+    /// Scratch space of traversals: the number of the traversal that saw a node last.
+    seen: RefCell<(u32, Vec<u32>)>,
 }
 
 impl Graph {
@@ -88,25 +91,25 @@ impl Graph {
 
     /// Every node that the roots are built of, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        let mut seen = vec![false; self.nodes.len()];
-        let mut open = roots.to_vec();
-        while let Some(id) = open.pop() {
-            if !std::mem::replace(&mut seen[id.index()], true) {
-                self.node(id).for_each_child(|child| open.push(child));
-            }
-        }
-        (0..self.nodes.len()).filter(|i| seen[*i]).map(Id::from_index).collect()
+        self.traverse(roots, |_| true)
     }
 
     /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
     /// not looked at.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
+        self.traverse(&[root], |id| !known.contains(id))
+    }
+
+    /// Every node that can be reached through nodes that are `wanted`, operands first.
+    fn traverse(&self, roots: &[Id], wanted: impl Fn(Id) -> bool) -> Vec<Id> {
+        let mut scratch = self.seen.borrow_mut();
+        let (traversal, seen) = &mut *scratch;
+        *traversal += 1;
+        seen.resize(self.nodes.len(), 0);
         let mut found = vec![];
-        let mut seen: Table<()> = Table::default();
-        let mut open = vec![root];
+        let mut open = roots.to_vec();
         while let Some(id) = open.pop() {
-            if !known.contains(id) && !seen.contains(id) {
-                seen.insert(id, ());
+            if wanted(id) && std::mem::replace(&mut seen[id.index()], *traversal) != *traversal {
                 found.push(id);
                 self.node(id).for_each_child(|child| open.push(child));
             }

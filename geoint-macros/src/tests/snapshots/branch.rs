@@ -22,7 +22,7 @@ Operations (a sine with its cosine counts as two)
 - gradient of H: 6 sums and products, 2 divisions and roots, 1 functions
 - kick: 6 sums and products, 1 functions
 - drift: 4 sums and products, 2 divisions and roots
-- Newton iteration of the implicit midpoint rule: 21 sums and products, 3 divisions and roots
+- stage of a Newton iteration of collocation: 13 sums and products, 3 divisions and roots, 1 functions
 
 Skipped
 - Newton's iteration in explicit methods: T and V have exact flows
@@ -52,8 +52,8 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real,
-        Separable, Square, Tree, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
+        Separable, Square, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -61,7 +61,7 @@ const _: () = {
     impl Spring {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 6 sums and products, 2 divisions and roots, 1 functions\n- kick: 6 sums and products, 1 functions\n- drift: 4 sums and products, 2 divisions and roots\n- Newton iteration of the implicit midpoint rule: 21 sums and products, 3 divisions and roots\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }\n";
+        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 6 sums and products, 2 divisions and roots, 1 functions\n- kick: 6 sums and products, 1 functions\n- drift: 4 sums and products, 2 divisions and roots\n- stage of a Newton iteration of collocation: 13 sums and products, 3 divisions and roots, 1 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }\n";
     }
     impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         type Coordinates = R;
@@ -140,85 +140,6 @@ const _: () = {
     pub trait QuadraticInSpring {}
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
-    impl<R: Real + ::core::cmp::PartialOrd> MeanGradient<Midpoint, R> for Spring {
-        type Increment = [[R; 1]; 2];
-        type Prepared = [R; 4];
-        type Start = [R; 4];
-        #[inline]
-        fn prepare(&self, h: R) -> [R; 4] {
-            let v1 = R::from_f64(0.5) * h;
-            [-h, h, -v1, v1]
-        }
-        #[inline(always)]
-        fn start(
-            prepared: &[R; 4],
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-        ) -> ([R; 4], [[R; 1]; 2]) {
-            let (v6,) = if R::from_f64(0.0) < q[0] {
-                ((R::from_f64(4.0) * (t.cos())) * ((q[0] * q[0]) * q[0]),)
-            } else {
-                (R::from_f64(0.0),)
-            };
-            let v7 = prepared[2].multiply_add(v6, p[0]);
-            let v18 = q[0]
-                + ((prepared[3] * p[0]) / ((R::from_f64(1.0) + (p[0] * p[0])).sqrt()));
-            let v21 = (prepared[3] + t).cos();
-            let (v26,) = if R::from_f64(0.0) < v18 {
-                ((R::from_f64(4.0) * v21) * ((v18 * v18) * v18),)
-            } else {
-                (R::from_f64(0.0),)
-            };
-            let mut guess = <[[R; 1]; 2] as Array>::zero();
-            guess[0][0] = (prepared[1] * v7) / ((R::from_f64(1.0) + (v7 * v7)).sqrt());
-            guess[1][0] = prepared[0] * v26;
-            ([p[0], q[0], R::from_f64(4.0) * v21, R::from_f64(6.0) * v21], guess)
-        }
-        #[inline(always)]
-        fn origin(q: &[R; 1], p: &[R; 1]) -> [[R; 1]; 2] {
-            [*q, *p]
-        }
-        #[inline(always)]
-        fn residual(
-            prepared: &[R; 4],
-            start: &[R; 4],
-            increment: &[[R; 1]; 2],
-            residual: &mut [[R; 1]; 2],
-            jacobian: &mut Square<[[R; 1]; 2]>,
-        ) {
-            let v0 = R::from_f64(0.5).multiply_add(increment[1][0], start[0]);
-            let v1 = v0 * v0;
-            let v2 = R::from_f64(1.0) + v1;
-            let v3 = v2.sqrt();
-            let v4 = R::from_f64(1.0) / v3;
-            let v7 = R::from_f64(0.5).multiply_add(increment[0][0], start[1]);
-            let (v13, v14) = if R::from_f64(0.0) < v7 {
-                let v9 = v7 * v7;
-                (start[2] * (v9 * v7), start[3] * v9)
-            } else {
-                (R::from_f64(0.0), R::from_f64(0.0))
-            };
-            residual[0][0] = (prepared[0] * v0).multiply_add(v4, increment[0][0]);
-            residual[1][0] = prepared[1].multiply_add(v13, increment[1][0]);
-            jacobian[0][0][0][0] = R::from_f64(1.0);
-            jacobian[0][0][1][0] = prepared[0]
-                * ((R::from_f64(0.5) * v4) - ((R::from_f64(0.5) * v1) / (v2 * v3)));
-            jacobian[1][0][0][0] = prepared[1] * v14;
-            jacobian[1][0][1][0] = R::from_f64(1.0);
-        }
-        #[inline(always)]
-        fn finish(
-            prepared: &[R; 4],
-            start: &[R; 4],
-            increment: &[[R; 1]; 2],
-            q: &mut [R; 1],
-            p: &mut [R; 1],
-        ) {
-            q[0] += increment[0][0];
-            p[0] += increment[1][0];
-        }
-    }
     #[diagnostic::on_unimplemented(
         message = "`Spring`: this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`",
         label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
@@ -226,7 +147,7 @@ const _: () = {
     pub trait DividedDifferencesOfSpring {}
     impl<
         R: Real + ::core::cmp::PartialOrd + DividedDifferencesOfSpring,
-    > MeanGradient<Tree, R> for Spring {
+    > DiscreteGradientStep<R> for Spring {
         type Increment = [R; 1];
         type Prepared = ::core::convert::Infallible;
         type Start = ::core::convert::Infallible;
@@ -272,12 +193,12 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn unknown(
+        fn start(
             prepared: &[R; 0],
             q: &[R; 1],
             p: &[R; 1],
-        ) -> ([[R; 1]; 2], [[R; 1]; 2]) {
-            ([*q, *p], <[[R; 1]; 2] as Array>::zero())
+        ) -> ([[R; 1]; 2], [[R; 1]; 2], [[R; 1]; 2]) {
+            ([*q, *p], <[[R; 1]; 2] as Array>::zero(), [*q, *p])
         }
         #[inline(always)]
         fn field(
@@ -306,11 +227,18 @@ const _: () = {
             jacobian[1][0][1][0] = R::from_f64(0.0);
         }
         #[inline(always)]
-        fn impulse(prepared: &[R; 0], t: R, w: R, y: &[[R; 1]; 2], p: &mut [R; 1]) {}
+        fn add(prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
+            y[0][0] = w.multiply_add(f[0][0], y[0][0]);
+            y[1][0] = w.multiply_add(f[1][0], y[1][0]);
+        }
         #[inline(always)]
-        fn advance(increment: &[[R; 1]; 2], q: &mut [R; 1], p: &mut [R; 1]) {
-            q[0] += increment[0][0];
-            p[0] += increment[1][0];
+        fn finish(
+            y: &[[R; 1]; 2],
+            impulse: &[[R; 1]; 2],
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+        ) {
+            [*q, *p] = *y;
         }
     }
 };

@@ -21,7 +21,7 @@ Conserved by the flow
 
 Operations (a sine with its cosine counts as two)
 - gradient of H: 7 sums and products
-- Newton iteration of the implicit midpoint rule: 28 sums and products
+- stage of a Newton iteration of collocation: 15 sums and products
 - Newton iteration of the discrete gradient: 29 sums and products
 
 Skipped
@@ -51,8 +51,8 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real,
-        Separable, Square, Tree, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
+        Separable, Square, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -60,7 +60,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 7 sums and products\n- Newton iteration of the implicit midpoint rule: 28 sums and products\n- Newton iteration of the discrete gradient: 29 sums and products\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 7 sums and products\n- stage of a Newton iteration of collocation: 15 sums and products\n- Newton iteration of the discrete gradient: 29 sums and products\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Coordinates = [R; 2];
@@ -114,103 +114,7 @@ const _: () = {
         }
     }
     impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
-    impl<R: Real> MeanGradient<Midpoint, R> for Coupled {
-        type Increment = [[R; 2]; 2];
-        type Prepared = [R; 8];
-        type Start = [R; 4];
-        #[inline]
-        fn prepare(&self, h: R) -> [R; 8] {
-            let v0 = R::from_f64(2.0) * h;
-            let v5 = R::from_f64(0.5) * h;
-            [
-                -v0,
-                -h,
-                v0,
-                h,
-                R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0)),
-                R::from_f64(0.5).multiply_add(h, R::from_f64(1.0)),
-                v5,
-                -v5,
-            ]
-        }
-        #[inline(always)]
-        fn start(
-            prepared: &[R; 8],
-            t: R,
-            q: &[R; 2],
-            p: &[R; 2],
-        ) -> ([R; 4], [[R; 2]; 2]) {
-            let v2 = (prepared[1] * q[0]).multiply_add((p[0] * p[0]), p[0]);
-            let v6 = (prepared[3] * p[0])
-                .multiply_add((R::from_f64(1.0) + (q[0] * q[0])), q[0]);
-            let mut guess = <[[R; 2]; 2] as Array>::zero();
-            guess[0][0] = (prepared[2] * v2) * (R::from_f64(1.0) + (v6 * v6));
-            guess[0][1] = prepared[3] * (prepared[6].multiply_add(q[1], q[1]));
-            guess[1][0] = (prepared[0] * v6) * (v2 * v2);
-            guess[1][1] = prepared[1] * (prepared[7].multiply_add(p[1], p[1]));
-            ([p[0], q[0], q[1], p[1]], guess)
-        }
-        #[inline(always)]
-        fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
-            [*q, *p]
-        }
-        #[inline(always)]
-        fn residual(
-            prepared: &[R; 8],
-            start: &[R; 4],
-            increment: &[[R; 2]; 2],
-            residual: &mut [[R; 2]; 2],
-            jacobian: &mut Square<[[R; 2]; 2]>,
-        ) {
-            let v0 = R::from_f64(0.5).multiply_add(increment[1][0], start[0]);
-            let v1 = R::from_f64(0.5).multiply_add(increment[0][0], start[1]);
-            let v3 = R::from_f64(1.0) + (v1 * v1);
-            let v8 = v0 * v0;
-            let v9 = prepared[2] * v1;
-            residual[0][0] = (prepared[0] * v0).multiply_add(v3, increment[0][0]);
-            residual[0][1] = prepared[1]
-                .multiply_add(
-                    (R::from_f64(0.5).multiply_add(increment[0][1], start[2])),
-                    increment[0][1],
-                );
-            residual[1][0] = v9.multiply_add(v8, increment[1][0]);
-            residual[1][1] = prepared[3]
-                .multiply_add(
-                    (R::from_f64(0.5).multiply_add(increment[1][1], start[3])),
-                    increment[1][1],
-                );
-            jacobian[0][0][0][0] = (prepared[0] * v1).multiply_add(v0, R::from_f64(1.0));
-            jacobian[0][0][0][1] = R::from_f64(0.0);
-            jacobian[0][0][1][0] = prepared[1] * v3;
-            jacobian[0][0][1][1] = R::from_f64(0.0);
-            jacobian[0][1][0][0] = R::from_f64(0.0);
-            jacobian[0][1][0][1] = prepared[4];
-            jacobian[0][1][1][0] = R::from_f64(0.0);
-            jacobian[0][1][1][1] = R::from_f64(0.0);
-            jacobian[1][0][0][0] = prepared[3] * v8;
-            jacobian[1][0][0][1] = R::from_f64(0.0);
-            jacobian[1][0][1][0] = v9.multiply_add(v0, R::from_f64(1.0));
-            jacobian[1][0][1][1] = R::from_f64(0.0);
-            jacobian[1][1][0][0] = R::from_f64(0.0);
-            jacobian[1][1][0][1] = R::from_f64(0.0);
-            jacobian[1][1][1][0] = R::from_f64(0.0);
-            jacobian[1][1][1][1] = prepared[5];
-        }
-        #[inline(always)]
-        fn finish(
-            prepared: &[R; 8],
-            start: &[R; 4],
-            increment: &[[R; 2]; 2],
-            q: &mut [R; 2],
-            p: &mut [R; 2],
-        ) {
-            q[0] += increment[0][0];
-            q[1] += increment[0][1];
-            p[0] += increment[1][0];
-            p[1] += increment[1][1];
-        }
-    }
-    impl<R: Real> MeanGradient<Tree, R> for Coupled {
+    impl<R: Real> DiscreteGradientStep<R> for Coupled {
         type Increment = [[R; 2]; 2];
         type Prepared = [R; 8];
         type Start = [R; 8];
@@ -330,12 +234,12 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn unknown(
+        fn start(
             prepared: &[R; 0],
             q: &[R; 2],
             p: &[R; 2],
-        ) -> ([[R; 2]; 2], [[R; 2]; 2]) {
-            ([*q, *p], <[[R; 2]; 2] as Array>::zero())
+        ) -> ([[R; 2]; 2], [[R; 2]; 2], [[R; 2]; 2]) {
+            ([*q, *p], <[[R; 2]; 2] as Array>::zero(), [*q, *p])
         }
         #[inline(always)]
         fn field(
@@ -370,13 +274,20 @@ const _: () = {
             jacobian[1][1][1][1] = R::from_f64(-1.0);
         }
         #[inline(always)]
-        fn impulse(prepared: &[R; 0], t: R, w: R, y: &[[R; 2]; 2], p: &mut [R; 2]) {}
+        fn add(prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {
+            y[0][0] = w.multiply_add(f[0][0], y[0][0]);
+            y[0][1] = w.multiply_add(f[0][1], y[0][1]);
+            y[1][0] = w.multiply_add(f[1][0], y[1][0]);
+            y[1][1] = w.multiply_add(f[1][1], y[1][1]);
+        }
         #[inline(always)]
-        fn advance(increment: &[[R; 2]; 2], q: &mut [R; 2], p: &mut [R; 2]) {
-            q[0] += increment[0][0];
-            p[0] += increment[1][0];
-            q[1] += increment[0][1];
-            p[1] += increment[1][1];
+        fn finish(
+            y: &[[R; 2]; 2],
+            impulse: &[[R; 2]; 2],
+            q: &mut [R; 2],
+            p: &mut [R; 2],
+        ) {
+            [*q, *p] = *y;
         }
     }
 };

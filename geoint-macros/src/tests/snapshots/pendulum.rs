@@ -24,7 +24,7 @@ Operations (a sine with its cosine counts as two)
 - gradient of H: 5 sums and products, 1 divisions and roots, 1 functions
 - kick: 2 sums and products, 1 functions
 - drift: 2 sums and products
-- Newton iteration of the implicit midpoint rule: 8 sums and products, 2 functions
+- stage of a Newton iteration of collocation: 2 sums and products, 2 functions
 - Newton iteration of the discrete gradient: 14 sums and products, 4 functions
 
 Skipped
@@ -62,8 +62,8 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Hamiltonian, MeanGradient, Midpoint, QuadraticKinetic, Real,
-        Separable, Square, Tree, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
+        Separable, Square, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -71,7 +71,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- Newton iteration of the implicit midpoint rule: 8 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- stage of a Newton iteration of collocation: 2 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
@@ -129,7 +129,7 @@ const _: () = {
         }
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
-    impl<R: Real> MeanGradient<Midpoint, R> for Pendulum<R> {
+    impl<R: Real> DiscreteGradientStep<R> for Pendulum<R> {
         type Increment = [R; 1];
         type Prepared = [R; 5];
         type Start = [R; 2];
@@ -137,15 +137,19 @@ const _: () = {
         fn prepare(&self, h: R) -> [R; 5] {
             let v2 = ((self.g * self.m) * self.l) * h;
             let v5 = R::from_f64(1.0) / (self.m * (self.l * self.l));
-            let v13 = ((((R::from_f64(0.25) * (h * h)) * v5) * self.g) * self.m)
-                * self.l;
-            [v2, (R::from_f64(0.5) * v5) * h, v13, v5 * h, -v2]
+            [
+                v2,
+                (R::from_f64(0.25) * v5) * h,
+                ((((R::from_f64(0.5) * self.l) * self.m) * self.g) * v5) * (h * h),
+                (R::from_f64(0.5) * v5) * h,
+                -v2,
+            ]
         }
         #[inline(always)]
         fn start(prepared: &[R; 5], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
             let mut guess = <[R; 1] as Array>::zero();
-            guess[0] = prepared[4] * ((prepared[1].multiply_add(p[0], q[0])).sin());
-            ([q[0], p[0]], guess)
+            guess[0] = prepared[4] * ((prepared[3].multiply_add(p[0], q[0])).sin());
+            ([R::from_f64(2.0) * p[0], q[0]], guess)
         }
         #[inline(always)]
         fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
@@ -159,84 +163,30 @@ const _: () = {
             residual: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let (v2, v3) = (prepared[1]
+            let v0 = start[0] + increment[0];
+            let v1 = prepared[1] * v0;
+            let v2 = slope::sinc(v1);
+            let (v4, v5) = (prepared[1].multiply_add(v0, start[1])).sin_cos();
+            residual[0] = (prepared[0] * v2).multiply_add(v4, increment[0]);
+            jacobian[0][0] = prepared[2]
                 .multiply_add(
-                    (R::from_f64(0.5).multiply_add(increment[0], start[1])),
-                    start[0],
-                ))
-                .sin_cos();
-            residual[0] = prepared[0].multiply_add(v2, increment[0]);
-            jacobian[0][0] = prepared[2].multiply_add(v3, R::from_f64(1.0));
-        }
-        #[inline(always)]
-        fn finish(
-            prepared: &[R; 5],
-            start: &[R; 2],
-            increment: &[R; 1],
-            q: &mut [R; 1],
-            p: &mut [R; 1],
-        ) {
-            q[0]
-                += prepared[3] * (R::from_f64(0.5).multiply_add(increment[0], start[1]));
-            p[0] += increment[0];
-        }
-    }
-    impl<R: Real> MeanGradient<Tree, R> for Pendulum<R> {
-        type Increment = [R; 1];
-        type Prepared = [R; 4];
-        type Start = [R; 2];
-        #[inline]
-        fn prepare(&self, h: R) -> [R; 4] {
-            let v4 = self.m * (self.l * self.l);
-            [
-                ((self.l * self.m) * self.g) * h,
-                (R::from_f64(0.25) * h) / v4,
-                (R::from_f64(0.5) * h) / v4,
-                -(((self.g * self.m) * self.l) * h),
-            ]
-        }
-        #[inline(always)]
-        fn start(prepared: &[R; 4], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
-            let mut guess = <[R; 1] as Array>::zero();
-            guess[0] = prepared[3] * ((prepared[2].multiply_add(p[0], q[0])).sin());
-            ([q[0], R::from_f64(2.0) * p[0]], guess)
-        }
-        #[inline(always)]
-        fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
-            *p
-        }
-        #[inline(always)]
-        fn residual(
-            prepared: &[R; 4],
-            start: &[R; 2],
-            increment: &[R; 1],
-            residual: &mut [R; 1],
-            jacobian: &mut Square<[R; 1]>,
-        ) {
-            let v0 = start[1] + increment[0];
-            let (v2, v3) = (prepared[1].multiply_add(v0, start[0])).sin_cos();
-            let v4 = prepared[1] * v0;
-            let v5 = slope::sinc(v4);
-            residual[0] = (prepared[0] * v2).multiply_add(v5, increment[0]);
-            jacobian[0][0] = prepared[0]
-                .multiply_add(
-                    ((prepared[1] * v2)
+                    ((R::from_f64(0.5) * v2)
                         .multiply_add(
-                            (slope::sinc_derivative(v4)),
-                            ((prepared[1] * v5) * v3),
+                            v5,
+                            ((R::from_f64(0.5) * v4) * (slope::sinc_derivative(v1))),
                         )),
                     R::from_f64(1.0),
                 );
         }
         #[inline(always)]
         fn finish(
-            prepared: &[R; 4],
+            prepared: &[R; 5],
             start: &[R; 2],
             increment: &[R; 1],
             q: &mut [R; 1],
             p: &mut [R; 1],
         ) {
-            q[0] += prepared[2] * (start[1] + increment[0]);
+            q[0] += prepared[3] * (start[0] + increment[0]);
             p[0] += increment[0];
         }
     }
@@ -246,14 +196,15 @@ const _: () = {
         const DERIVATIVE: usize = 2;
         #[inline]
         fn prepare(&self) -> [R; 3] {
-            let v2 = R::from_f64(1.0) / (self.m * (self.l * self.l));
-            [-(((v2 * self.l) * self.m) * self.g), v2, -((self.g * self.m) * self.l)]
+            let v1 = (self.l * self.m) * self.g;
+            let v5 = R::from_f64(1.0) / (self.m * (self.l * self.l));
+            [-v1, -(v5 * v1), v5]
         }
         #[inline(always)]
-        fn unknown(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1]) {
+        fn start(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1], [R; 1]) {
             let mut velocity = <[R; 1] as Array>::zero();
-            velocity[0] = prepared[1] * p[0];
-            (*q, velocity)
+            velocity[0] = prepared[2] * p[0];
+            (*q, velocity, *p)
         }
         #[inline(always)]
         fn field(
@@ -265,15 +216,16 @@ const _: () = {
         ) {
             let (v0, v1) = y[0].sin_cos();
             f[0] = prepared[0] * v0;
-            jacobian[0][0] = prepared[0] * v1;
+            jacobian[0][0] = prepared[1] * v1;
         }
         #[inline(always)]
-        fn impulse(prepared: &[R; 3], t: R, w: R, y: &[R; 1], p: &mut [R; 1]) {
-            p[0] = w.multiply_add(prepared[2] * (y[0].sin()), p[0]);
+        fn add(prepared: &[R; 3], w: R, f: &[R; 1], y: &mut [R; 1]) {
+            y[0] = w.multiply_add(prepared[2] * f[0], y[0]);
         }
         #[inline(always)]
-        fn advance(increment: &[R; 1], q: &mut [R; 1], p: &mut [R; 1]) {
-            q[0] += increment[0];
+        fn finish(y: &[R; 1], impulse: &[R; 1], q: &mut [R; 1], p: &mut [R; 1]) {
+            *q = *y;
+            p[0] += impulse[0];
         }
     }
 };
