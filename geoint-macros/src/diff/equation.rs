@@ -165,7 +165,12 @@ pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structur
 /// The product of two matrices.
 fn product(graph: &mut Graph, a: &[Vec<Id>], b: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let mut entry = |row: &[Id], column: usize| {
-        let parts: Vec<Id> = row.iter().zip(b).map(|(x, y)| graph.mul(*x, y[column])).collect();
+        let mut parts = vec![];
+        for (x, y) in row.iter().zip(b) {
+            if !graph.is_zero(*x) && !graph.is_zero(y[column]) {
+                parts.push(graph.mul(*x, y[column]));
+            }
+        }
         graph.sum(&parts)
     };
     a.iter().map(|row| (0..b[0].len()).map(|column| entry(row, column)).collect()).collect()

@@ -1,7 +1,7 @@
 //! Kick and drift, if H = T(p) + V(q); otherwise an implementation that no scalar satisfies, whose message names the term
 //! that couples.
 
-use super::kernel::{Context, place};
+use super::kernel::{Context, write};
 use super::system::self_type;
 use crate::analyze::{Parts, Split, Structure};
 use crate::check::{COUPLED, NOT_QUADRATIC};
@@ -97,16 +97,7 @@ fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -
     let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
     let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
     let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
-    let body = context.planned(&plan.last[0], (&[], ""), |values| {
-        let base = format_ident!("{array}");
-        let places: Vec<_> = changed.iter().map(|indices| place(quote!(#base), indices)).collect();
-        let names: Vec<_> = (0..values.len()).map(|i| format_ident!("new{i}")).collect();
-        // All new values before the first one is written: slopes may read what is changed by others.
-        match &values[..] {
-            [value] => quote!(#(#places = #value;)*),
-            _ => quote!(#(let #names = #values;)* #(#places = #names;)*),
-        }
-    });
+    let body = context.planned(&plan.last[0], (&[], ""), |values| write(array, &changed, &values));
     Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
 }
 

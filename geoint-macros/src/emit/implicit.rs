@@ -1,7 +1,7 @@
 //! Implicit steps: the equation of the discrete gradient, and the field that collocation follows.
 
 use super::flows::unsatisfied;
-use super::kernel::{Context, place};
+use super::kernel::{Context, place, write};
 use super::system::self_type;
 use crate::diff::MissingSlope;
 use crate::diff::equation::{Equation, Field};
@@ -10,12 +10,7 @@ use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
-/// Statements that write rows of values to `base[row][column]`, or values to `base[row]`.
-fn write(base: &TokenStream, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
-    let places = places.iter().map(|indices| place(base.clone(), indices));
-    quote!(#(#places = #values;)*)
-}
-
+/// The places of a square matrix, row by row.
 fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
@@ -46,13 +41,13 @@ pub(super) fn discrete_gradient(
     let prepare = context.planned(&plan.stores[0], outside, |values| quote!([#(#values),*]));
     let start = context.planned(&plan.stores[1], outside, |values| {
         let (guess, slots) = values.split_at(unknowns.len());
-        let guess = write(&quote!(guess), &places, guess);
+        let guess = write("guess", &places, guess);
         quote!(let mut guess = <#increment as Array>::zero(); #guess ([#(#slots),*], guess))
     });
     let residual = context.planned(&plan.last[0], outside, |values| {
         let (residual, jacobian) = values.split_at(unknowns.len());
-        let residual = write(&quote!(residual), &places, residual);
-        let jacobian = write(&quote!(jacobian), &entries, jacobian);
+        let residual = write("residual", &places, residual);
+        let jacobian = write("jacobian", &entries, jacobian);
         quote!(#residual #jacobian)
     });
     let finish = context.planned(&plan.last[1], outside, |values| {
@@ -167,12 +162,12 @@ pub(super) fn collocation(
     let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let evaluate = context.planned(&plan.last[0], (unknowns, "y"), |values| {
         let (f, jacobian) = values.split_at(unknowns.len());
-        let f = write(&quote!(f), &places, f);
-        let jacobian = write(&quote!(jacobian), &entries, jacobian);
+        let f = write("f", &places, f);
+        let jacobian = write("jacobian", &entries, jacobian);
         quote!(#f #jacobian)
     });
     let [derivative, start, add, finish] = if field.second_order.is_some() {
-        let velocity = context.planned(&plan.last[1], (&[], ""), |values| write(&quote!(velocity), &places, &values));
+        let velocity = context.planned(&plan.last[1], (&[], ""), |values| write("velocity", &places, &values));
         let momenta: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::P).collect();
         let add = context.planned(&plan.last[2], (&momenta, "f"), |values| {
             let y: Vec<_> = places.iter().map(|indices| place(quote!(y), indices)).collect();

@@ -4,8 +4,8 @@ use super::straight_line;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::{Energy, Role, Shape};
 use crate::schedule::{self, Block};
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
+use quote::{ToTokens, format_ident, quote};
 
 /// How kernels of one energy name things.
 pub(crate) struct Context<'a> {
@@ -16,8 +16,23 @@ pub(crate) struct Context<'a> {
 
 /// `base[i][j]…`
 pub(crate) fn place(base: TokenStream, indices: &[usize]) -> TokenStream {
-    let indices = indices.iter().map(|i| Literal::usize_unsuffixed(*i));
-    quote!(#base #([#indices])*)
+    let indices = indices.iter().map(|i| TokenTree::Literal(Literal::usize_unsuffixed(*i)));
+    let indices = indices.map(|i| TokenTree::Group(Group::new(Delimiter::Bracket, i.into())));
+    base.into_iter().chain(indices).collect()
+}
+
+/// `base[i][j]… = value;` for every value.
+pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
+    let base = format_ident!("{base}");
+    let punct = |c| TokenTree::Punct(Punct::new(c, Spacing::Alone));
+    let mut tokens: Vec<TokenTree> = vec![];
+    for (indices, value) in places.iter().zip(values) {
+        tokens.extend(place(base.to_token_stream(), indices));
+        tokens.push(punct('='));
+        tokens.extend(value.clone());
+        tokens.push(punct(';'));
+    }
+    tokens.into_iter().collect()
 }
 
 impl Context<'_> {

@@ -60,6 +60,8 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     match &structure.split {
         Split::Separable(parts) => {
             writeln!(text, "- H = T({p}) + V({q}): kick and drift are exact flows")?;
+            writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
+            writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
             match parts.not_quadratic {
                 None => writeln!(text, "- T is quadratic in {p} with a constant mass matrix")?,
                 Some(term) => writeln!(text, "- T is not quadratic in {p}: {}", printer.excerpt(term))?,

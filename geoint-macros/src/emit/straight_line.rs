@@ -1,13 +1,12 @@
-//! Statements to tokens.
+//! Statements to tokens: one `let` an operation.
+//!
+//! Most of what the macro emits comes from here, so tokens are pushed one by one: in an unoptimised build, as proc macros
+//! are, that is several times faster than quoting.
 
-use crate::ir::{Function, Number, Relation, Symbol};
+use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
-use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
-use std::collections::HashMap;
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 
-/// An expression nested deeper than this gets a name.
-const MAX_INLINE: usize = 6;
 
 /// The arrays in which routines find the slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
@@ -18,126 +17,200 @@ pub(crate) fn routine(
     input: &dyn Fn(Symbol) -> TokenStream,
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
-    let mut writer = Writer { input, reads: block.reads(), inline: HashMap::new() };
-    let (statements, results) = writer.block(block);
-    let finish = finish(results);
-    quote!(#statements #finish)
+    let mut writer = Writer { input, inputs: HashMap::default(), tokens: vec![] };
+    let results = writer.block(block);
+    let mut tokens: TokenStream = writer.tokens.into_iter().collect();
+    tokens.extend(finish(results));
+    tokens
 }
 
 struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
-    reads: HashMap<Register, usize>,
-    /// Registers that are read once, as expressions with their depth.
-    inline: HashMap<Register, (TokenStream, usize)>,
+    /// What symbols are called, as far as asked.
+    inputs: HashMap<Symbol, Vec<TokenTree>>,
+    tokens: Vec<TokenTree>,
 }
 
 impl Writer<'_> {
-    fn block(&mut self, block: &Block) -> (TokenStream, Vec<TokenStream>) {
-        let mut tokens = TokenStream::new();
+    /// Writes the statements; returns the results.
+    fn block(&mut self, block: &Block) -> Vec<TokenStream> {
         for statement in &block.statements {
-            tokens.extend(self.statement(statement));
+            self.statement(statement);
         }
-        let results = block.results.iter().map(|operand| self.operand(operand).0).collect();
-        (tokens, results)
+        block.results.iter().map(|operand| self.inside(|writer| writer.operand(operand))).collect()
     }
 
-    fn statement(&mut self, statement: &Statement) -> TokenStream {
+    fn statement(&mut self, statement: &Statement) {
+        self.word("let");
         match statement {
             Statement::Let(register, instruction) => {
-                let (value, depth) = self.instruction(instruction);
-                if self.reads.get(register).copied().unwrap_or(0) <= 1 && depth < MAX_INLINE {
-                    self.inline.insert(*register, (value, depth));
-                    return TokenStream::new();
-                }
-                let name = name(*register);
-                quote!(let #name = #value;)
+                self.register(*register);
+                self.punct("=");
+                self.instruction(instruction);
             }
             Statement::SinCos(sin, cos, x) => {
-                let (sin, cos, x) = (name(*sin), name(*cos), self.atom(x).0);
-                quote!(let (#sin, #cos) = #x.sin_cos();)
+                self.tuple(&[*sin, *cos]);
+                self.punct("=");
+                self.method("sin_cos", x, &[]);
             }
             Statement::If { registers, condition, first, second } => {
-                let condition = self.operand(condition).0;
-                let (first, a) = self.block(first);
-                let (second, b) = self.block(second);
-                let names = registers.iter().map(|register| name(*register));
-                quote!(let (#(#names,)*) = if #condition { #first (#(#a,)*) } else { #second (#(#b,)*) };)
+                self.tuple(registers);
+                self.punct("=");
+                self.word("if");
+                self.operand(condition);
+                self.branch(first);
+                self.word("else");
+                self.branch(second);
             }
         }
+        self.punct(";");
     }
 
-    /// An instruction as an expression, with how deeply it is nested.
-    fn instruction(&mut self, instruction: &Instruction) -> (TokenStream, usize) {
-        let operands: Vec<_> = instruction.operands().iter().map(|operand| self.atom(operand)).collect();
-        let depth = operands.iter().map(|(_, depth)| depth + 1).max().unwrap_or(0);
-        let x: Vec<&TokenStream> = operands.iter().map(|(tokens, _)| tokens).collect();
-        let tokens = match (instruction, &x[..]) {
-            (Instruction::Neg(_), [a]) => quote!(-#a),
-            (Instruction::Not(_), [a]) => quote!(!#a),
-            (Instruction::Add(..), [a, b]) => quote!(#a + #b),
-            (Instruction::Sub(..), [a, b]) => quote!(#a - #b),
-            (Instruction::Mul(..), [a, b]) => quote!(#a * #b),
-            (Instruction::Div(..), [a, b]) => quote!(#a / #b),
-            (Instruction::And(..), [a, b]) => quote!(#a && #b),
-            (Instruction::Or(..), [a, b]) => quote!(#a || #b),
-            (Instruction::MulAdd(..), [a, b, c]) => quote!(#a.multiply_add(#b, #c)),
-            (Instruction::Sqrt(_), [a]) => quote!(#a.sqrt()),
-            (Instruction::Compare(relation, ..), [a, b]) => match relation {
-                Relation::Less => quote!(#a < #b),
-                Relation::LessEqual => quote!(#a <= #b),
-                Relation::Equal => quote!(#a == #b),
-            },
-            (Instruction::Call(function, _), args) => call(*function, args),
-            // Every instruction has as many operands as its pattern above.
-            (_, _) => TokenStream::new(),
-        };
-        (tokens, depth)
-    }
-
-    fn operand(&mut self, operand: &Operand) -> (TokenStream, usize) {
-        match operand {
-            Operand::Constant(value) => (constant(*value), 0),
-            Operand::Truth(value) => (quote!(#value), 0),
-            Operand::Input(symbol) => ((self.input)(*symbol), 0),
-            Operand::Slot(level, index) => {
-                let (array, index) = (format_ident!("{}", SLOTS[*level]), Literal::usize_unsuffixed(*index));
-                (quote!(#array[#index]), 0)
-            }
-            Operand::Register(register) => match self.inline.get(register) {
-                Some((tokens, depth)) => (tokens.clone(), *depth),
-                None => {
-                    let name = name(*register);
-                    (quote!(#name), 0)
+    /// `{ statements (results,) }`
+    fn branch(&mut self, block: &Block) {
+        let body = self.inside(|writer| {
+            let results = writer.block(block);
+            let tuple = writer.inside(|writer| {
+                for result in results {
+                    writer.tokens.extend(result);
+                    writer.punct(",");
                 }
-            },
+            });
+            writer.group(Delimiter::Parenthesis, tuple);
+        });
+        self.group(Delimiter::Brace, body);
+    }
+
+    fn instruction(&mut self, instruction: &Instruction) {
+        match instruction {
+            Instruction::Neg(a) => self.prefix("-", a),
+            Instruction::Not(a) => self.prefix("!", a),
+            Instruction::Add(a, b) => self.infix(a, "+", b),
+            Instruction::Sub(a, b) => self.infix(a, "-", b),
+            Instruction::Mul(a, b) => self.infix(a, "*", b),
+            Instruction::Div(a, b) => self.infix(a, "/", b),
+            Instruction::And(a, b) => self.infix(a, "&&", b),
+            Instruction::Or(a, b) => self.infix(a, "||", b),
+            Instruction::Compare(Relation::Less, a, b) => self.infix(a, "<", b),
+            Instruction::Compare(Relation::LessEqual, a, b) => self.infix(a, "<=", b),
+            Instruction::Compare(Relation::Equal, a, b) => self.infix(a, "==", b),
+            Instruction::MulAdd(a, b, c) => self.method("multiply_add", a, &[*b, *c]),
+            Instruction::Sqrt(a) => self.method("sqrt", a, &[]),
+            Instruction::Call(function, args) => self.call(*function, args),
         }
     }
 
-    /// An operand that can stand anywhere in an expression.
-    fn atom(&mut self, operand: &Operand) -> (TokenStream, usize) {
-        let (tokens, depth) = self.operand(operand);
+    fn prefix(&mut self, sign: &str, a: &Operand) {
+        self.punct(sign);
+        self.operand(a);
+    }
+
+    fn infix(&mut self, a: &Operand, sign: &str, b: &Operand) {
+        self.operand(a);
+        self.punct(sign);
+        self.operand(b);
+    }
+
+    /// `x.name(args)`
+    fn method(&mut self, name: &str, x: &Operand, args: &[Operand]) {
+        self.operand(x);
+        self.punct(".");
+        self.word(name);
+        self.arguments(args);
+    }
+
+    fn call(&mut self, function: Function, args: &[Operand]) {
+        let entry = function.entry();
+        match args {
+            [x, rest @ ..] if entry.public => self.method(entry.name, x, rest),
+            _ => {
+                self.word("slope");
+                self.punct("::");
+                self.word(entry.name);
+                self.arguments(args);
+            }
+        }
+    }
+
+    fn arguments(&mut self, args: &[Operand]) {
+        let args = self.inside(|writer| {
+            for arg in args {
+                writer.operand(arg);
+                writer.punct(",");
+            }
+        });
+        self.group(Delimiter::Parenthesis, args);
+    }
+
+    fn operand(&mut self, operand: &Operand) {
         match operand {
-            Operand::Register(register) if self.inline.contains_key(register) => (quote!((#tokens)), depth),
-            _ => (tokens, depth),
+            Operand::Constant(value) => self.constant(*value),
+            Operand::Truth(value) => self.word(if *value { "true" } else { "false" }),
+            Operand::Input(symbol) => {
+                let input = self.input;
+                let tokens = self.inputs.entry(*symbol).or_insert_with(|| input(*symbol).into_iter().collect());
+                self.tokens.extend(tokens.iter().cloned());
+            }
+            Operand::Slot(level, index) => {
+                self.word(SLOTS[*level]);
+                let index = TokenTree::Literal(Literal::usize_unsuffixed(*index));
+                self.group(Delimiter::Bracket, index.into());
+            }
+            Operand::Register(register) => self.register(*register),
         }
     }
-}
 
-fn name(register: Register) -> proc_macro2::Ident {
-    format_ident!("v{register}", span = proc_macro2::Span::mixed_site())
-}
-
-fn call(function: Function, args: &[&TokenStream]) -> TokenStream {
-    let name = format_ident!("{}", function.entry().name);
-    match args {
-        [x, rest @ ..] if function.entry().public => quote!(#x.#name(#(#rest),*)),
-        _ => quote!(slope::#name(#(#args),*)),
+    /// A constant of the scalar type.
+    fn constant(&mut self, value: Number) {
+        let value = value.to_f64();
+        self.word("R");
+        self.punct("::");
+        self.word("from_f64");
+        let literal = self.inside(|writer| {
+            if value < 0.0 {
+                writer.punct("-");
+            }
+            writer.tokens.push(Literal::f64_unsuffixed(value.abs()).into());
+        });
+        self.group(Delimiter::Parenthesis, literal);
     }
-}
 
-/// A constant of the scalar type.
-pub(crate) fn constant(value: Number) -> TokenStream {
-    let x = value.to_f64();
-    let magnitude = Literal::f64_unsuffixed(x.abs());
-    if x < 0.0 { quote!(R::from_f64(-#magnitude)) } else { quote!(R::from_f64(#magnitude)) }
+    // ------------------------------------------------------------------------------------------------------ tokens
+
+    fn word(&mut self, word: &str) {
+        self.tokens.push(Ident::new(word, Span::call_site()).into());
+    }
+
+    fn register(&mut self, register: Register) {
+        self.tokens.push(Ident::new(&format!("v{register}"), Span::mixed_site()).into());
+    }
+
+    fn punct(&mut self, punct: &str) {
+        let mut rest = punct.chars().peekable();
+        while let Some(c) = rest.next() {
+            let spacing = if rest.peek().is_some() { Spacing::Joint } else { Spacing::Alone };
+            self.tokens.push(Punct::new(c, spacing).into());
+        }
+    }
+
+    fn tuple(&mut self, registers: &[Register]) {
+        let names = self.inside(|writer| {
+            for register in registers {
+                writer.register(*register);
+                writer.punct(",");
+            }
+        });
+        self.group(Delimiter::Parenthesis, names);
+    }
+
+    fn group(&mut self, delimiter: Delimiter, tokens: TokenStream) {
+        self.tokens.push(Group::new(delimiter, tokens).into());
+    }
+
+    /// What `write` writes, apart from the rest.
+    fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
+        let outside = std::mem::take(&mut self.tokens);
+        write(self);
+        std::mem::replace(&mut self.tokens, outside).into_iter().collect()
+    }
 }

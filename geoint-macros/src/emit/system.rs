@@ -1,6 +1,6 @@
 //! The struct, and what every system offers: its energy, its domain.
 
-use super::kernel::Context;
+use super::kernel::{Context, write};
 use crate::analyze::Structure;
 use crate::diff::Gradient;
 use crate::ir::op::Domain;
@@ -63,11 +63,7 @@ pub(super) fn hamiltonian(
     let roots = [&gradient.q[..], &gradient.p[..]].concat();
     let slopes = context.routine(graph, &roots, |values| {
         let (q, p) = values.split_at(places.len());
-        let write = |base: TokenStream, values: &[TokenStream]| -> TokenStream {
-            let places = places.iter().map(|place| super::kernel::place(base.clone(), place));
-            quote!(#(#places = #values;)*)
-        };
-        let (q, p) = (write(quote!(dq), q), write(quote!(dp), p));
+        let (q, p) = (write("dq", &places, q), write("dp", &places, p));
         quote!(#q #p)
     });
     quote! {
@@ -103,7 +99,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id) -> Token
     let roots: Vec<Id> = checks.iter().map(|check| check.argument).collect();
     context.routine(graph, &roots, |values| {
         let tests = checks.iter().zip(values).map(|(Check { test, message, .. }, value)| {
-            quote!(if (#value) #test { return ::core::option::Option::Some(#message); })
+            quote!(if #value #test { return ::core::option::Option::Some(#message); })
         });
         quote!(#(#tests)* ::core::option::Option::None)
     })

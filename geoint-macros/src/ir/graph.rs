@@ -8,7 +8,7 @@ use super::number::{Number, Ratio};
 use super::op::{Function, Parity, Relation, Symbol};
 use super::table::Table;
 use std::cell::RefCell;
-use std::collections::HashMap;
+use super::hash::HashMap;
 
 /// A node of a [`Graph`]; operands have smaller numbers than what is built of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -209,6 +209,9 @@ impl Graph {
 
     /// c·a.
     pub(crate) fn scale(&mut self, c: Number, a: Id) -> Id {
+        if c == Number::ONE {
+            return a;
+        }
         let (constant, terms) = self.terms(a, false);
         self.linear(constant.mul(c), terms.into_iter().map(|(k, t)| (k.mul(c), t)).collect())
     }

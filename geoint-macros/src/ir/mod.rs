@@ -2,6 +2,7 @@
 
 pub(crate) mod eval;
 pub(crate) mod graph;
+mod hash;
 pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod print;
@@ -9,6 +10,7 @@ pub(crate) mod substitute;
 mod table;
 
 pub(crate) use graph::{Graph, Id, Node};
+pub(crate) use hash::HashMap;
 pub(crate) use number::{Number, Ratio};
 pub(crate) use op::{Function, Relation, Symbol};
 pub(crate) use table::Table;

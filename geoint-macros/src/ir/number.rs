@@ -116,6 +116,7 @@ impl Number {
 
     pub(crate) fn add(self, other: Number) -> Number {
         match (self, other) {
+            (Number::ZERO, sum) | (sum, Number::ZERO) => return sum,
             (Number::Exact(a), Number::Exact(b)) => a.add(b).map(Number::Exact),
             _ => None,
         }
@@ -124,6 +125,7 @@ impl Number {
 
     pub(crate) fn mul(self, other: Number) -> Number {
         match (self, other) {
+            (Number::ONE, product) | (product, Number::ONE) => return product,
             (Number::Exact(a), Number::Exact(b)) => a.mul(b).map(Number::Exact),
             _ => None,
         }

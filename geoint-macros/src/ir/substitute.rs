@@ -18,10 +18,17 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
     /// `root` with every symbol replaced for which there is a replacement.
     pub(crate) fn apply(&mut self, graph: &mut Graph, root: Id) -> Id {
         for id in graph.unknown(root, &self.done) {
-            let node = graph.node(id).clone();
             let new = |id: &Id| self.done[*id];
+            let mut same = !matches!(graph.node(id), Node::Symbol(_));
+            graph.node(id).for_each_child(|child| same &= new(&child) == child);
+            if same {
+                self.done.insert(id, id);
+                continue;
+            }
+            let node = graph.node(id).clone();
             let rebuilt = match &node {
                 Node::Symbol(symbol) => (self.replace)(graph, *symbol).unwrap_or(id),
+                // Without operands there is nothing to rebuild.
                 Node::Number(_) | Node::Truth(_) => id,
                 Node::Linear(constant, terms) => {
                     let mut sum = graph.number(*constant);

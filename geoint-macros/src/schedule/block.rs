@@ -81,23 +81,6 @@ impl std::ops::Add for Operations {
     }
 }
 
-impl Instruction {
-    pub(crate) fn operands(&self) -> Vec<Operand> {
-        match self {
-            Instruction::Neg(a) | Instruction::Sqrt(a) | Instruction::Not(a) => vec![*a],
-            Instruction::Add(a, b)
-            | Instruction::Sub(a, b)
-            | Instruction::Mul(a, b)
-            | Instruction::Div(a, b)
-            | Instruction::Compare(_, a, b)
-            | Instruction::And(a, b)
-            | Instruction::Or(a, b) => vec![*a, *b],
-            Instruction::MulAdd(a, b, c) => vec![*a, *b, *c],
-            Instruction::Call(_, args) => args.clone(),
-        }
-    }
-}
-
 impl Block {
     /// What the block costs; of two branches the dearer one.
     pub(crate) fn operations(&self) -> Operations {
@@ -119,49 +102,5 @@ impl Block {
             }
         };
         self.statements.iter().map(cost).fold(Operations::default(), |a, b| a + b)
-    }
-
-    /// How often each register is read; reading inside a branch counts twice, since it must exist before the branch.
-    pub(crate) fn reads(&self) -> std::collections::HashMap<Register, usize> {
-        let mut reads = std::collections::HashMap::new();
-        self.count_reads(1, &mut reads);
-        reads
-    }
-
-    fn count_reads(&self, weight: usize, reads: &mut std::collections::HashMap<Register, usize>) {
-        let mut read = |operand: &Operand, weight: usize| {
-            if let Operand::Register(register) = operand {
-                *reads.entry(*register).or_default() += weight;
-            }
-        };
-        for statement in &self.statements {
-            match statement {
-                Statement::Let(_, instruction) => instruction.operands().iter().for_each(|o| read(o, weight)),
-                Statement::SinCos(_, _, operand) => read(operand, weight),
-                Statement::If { condition, .. } => read(condition, weight),
-            }
-        }
-        self.results.iter().for_each(|operand| read(operand, weight));
-        for statement in &self.statements {
-            if let Statement::If { first, second, .. } = statement {
-                let mut inner = std::collections::HashMap::new();
-                first.count_reads(1, &mut inner);
-                second.count_reads(1, &mut inner);
-                let own = first.defined().chain(second.defined()).collect::<std::collections::HashSet<_>>();
-                for (register, count) in inner {
-                    *reads.entry(register).or_default() += if own.contains(&register) { count } else { 2 * count };
-                }
-            }
-        }
-    }
-
-    fn defined(&self) -> impl Iterator<Item = Register> + '_ {
-        self.statements.iter().flat_map(|statement| match statement {
-            Statement::Let(register, _) => vec![*register],
-            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
-            Statement::If { registers, first, second, .. } => {
-                registers.iter().copied().chain(first.defined()).chain(second.defined()).collect()
-            }
-        })
     }
 }

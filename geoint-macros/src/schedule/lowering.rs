@@ -1,8 +1,8 @@
 //! One routine: nodes to statements.
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol, Table};
-use std::collections::HashMap;
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol, Table};
+
 
 /// The level of every node; constants have none.
 pub(super) struct Levels<F> {

@@ -67,7 +67,12 @@ const _: () = {
         type Array = [R; 2];
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2]) -> R {
-            q[1].multiply_add(p[1], ((R::from_f64(1.0) + (q[0] * q[0])) * (p[0] * p[0])))
+            let v0 = q[0] * q[0];
+            let v1 = R::from_f64(1.0) + v0;
+            let v2 = p[0] * p[0];
+            let v3 = v1 * v2;
+            let v4 = q[1].multiply_add(p[1], v3);
+            v4
         }
         #[inline]
         fn gradient(
@@ -78,9 +83,16 @@ const _: () = {
             dq: &mut [R; 2],
             dp: &mut [R; 2],
         ) {
-            dq[0] = (R::from_f64(2.0) * q[0]) * (p[0] * p[0]);
+            let v0 = p[0] * p[0];
+            let v1 = R::from_f64(2.0) * q[0];
+            let v2 = v1 * v0;
+            let v3 = q[0] * q[0];
+            let v4 = R::from_f64(1.0) + v3;
+            let v5 = R::from_f64(2.0) * p[0];
+            let v6 = v5 * v4;
+            dq[0] = v2;
             dq[1] = p[1];
-            dp[0] = (R::from_f64(2.0) * p[0]) * (R::from_f64(1.0) + (q[0] * q[0]));
+            dp[0] = v6;
             dp[1] = q[1];
         }
         fn outside_domain(
@@ -121,17 +133,13 @@ const _: () = {
         #[inline]
         fn prepare(&self, h: R) -> [R; 8] {
             let v0 = R::from_f64(0.5) * h;
+            let v1 = -v0;
+            let v2 = -h;
+            let v3 = R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0));
+            let v4 = R::from_f64(0.5).multiply_add(h, R::from_f64(1.0));
             let v5 = R::from_f64(2.0) * h;
-            [
-                -v0,
-                -h,
-                v0,
-                h,
-                R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0)),
-                R::from_f64(0.5).multiply_add(h, R::from_f64(1.0)),
-                v5,
-                -v5,
-            ]
+            let v6 = -v5;
+            [v1, v2, v0, h, v3, v4, v5, v6]
         }
         #[inline(always)]
         fn start(
@@ -141,27 +149,31 @@ const _: () = {
             p: &[R; 2],
         ) -> ([R; 8], [[R; 2]; 2]) {
             let v0 = p[0] * p[0];
-            let v2 = (prepared[1] * q[0]).multiply_add(v0, p[0]);
-            let v4 = R::from_f64(1.0) + (q[0] * q[0]);
-            let v6 = (prepared[3] * p[0]).multiply_add(v4, q[0]);
+            let v1 = prepared[1] * q[0];
+            let v2 = v1.multiply_add(v0, p[0]);
+            let v3 = q[0] * q[0];
+            let v4 = R::from_f64(1.0) + v3;
+            let v5 = prepared[3] * p[0];
+            let v6 = v5.multiply_add(v4, q[0]);
+            let v7 = v6 * v6;
+            let v8 = R::from_f64(1.0) + v7;
+            let v9 = prepared[6] * v2;
+            let v10 = v9 * v8;
+            let v11 = prepared[2].multiply_add(q[1], q[1]);
+            let v12 = prepared[3] * v11;
+            let v13 = v2 * v2;
+            let v14 = prepared[7] * v6;
+            let v15 = v14 * v13;
+            let v16 = prepared[0].multiply_add(p[1], p[1]);
+            let v17 = prepared[1] * v16;
+            let v18 = R::from_f64(2.0) * p[0];
+            let v19 = R::from_f64(2.0) * q[0];
             let mut guess = <[[R; 2]; 2] as Array>::zero();
-            guess[0][0] = (prepared[6] * v2) * (R::from_f64(1.0) + (v6 * v6));
-            guess[0][1] = prepared[3] * (prepared[2].multiply_add(q[1], q[1]));
-            guess[1][0] = (prepared[7] * v6) * (v2 * v2);
-            guess[1][1] = prepared[1] * (prepared[0].multiply_add(p[1], p[1]));
-            (
-                [
-                    v4,
-                    q[0],
-                    R::from_f64(2.0) * p[0],
-                    q[1],
-                    v0,
-                    p[0],
-                    R::from_f64(2.0) * q[0],
-                    p[1],
-                ],
-                guess,
-            )
+            guess[0][0] = v10;
+            guess[0][1] = v12;
+            guess[1][0] = v15;
+            guess[1][1] = v17;
+            ([v4, q[0], v18, q[1], v0, p[0], v19, p[1]], guess)
         }
         #[inline(always)]
         fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
@@ -176,24 +188,31 @@ const _: () = {
             jacobian: &mut Square<[[R; 2]; 2]>,
         ) {
             let v0 = start[1] + increment[0][0];
+            let v1 = v0 * v0;
+            let v2 = R::from_f64(1.0) + v1;
+            let v3 = start[0] + v2;
             let v4 = start[2] + increment[1][0];
-            let v5 = prepared[0] * (start[0] + (R::from_f64(1.0) + (v0 * v0)));
+            let v5 = prepared[0] * v3;
+            let v6 = v5.multiply_add(v4, increment[0][0]);
+            let v7 = R::from_f64(0.5).multiply_add(increment[0][1], start[3]);
+            let v8 = prepared[1].multiply_add(v7, increment[0][1]);
             let v9 = start[5] + increment[1][0];
+            let v10 = v9 * v9;
+            let v11 = start[4] + v10;
             let v12 = start[6] + increment[0][0];
-            let v13 = prepared[2] * (start[4] + (v9 * v9));
-            residual[0][0] = v5.multiply_add(v4, increment[0][0]);
-            residual[0][1] = prepared[1]
-                .multiply_add(
-                    (R::from_f64(0.5).multiply_add(increment[0][1], start[3])),
-                    increment[0][1],
-                );
-            residual[1][0] = v13.multiply_add(v12, increment[1][0]);
-            residual[1][1] = prepared[3]
-                .multiply_add(
-                    (R::from_f64(0.5).multiply_add(increment[1][1], start[7])),
-                    increment[1][1],
-                );
-            jacobian[0][0][0][0] = (prepared[1] * v0).multiply_add(v4, R::from_f64(1.0));
+            let v13 = prepared[2] * v11;
+            let v14 = v13.multiply_add(v12, increment[1][0]);
+            let v15 = R::from_f64(0.5).multiply_add(increment[1][1], start[7]);
+            let v16 = prepared[3].multiply_add(v15, increment[1][1]);
+            let v17 = prepared[1] * v0;
+            let v18 = v17.multiply_add(v4, R::from_f64(1.0));
+            let v19 = prepared[3] * v9;
+            let v20 = v19.multiply_add(v12, R::from_f64(1.0));
+            residual[0][0] = v6;
+            residual[0][1] = v8;
+            residual[1][0] = v14;
+            residual[1][1] = v16;
+            jacobian[0][0][0][0] = v18;
             jacobian[0][0][0][1] = R::from_f64(0.0);
             jacobian[0][0][1][0] = v5;
             jacobian[0][0][1][1] = R::from_f64(0.0);
@@ -203,8 +222,7 @@ const _: () = {
             jacobian[0][1][1][1] = R::from_f64(0.0);
             jacobian[1][0][0][0] = v13;
             jacobian[1][0][0][1] = R::from_f64(0.0);
-            jacobian[1][0][1][0] = (prepared[3] * v9)
-                .multiply_add(v12, R::from_f64(1.0));
+            jacobian[1][0][1][0] = v20;
             jacobian[1][0][1][1] = R::from_f64(0.0);
             jacobian[1][1][0][0] = R::from_f64(0.0);
             jacobian[1][1][0][1] = R::from_f64(0.0);
@@ -249,24 +267,36 @@ const _: () = {
             f: &mut [[R; 2]; 2],
             jacobian: &mut Square<[[R; 2]; 2]>,
         ) {
-            let v1 = R::from_f64(1.0) + (y[0][0] * y[0][0]);
+            let v0 = y[0][0] * y[0][0];
+            let v1 = R::from_f64(1.0) + v0;
+            let v2 = R::from_f64(2.0) * y[1][0];
+            let v3 = v2 * v1;
             let v4 = y[1][0] * y[1][0];
-            let v10 = (R::from_f64(4.0) * y[0][0]) * y[1][0];
-            f[0][0] = (R::from_f64(2.0) * y[1][0]) * v1;
+            let v5 = R::from_f64(2.0) * y[0][0];
+            let v6 = v5 * v4;
+            let v7 = -v6;
+            let v8 = -y[1][1];
+            let v9 = R::from_f64(4.0) * y[0][0];
+            let v10 = v9 * y[1][0];
+            let v11 = R::from_f64(2.0) * v1;
+            let v12 = R::from_f64(2.0) * v4;
+            let v13 = -v12;
+            let v14 = -v10;
+            f[0][0] = v3;
             f[0][1] = y[0][1];
-            f[1][0] = -((R::from_f64(2.0) * y[0][0]) * v4);
-            f[1][1] = -y[1][1];
+            f[1][0] = v7;
+            f[1][1] = v8;
             jacobian[0][0][0][0] = v10;
             jacobian[0][0][0][1] = R::from_f64(0.0);
-            jacobian[0][0][1][0] = R::from_f64(2.0) * v1;
+            jacobian[0][0][1][0] = v11;
             jacobian[0][0][1][1] = R::from_f64(0.0);
             jacobian[0][1][0][0] = R::from_f64(0.0);
             jacobian[0][1][0][1] = R::from_f64(1.0);
             jacobian[0][1][1][0] = R::from_f64(0.0);
             jacobian[0][1][1][1] = R::from_f64(0.0);
-            jacobian[1][0][0][0] = -(R::from_f64(2.0) * v4);
+            jacobian[1][0][0][0] = v13;
             jacobian[1][0][0][1] = R::from_f64(0.0);
-            jacobian[1][0][1][0] = -v10;
+            jacobian[1][0][1][0] = v14;
             jacobian[1][0][1][1] = R::from_f64(0.0);
             jacobian[1][1][0][0] = R::from_f64(0.0);
             jacobian[1][1][0][1] = R::from_f64(0.0);

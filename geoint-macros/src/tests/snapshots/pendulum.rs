@@ -13,6 +13,8 @@ H = p²/(2·(m·l²)) - m·l·g·cos(q)
 
 Structure
 - H = T(p) + V(q): kick and drift are exact flows
+- T = p²/(2·(m·l²))
+- V = -m·l·g·cos(q)
 - T is quadratic in p with a constant mass matrix
 - H is not a polynomial in q and p
 - H does not depend on time
@@ -71,18 +73,24 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- stage of a Newton iteration of collocation: 2 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- stage of a Newton iteration of collocation: 2 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
-            (-((self.l * self.m) * self.g))
-                .multiply_add(
-                    (q[0].cos()),
-                    ((R::from_f64(0.5) * (p[0] * p[0])) / (self.m * (self.l * self.l))),
-                )
+            let v0 = p[0] * p[0];
+            let v1 = self.l * self.l;
+            let v2 = self.m * v1;
+            let v3 = R::from_f64(0.5) * v0;
+            let v4 = v3 / v2;
+            let v5 = q[0].cos();
+            let v6 = self.l * self.m;
+            let v7 = v6 * self.g;
+            let v8 = -v7;
+            let v9 = v8.multiply_add(v5, v4);
+            v9
         }
         #[inline]
         fn gradient(
@@ -93,8 +101,15 @@ const _: () = {
             dq: &mut [R; 1],
             dp: &mut [R; 1],
         ) {
-            dq[0] = ((self.l * self.m) * self.g) * (q[0].sin());
-            dp[0] = p[0] / (self.m * (self.l * self.l));
+            let v0 = q[0].sin();
+            let v1 = self.l * self.m;
+            let v2 = v1 * self.g;
+            let v3 = v2 * v0;
+            let v4 = self.l * self.l;
+            let v5 = self.m * v4;
+            let v6 = p[0] / v5;
+            dq[0] = v3;
+            dp[0] = v6;
         }
         fn outside_domain(
             &self,
@@ -102,7 +117,9 @@ const _: () = {
             q: &[R; 1],
             p: &[R; 1],
         ) -> ::core::option::Option<&'static str> {
-            if (self.m * (self.l * self.l)).abs().any_below(f64::MIN_POSITIVE) {
+            let v0 = self.l * self.l;
+            let v1 = self.m * v0;
+            if v1.abs().any_below(f64::MIN_POSITIVE) {
                 return ::core::option::Option::Some("division by zero: m·l²");
             }
             ::core::option::Option::None
@@ -113,19 +130,29 @@ const _: () = {
         type Drift = [R; 1];
         #[inline]
         fn prepare_kick(&self, h: R) -> [R; 1] {
-            [-(((h * self.g) * self.m) * self.l)]
+            let v0 = h * self.g;
+            let v1 = v0 * self.m;
+            let v2 = v1 * self.l;
+            let v3 = -v2;
+            [v3]
         }
         #[inline]
         fn prepare_drift(&self, h: R) -> [R; 1] {
-            [h / (self.m * (self.l * self.l))]
+            let v0 = self.l * self.l;
+            let v1 = self.m * v0;
+            let v2 = h / v1;
+            [v2]
         }
         #[inline(always)]
         fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
-            p[0] = prepared[0].multiply_add((q[0].sin()), p[0]);
+            let v0 = q[0].sin();
+            let v1 = prepared[0].multiply_add(v0, p[0]);
+            p[0] = v1;
         }
         #[inline(always)]
         fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
-            q[0] = prepared[0].multiply_add(p[0], q[0]);
+            let v0 = prepared[0].multiply_add(p[0], q[0]);
+            q[0] = v0;
         }
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
@@ -135,21 +162,34 @@ const _: () = {
         type Start = [R; 2];
         #[inline]
         fn prepare(&self, h: R) -> [R; 5] {
-            let v2 = ((self.g * self.m) * self.l) * h;
-            let v5 = R::from_f64(1.0) / (self.m * (self.l * self.l));
-            [
-                v2,
-                (R::from_f64(0.25) * v5) * h,
-                ((((R::from_f64(0.5) * self.l) * self.m) * self.g) * v5) * (h * h),
-                (R::from_f64(0.5) * v5) * h,
-                -v2,
-            ]
+            let v0 = self.g * self.m;
+            let v1 = v0 * self.l;
+            let v2 = v1 * h;
+            let v3 = self.l * self.l;
+            let v4 = self.m * v3;
+            let v5 = R::from_f64(1.0) / v4;
+            let v6 = R::from_f64(0.25) * v5;
+            let v7 = v6 * h;
+            let v8 = h * h;
+            let v9 = R::from_f64(0.5) * self.l;
+            let v10 = v9 * self.m;
+            let v11 = v10 * self.g;
+            let v12 = v11 * v5;
+            let v13 = v12 * v8;
+            let v14 = R::from_f64(0.5) * v5;
+            let v15 = v14 * h;
+            let v16 = -v2;
+            [v2, v7, v13, v15, v16]
         }
         #[inline(always)]
         fn start(prepared: &[R; 5], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
+            let v0 = prepared[3].multiply_add(p[0], q[0]);
+            let v1 = v0.sin();
+            let v2 = prepared[4] * v1;
+            let v3 = R::from_f64(2.0) * p[0];
             let mut guess = <[R; 1] as Array>::zero();
-            guess[0] = prepared[4] * ((prepared[3].multiply_add(p[0], q[0])).sin());
-            ([R::from_f64(2.0) * p[0], q[0]], guess)
+            guess[0] = v2;
+            ([v3, q[0]], guess)
         }
         #[inline(always)]
         fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
@@ -166,17 +206,18 @@ const _: () = {
             let v0 = start[0] + increment[0];
             let v1 = prepared[1] * v0;
             let v2 = slope::sinc(v1);
-            let (v4, v5) = (prepared[1].multiply_add(v0, start[1])).sin_cos();
-            residual[0] = (prepared[0] * v2).multiply_add(v4, increment[0]);
-            jacobian[0][0] = prepared[2]
-                .multiply_add(
-                    ((R::from_f64(0.5) * v2)
-                        .multiply_add(
-                            v5,
-                            ((R::from_f64(0.5) * v4) * (slope::sinc_derivative(v1))),
-                        )),
-                    R::from_f64(1.0),
-                );
+            let v3 = prepared[1].multiply_add(v0, start[1]);
+            let (v4, v5) = v3.sin_cos();
+            let v6 = prepared[0] * v2;
+            let v7 = v6.multiply_add(v4, increment[0]);
+            let v8 = slope::sinc_derivative(v1);
+            let v9 = R::from_f64(0.5) * v4;
+            let v10 = R::from_f64(0.5) * v2;
+            let v11 = v9 * v8;
+            let v12 = v10.multiply_add(v5, v11);
+            let v13 = prepared[2].multiply_add(v12, R::from_f64(1.0));
+            residual[0] = v7;
+            jacobian[0][0] = v13;
         }
         #[inline(always)]
         fn finish(
@@ -186,7 +227,9 @@ const _: () = {
             q: &mut [R; 1],
             p: &mut [R; 1],
         ) {
-            q[0] += prepared[3] * (start[0] + increment[0]);
+            let v0 = start[0] + increment[0];
+            let v1 = prepared[3] * v0;
+            q[0] += v1;
             p[0] += increment[0];
         }
     }
@@ -196,14 +239,21 @@ const _: () = {
         const DERIVATIVE: usize = 2;
         #[inline]
         fn prepare(&self) -> [R; 3] {
-            let v1 = (self.l * self.m) * self.g;
-            let v5 = R::from_f64(1.0) / (self.m * (self.l * self.l));
-            [-v1, -(v5 * v1), v5]
+            let v0 = self.l * self.m;
+            let v1 = v0 * self.g;
+            let v2 = -v1;
+            let v3 = self.l * self.l;
+            let v4 = self.m * v3;
+            let v5 = R::from_f64(1.0) / v4;
+            let v6 = v5 * v1;
+            let v7 = -v6;
+            [v2, v7, v5]
         }
         #[inline(always)]
         fn start(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1], [R; 1]) {
             let mut velocity = <[R; 1] as Array>::zero();
-            velocity[0] = prepared[2] * p[0];
+            let v0 = prepared[2] * p[0];
+            velocity[0] = v0;
             (*q, velocity, *p)
         }
         #[inline(always)]
@@ -215,12 +265,15 @@ const _: () = {
             jacobian: &mut Square<[R; 1]>,
         ) {
             let (v0, v1) = y[0].sin_cos();
-            f[0] = prepared[0] * v0;
-            jacobian[0][0] = prepared[1] * v1;
+            let v2 = prepared[0] * v0;
+            let v3 = prepared[1] * v1;
+            f[0] = v2;
+            jacobian[0][0] = v3;
         }
         #[inline(always)]
         fn add(prepared: &[R; 3], w: R, f: &[R; 1], y: &mut [R; 1]) {
-            y[0] = w.multiply_add(prepared[2] * f[0], y[0]);
+            let v0 = prepared[2] * f[0];
+            y[0] = w.multiply_add(v0, y[0]);
         }
         #[inline(always)]
         fn finish(y: &[R; 1], impulse: &[R; 1], q: &mut [R; 1], p: &mut [R; 1]) {
