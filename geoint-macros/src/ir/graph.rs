@@ -270,7 +270,14 @@ impl Graph {
             _ => {}
         }
         let ((ca, a), (cb, b)) = (self.coefficient(a), self.coefficient(b));
-        let (left, right) = (self.factors(a), self.factors(b));
+        let (mut left, mut right) = (self.factors(a), self.factors(b));
+        // A product that is the base of the other side's power meets it as a whole.
+        if right.iter().any(|(base, _)| *base == a) {
+            left = vec![(a, Ratio::ONE)];
+        }
+        if left.iter().any(|(base, _)| *base == b) {
+            right = vec![(b, Ratio::ONE)];
+        }
         let meets = right.iter().any(|(base, _)| left.iter().any(|(other, _)| other == base));
         let product = if meets {
             self.merged(left.into_iter().chain(right).collect())

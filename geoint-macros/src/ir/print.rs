@@ -18,6 +18,7 @@ pub(crate) struct Printer<'a, F> {
 enum Level {
     Sum,
     Product,
+    Power,
     Atom,
 }
 
@@ -126,7 +127,7 @@ impl<F: Fn(Symbol) -> String> Printer<'_, F> {
             (_, [one]) => format!("{}/{one}", join(&above)),
             _ => format!("{}/({})", join(&above), join(&below)),
         };
-        (text, if alone { Level::Atom } else { Level::Product })
+        (text, if alone { Level::Power } else { Level::Product })
     }
 
     /// A base to the magnitude of an exponent.

@@ -1,0 +1,164 @@
+//! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
+
+use super::{Noise, lowered};
+use crate::diff;
+use crate::ir::eval::eval;
+use crate::ir::{HashMap, Id, Symbol};
+use crate::schedule::{self, Block, Instruction, Operand, Statement};
+use quote::quote;
+
+/// Runs statements.
+struct Machine<'a> {
+    registers: HashMap<usize, f64>,
+    slots: &'a [Vec<f64>],
+    input: &'a dyn Fn(Symbol) -> f64,
+}
+
+impl Machine<'_> {
+    fn run(&mut self, block: &Block) -> Vec<f64> {
+        for statement in &block.statements {
+            match statement {
+                Statement::Let(register, instruction) => {
+                    let value = self.value(instruction);
+                    self.registers.insert(*register, value);
+                }
+                Statement::SinCos(sin, cos, x) => {
+                    let x = self.operand(x);
+                    self.registers.extend([(*sin, x.sin()), (*cos, x.cos())]);
+                }
+                Statement::If { registers, condition, first, second } => {
+                    let values = self.run(if self.operand(condition) == 1.0 { first } else { second });
+                    self.registers.extend(registers.iter().copied().zip(values));
+                }
+            }
+        }
+        block.results.iter().map(|operand| self.operand(operand)).collect()
+    }
+
+    fn operand(&self, operand: &Operand) -> f64 {
+        match operand {
+            Operand::Constant(value) => value.to_f64(),
+            Operand::Truth(value) => f64::from(u8::from(*value)),
+            Operand::Input(symbol) => (self.input)(*symbol),
+            Operand::Slot(level, index) => self.slots[*level][*index],
+            // A register that is read before it is written is a mistake of the schedule.
+            Operand::Register(register) => self.registers[register],
+        }
+    }
+
+    fn value(&self, instruction: &Instruction) -> f64 {
+        let of = |operand: &Operand| self.operand(operand);
+        let truth = |x: bool| f64::from(u8::from(x));
+        match instruction {
+            Instruction::Neg(a) => -of(a),
+            Instruction::Add(a, b) => of(a) + of(b),
+            Instruction::Sub(a, b) => of(a) - of(b),
+            Instruction::Mul(a, b) => of(a) * of(b),
+            Instruction::Div(a, b) => of(a) / of(b),
+            Instruction::MulAdd(a, b, c) => of(a) * of(b) + of(c),
+            Instruction::Sqrt(a) => of(a).sqrt(),
+            Instruction::Call(function, args) => (function.entry().value)(&args.iter().map(of).collect::<Vec<_>>()),
+            Instruction::Compare(relation, a, b) => truth(relation.holds(of(a), of(b))),
+            Instruction::And(a, b) => of(a) * of(b),
+            Instruction::Or(a, b) => of(a).max(of(b)),
+            Instruction::Not(a) => 1.0 - of(a),
+        }
+    }
+}
+
+/// Levels of a Newton iteration: parameters and h, the start of the step, the increment.
+fn level(symbol: Symbol) -> usize {
+    match symbol {
+        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::T => 1,
+        Symbol::Dq(_) | Symbol::Dp(_) => 2,
+    }
+}
+
+#[test]
+fn statements_mean_what_the_graph_means() {
+    let energies = [
+        quote! {
+            fn double_pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
+                let (s, c) = (q[0] - q[1]).sin_cos();
+                let numerator = m2 * l2 * l2 * p[0] * p[0] + (m1 + m2) * l1 * l1 * p[1] * p[1]
+                    - 2.0 * m2 * l1 * l2 * p[0] * p[1] * c;
+                numerator / (2.0 * m2 * l1 * l1 * l2 * l2 * (m1 + m2 * s * s))
+                    - (m1 + m2) * g * l1 * q[0].cos() - m2 * g * l2 * q[1].cos()
+            }
+        },
+        quote! {
+            fn kepler(q: [f64; 2], p: [f64; 2], t: f64, m: f64, k: f64) -> f64 {
+                let r2 = q[0] * q[0] + q[1] * q[1];
+                (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k * (1.0 + 0.1 * t.sin()) / r2.sqrt() + k / (r2 * r2)
+            }
+        },
+    ];
+    for item in energies {
+        let (_, mut lowered) = lowered(item);
+        let graph = &mut lowered.graph;
+        let structure = crate::analyze::structure(graph, lowered.energy, 2);
+        let gradient = diff::gradient(graph, lowered.energy, 2);
+        let equation = diff::equation::tree(graph, &gradient, &structure, 2).expect("slopes");
+        let iteration: Vec<Id> = equation.residual.iter().chain(equation.jacobian.iter().flatten()).copied().collect();
+        let before = graph.clone();
+        let plan = schedule::plan(graph, level, &[&[], &equation.guess], &[&iteration]);
+
+        let mut noise = Noise(3);
+        for _ in 0..50 {
+            let mut values: HashMap<Symbol, f64> = HashMap::default();
+            let symbols = before.reachable(&[&iteration[..], &equation.guess].concat());
+            for id in symbols {
+                if let crate::ir::Node::Symbol(symbol) = before.node(id) {
+                    values.insert(*symbol, noise.between(0.5, 1.5));
+                }
+            }
+            let input = |symbol: Symbol| values[&symbol];
+            let mut slots: Vec<Vec<f64>> = vec![];
+            for (store, own) in plan.stores.iter().zip([0, equation.guess.len()]) {
+                let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store);
+                slots.push(results[own..].to_vec());
+            }
+            let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+            for (root, found) in iteration.iter().zip(results) {
+                let expected = eval(&before, *root, &input);
+                assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_belongs_to_a_branch_is_computed_in_that_branch() {
+    let (_, mut lowered) = lowered(quote! {
+        fn cold_wall(q: f64, p: f64) -> f64 {
+            p * p / 2.0 + if q > 0.0 { q.ln() * q.sin() } else { 0.0 }
+        }
+    });
+    let graph = &mut lowered.graph;
+    let gradient = diff::gradient(graph, lowered.energy, 1);
+    let block = schedule::routine(graph, &[lowered.energy, gradient.q[0]]);
+    let calls = |statement: &Statement| matches!(statement, Statement::SinCos(..) | Statement::Let(_, Instruction::Call(..)));
+    assert!(!block.statements.iter().any(calls), "{block:?}");
+    let branches: Vec<_> = block.statements.iter().filter(|s| matches!(s, Statement::If { .. })).collect();
+    assert_eq!(branches.len(), 1, "value and slope share one branch: {block:?}");
+}
+
+#[test]
+fn what_is_known_earlier_is_computed_earlier() {
+    let (_, mut lowered) = lowered(quote! {
+        fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+            p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+        }
+    });
+    let graph = &mut lowered.graph;
+    let gradient = diff::gradient(graph, lowered.energy, 1);
+    let h = graph.symbol(Symbol::H);
+    let kick = graph.mul(h, gradient.q[0]);
+    let p = graph.symbol(Symbol::P(0));
+    let kicked = graph.sub(p, kick);
+    let plan = schedule::plan(graph, |symbol| level(symbol).min(1), &[&[]], &[&[kicked]]);
+    // A sine, and one product that joins it to p.
+    assert_eq!(plan.slots, [1]);
+    assert_eq!(plan.last[0].statements.len(), 2, "{:?}", plan.last[0]);
+}
