@@ -6,6 +6,7 @@
 use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
+use quote::format_ident;
 
 
 /// The arrays in which routines find the slots of earlier levels.
@@ -17,7 +18,8 @@ pub(crate) fn routine(
     input: &dyn Fn(Symbol) -> TokenStream,
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
-    let mut writer = Writer { input, inputs: HashMap::default(), tokens: vec![] };
+    let mut writer =
+        Writer { input, inputs: HashMap::default(), words: HashMap::default(), registers: vec![], tokens: vec![] };
     let results = writer.block(block);
     let mut tokens: TokenStream = writer.tokens.into_iter().collect();
     tokens.extend(finish(results));
@@ -28,6 +30,9 @@ struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
     /// What symbols are called, as far as asked.
     inputs: HashMap<Symbol, Vec<TokenTree>>,
+    /// Names are made once.
+    words: HashMap<&'static str, Ident>,
+    registers: Vec<Ident>,
     tokens: Vec<TokenTree>,
 }
 
@@ -112,7 +117,7 @@ impl Writer<'_> {
     }
 
     /// `x.name(args)`
-    fn method(&mut self, name: &str, x: &Operand, args: &[Operand]) {
+    fn method(&mut self, name: &'static str, x: &Operand, args: &[Operand]) {
         self.operand(x);
         self.punct(".");
         self.word(name);
@@ -177,12 +182,16 @@ impl Writer<'_> {
 
     // ------------------------------------------------------------------------------------------------------ tokens
 
-    fn word(&mut self, word: &str) {
-        self.tokens.push(Ident::new(word, Span::call_site()).into());
+    fn word(&mut self, word: &'static str) {
+        let ident = self.words.entry(word).or_insert_with(|| Ident::new(word, Span::call_site()));
+        self.tokens.push(ident.clone().into());
     }
 
     fn register(&mut self, register: Register) {
-        self.tokens.push(Ident::new(&format!("v{register}"), Span::mixed_site()).into());
+        while self.registers.len() <= register {
+            self.registers.push(format_ident!("v{}", self.registers.len(), span = Span::mixed_site()));
+        }
+        self.tokens.push(self.registers[register].clone().into());
     }
 
     fn punct(&mut self, punct: &str) {
