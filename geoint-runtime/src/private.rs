@@ -1,7 +1,9 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::array::{Array, Square};
+pub use crate::integrator::Integrator;
+pub use crate::method::Method;
 pub use crate::real::Real;
 pub use crate::slope;
-pub use crate::state::Coordinates;
+pub use crate::state::State;
 pub use crate::system::{Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Separable};

@@ -35,8 +35,9 @@ pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Struct
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
     let report = report::report(context, graph, structure, derivatives, &costs);
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
-    let Energy { name, runtime, .. } = context.energy;
+    let Energy { runtime, .. } = context.energy;
     let structure = system::structure(context, &docs);
+    let inherent = system::inherent(context, &report);
     let function = &context.energy.item.sig.ident;
     quote! {
         #structure
@@ -47,7 +48,8 @@ pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Struct
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real, Separable, Square, slope,
+                Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable,
+                Square, State, slope,
             };
 
             // The function is the source of all this, and the user need not call it.
@@ -55,12 +57,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Struct
                 let _ = #function;
             };
 
-            impl #name {
-                /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
-                /// skipped and why.
-                pub const REPORT: &'static str = #report;
-            }
-
+            #inherent
             #hamiltonian
             #flows
             #discrete

@@ -5,7 +5,7 @@ use crate::analyze::Structure;
 use crate::diff::Gradient;
 use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, print::Printer};
-use crate::parse::over_scalar;
+use crate::parse::{Energy, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -29,6 +29,37 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
         quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name;)
     } else {
         quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+    }
+}
+
+/// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
+/// open.
+pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
+    let Energy { name, float, coordinates, .. } = context.energy;
+    let coordinates = &coordinates.ty;
+    quote! {
+        impl #name {
+            /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
+            /// skipped and why.
+            pub const REPORT: &'static str = #report;
+
+            /// The energy of a state.
+            pub fn energy(&self, state: &State<#coordinates>) -> #float {
+                Hamiltonian::energy(self, state)
+            }
+
+            /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+            pub fn integrator<M: Method<Self, #float>>(
+                self,
+                method: M,
+                h: #float,
+                state: State<#coordinates>,
+            ) -> Integrator<Self, M, #float> {
+                Hamiltonian::integrator(self, method, h, state)
+            }
+        }
     }
 }
 

@@ -54,8 +54,8 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
-        Separable, Square, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -64,6 +64,21 @@ const _: () = {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
         pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 6 sums and products, 2 divisions and roots, 1 functions\n- kick: 6 sums and products, 1 functions\n- drift: 4 sums and products, 2 divisions and roots\n- stage of a Newton iteration of collocation: 13 sums and products, 3 divisions and roots, 1 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }\n";
+        /// The energy of a state.
+        pub fn energy(&self, state: &State<f64>) -> f64 {
+            Hamiltonian::energy(self, state)
+        }
+        /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+        pub fn integrator<M: Method<Self, f64>>(
+            self,
+            method: M,
+            h: f64,
+            state: State<f64>,
+        ) -> Integrator<Self, M, f64> {
+            Hamiltonian::integrator(self, method, h, state)
+        }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         type Coordinates = R;

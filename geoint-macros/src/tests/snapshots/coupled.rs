@@ -51,8 +51,8 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
-        Separable, Square, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -61,6 +61,21 @@ const _: () = {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
         pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 7 sums and products\n- stage of a Newton iteration of collocation: 15 sums and products\n- Newton iteration of the discrete gradient: 29 sums and products\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        /// The energy of a state.
+        pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
+            Hamiltonian::energy(self, state)
+        }
+        /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+        pub fn integrator<M: Method<Self, f64>>(
+            self,
+            method: M,
+            h: f64,
+            state: State<[f64; 2]>,
+        ) -> Integrator<Self, M, f64> {
+            Hamiltonian::integrator(self, method, h, state)
+        }
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Coordinates = [R; 2];

@@ -64,8 +64,8 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Real,
-        Separable, Square, slope,
+        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -74,6 +74,21 @@ const _: () = {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
         pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: 5 sums and products, 1 divisions and roots, 1 functions\n- kick: 2 sums and products, 1 functions\n- drift: 2 sums and products\n- stage of a Newton iteration of collocation: 2 sums and products, 2 functions\n- Newton iteration of the discrete gradient: 14 sums and products, 4 functions\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        /// The energy of a state.
+        pub fn energy(&self, state: &State<f64>) -> f64 {
+            Hamiltonian::energy(self, state)
+        }
+        /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+        pub fn integrator<M: Method<Self, f64>>(
+            self,
+            method: M,
+            h: f64,
+            state: State<f64>,
+        ) -> Integrator<Self, M, f64> {
+            Hamiltonian::integrator(self, method, h, state)
+        }
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
