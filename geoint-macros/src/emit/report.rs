@@ -93,7 +93,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     if !structure.resting.is_empty() {
         writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
     }
-    if structure.autonomous == false && structure.cyclic.is_empty() && structure.resting.is_empty() {
+    if !structure.autonomous && structure.cyclic.is_empty() && structure.resting.is_empty() {
         writeln!(text, "- nothing that was found")?;
     }
 

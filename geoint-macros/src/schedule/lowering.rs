@@ -353,7 +353,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
         let half = self.repeated(x, n / 2);
         let square = self.emit(Instruction::Mul(half, half));
-        if n % 2 == 0 { square } else { self.emit(Instruction::Mul(square, x)) }
+        if n.is_multiple_of(2) { square } else { self.emit(Instruction::Mul(square, x)) }
     }
 
     // ------------------------------------------------------------------------------------------ functions, branches
