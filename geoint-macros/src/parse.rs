@@ -168,15 +168,9 @@ pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");
     }
     match coordinates {
-        Some(coordinates) => errors.or(Energy {
-            name,
-            runtime,
-            float,
-            coordinates,
-            arguments,
-            requirements: options.requirements,
-            item,
-        }),
+        Some(coordinates) => {
+            errors.or(Energy { name, runtime, float, coordinates, arguments, requirements: options.requirements, item })
+        }
         None => Err(errors),
     }
 }
@@ -247,7 +241,8 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
         }
         match shape(&typed.ty, float) {
             Ok(shape) if role == Role::Time && !shape.extents.is_empty() => {
-                errors.at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
+                errors
+                    .at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
             }
             Ok(shape) => arguments.push((role, Argument { name: name.clone(), ty: (*typed.ty).clone(), shape })),
             Err(error) => errors.extend(error),
@@ -284,7 +279,8 @@ fn coordinates(
         let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
         // A wrong name in the attribute, or a wrong type, has been reported.
         let named = options.roles.iter().any(|(r, _)| *r == role);
-        let written = item.sig.inputs.iter().any(|i| matches!(i, FnArg::Typed(t) if names(&t.pat, &format_ident!("{default}"))));
+        let written =
+            item.sig.inputs.iter().any(|i| matches!(i, FnArg::Typed(t) if names(&t.pat, &format_ident!("{default}"))));
         if found.is_none() && !named && !written {
             errors.at(
                 &item.sig.ident,
@@ -315,7 +311,8 @@ const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalge
 
 /// The shape of a type.
 fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
-    let refuse = |syntax: &dyn ToTokens, message: String| Err(syn::Error::new_spanned(syntax.to_token_stream(), message));
+    let refuse =
+        |syntax: &dyn ToTokens, message: String| Err(syn::Error::new_spanned(syntax.to_token_stream(), message));
     match ty {
         Type::Paren(inner) => shape(&inner.elem, float),
         Type::Group(inner) => shape(&inner.elem, float),

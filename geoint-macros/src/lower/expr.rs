@@ -1,12 +1,13 @@
 //! Expressions.
 
-use super::Lowering;
+use super::scope::{Found, Item, Scopes};
 use super::statement::simple_name;
 use super::value::{Callable, Value};
+use super::{Lowering, constants};
 use crate::ir::{Id, Number, Ratio, Relation};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
 use std::rc::Rc;
-use syn::{BinOp, Expr, ExprIf, Lit, Member, Path, RangeLimits, UnOp};
+use syn::{BinOp, Expr, ExprBinary, ExprIf, Lit, Member, Path, RangeLimits, UnOp};
 
 const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - * /`, methods of `f64`, `if … else`, \
                            closures, `for` over ranges, and sums over iterators";
@@ -33,7 +34,11 @@ impl Lowering {
                 match (&unary.op, value) {
                     (UnOp::Deref(_), value) => value,
                     (_, Value::Poison) => Value::Poison,
-                    (UnOp::Neg(_), Value::Integer(n)) => Value::Integer(-n),
+                    (UnOp::Neg(_), Value::Integer(n)) => match n.checked_neg() {
+                        Some(n) => Value::Integer(n),
+                        None => self.refuse(unary, "this integer is out of bounds"),
+                    },
+                    (UnOp::Neg(_), Value::Opaque(path)) => Value::Opaque(quote!((-#path))),
                     (UnOp::Neg(_), Value::Vector(ids)) => {
                         Value::Vector(ids.iter().map(|id| self.graph.neg(*id)).collect())
                     }
@@ -47,25 +52,20 @@ impl Lowering {
             }
             Expr::Binary(binary) => match binary.op {
                 BinOp::AddAssign(_) | BinOp::SubAssign(_) => self.accumulate(binary),
-                BinOp::MulAssign(_) | BinOp::DivAssign(_) | BinOp::RemAssign(_) => {
-                    self.assign(binary, &binary.left)
-                }
-                _ => {
-                    let left = self.expr(&binary.left);
-                    let right = self.expr(&binary.right);
-                    self.arithmetic(binary, &binary.op, left, right)
-                }
+                BinOp::MulAssign(_) | BinOp::DivAssign(_) | BinOp::RemAssign(_) => self.assign(binary, &binary.left),
+                BinOp::And(_) | BinOp::Or(_) => self.connective(binary),
+                _ => self.chain(binary),
             },
             Expr::Assign(assign) => self.assign(assign, &assign.left),
             Expr::Block(block) => self.block(&block.block),
             Expr::If(branch) => self.branch(branch),
             Expr::ForLoop(for_loop) => self.for_loop(for_loop),
             Expr::Tuple(tuple) => Value::Tuple(tuple.elems.iter().map(|item| self.expr(item)).collect()),
-            Expr::Array(array) => Value::List(array.elems.iter().map(|item| self.expr(item)).collect()),
+            Expr::Array(array) => Value::list(array.elems.iter().map(|item| self.expr(item)).collect()),
             Expr::Repeat(repeat) => {
                 let (value, length) = (self.expr(&repeat.expr), self.expr(&repeat.len));
                 match self.integer(&repeat.len, length) {
-                    Some(n @ 0..=10_000) => Value::List(vec![value; n as usize]),
+                    Some(n @ 0..=10_000) => Value::list(vec![value; n as usize]),
                     Some(_) => self.refuse(&repeat.len, "this length is out of bounds"),
                     None => Value::Poison,
                 }
@@ -77,12 +77,14 @@ impl Lowering {
             Expr::Field(field) => self.field(field),
             Expr::Range(range) => self.range(range),
             Expr::Cast(cast) => self.cast(cast),
-            Expr::Closure(closure) => Value::Callable(Rc::new(Callable {
-                name: None,
-                parameters: closure.inputs.iter().cloned().collect(),
-                body: (*closure.body).clone(),
-                visible: self.scopes.snapshot(),
-            })),
+            Expr::Closure(closure) => {
+                let callable = Callable {
+                    name: None,
+                    parameters: closure.inputs.iter().cloned().collect(),
+                    body: (*closure.body).clone(),
+                };
+                Value::Callable(Rc::new(callable), Rc::new(self.scopes.clone()))
+            }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Macro(call) => self.refuse(call, format!("the macro cannot see into other macros; {EXPRESSIONS}")),
@@ -92,6 +94,41 @@ impl Lowering {
             Expr::Match(e) => self.refuse(&e.match_token, "`match` is not supported; use `if … else if … else`"),
             other => self.refuse(other, format!("this expression is not supported: {EXPRESSIONS}")),
         }
+    }
+
+    /// `a + b + c + …`, from the innermost operation on: a long sum is nested as deeply as it is long.
+    fn chain(&mut self, outermost: &ExprBinary) -> Value {
+        let mut operations = vec![outermost];
+        let mut first = &*outermost.left;
+        while let Expr::Binary(inner) = first
+            && (is_arithmetic(&inner.op) || is_comparison(&inner.op))
+        {
+            operations.push(inner);
+            first = &inner.left;
+        }
+        let mut value = self.expr(first);
+        for operation in operations.into_iter().rev() {
+            let right = self.expr(&operation.right);
+            value = self.arithmetic(operation, &operation.op, value, right);
+            if let Value::Real(id) = value {
+                self.written(id, operation);
+            }
+        }
+        value
+    }
+
+    /// `a && b` and `a || b`: what is on the right exists only if the left does not decide.
+    fn connective(&mut self, binary: &ExprBinary) -> Value {
+        let left = self.expr(&binary.left);
+        if let Value::Truth(id) = left
+            && self.graph.as_truth(id) == Some(matches!(binary.op, BinOp::Or(_)))
+        {
+            return left;
+        }
+        let before = self.scopes.close();
+        let right = self.expr(&binary.right);
+        self.scopes.open(before);
+        self.arithmetic(binary, &binary.op, left, right)
     }
 
     fn literal(&mut self, lit: &Lit) -> Value {
@@ -117,22 +154,20 @@ impl Lowering {
         let Some(last) = path.segments.last() else { return Value::Poison };
         let name = last.ident.to_string();
         if path.get_ident().is_some() {
-            if let Some(value) = self.scopes.get(&name) {
-                let value = value.clone();
-                if self.scopes.is_accumulating(&name) {
-                    return self.refuse(
-                        path,
-                        format!(
-                            "`{name}` is accumulated by this loop and has no value before its end: a loop may only add \
-                             to it with `{name} += …`, in terms of other variables"
-                        ),
-                    );
-                }
+            if self.scopes.is_accumulating(&name) {
+                return self.refuse(
+                    path,
+                    format!(
+                        "`{name}` is accumulated by this loop and has no value before its end: a loop may only add \
+                         to it with `{name} += …`, in terms of other variables"
+                    ),
+                );
+            }
+            if let Some(value) = self.named(path, &name) {
                 return value;
             }
         }
-        let of_std = path.segments.iter().any(|segment| segment.ident == "consts") || path.get_ident().is_some();
-        if let Some(value) = of_std.then(|| std_constant(&name)).flatten() {
+        if let Some(value) = constants::of_path(path) {
             return Value::Real(self.graph.number(Number::float(value)));
         }
         // A constant outside: the generated code can name it, and rustc knows its value.
@@ -145,8 +180,17 @@ impl Lowering {
         )
     }
 
+    /// What a name is bound to.
+    fn named(&mut self, syntax: &impl ToTokens, name: &str) -> Option<Value> {
+        Some(match self.scopes.get(name)? {
+            Found::Variable(value) | Found::Item(Item::Import(value), _) => value,
+            Found::Item(Item::Function(callable), sees) => Value::Callable(callable, Rc::new(sees)),
+            Found::Item(Item::Constant(constant), sees) => self.constant_item(syntax, &constant, sees),
+        })
+    }
+
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
-        use Value::{Integer, List, Opaque, Poison, Real, Truth, Vector};
+        use Value::{Integer, Iterator, List, Opaque, Poison, Real, Truth, Tuple, Vector};
         match (left, right) {
             (Poison, _) | (_, Poison) => Poison,
             (Integer(a), Integer(b)) => self.integers(syntax, op, a, b),
@@ -169,11 +213,21 @@ impl Lowering {
                 let a = self.real(syntax, a);
                 Vector(b.iter().map(|b| self.graph.mul(a, *b)).collect())
             }
+            // Whether these are integers is known to rustc alone, so that it has to do what they decide.
+            (Opaque(a), Opaque(b)) if is_arithmetic(op) => Opaque(quote!((#a #op #b))),
+            (Opaque(a), Integer(b)) if is_arithmetic(op) => {
+                let b = proc_macro2::Literal::i128_unsuffixed(b);
+                Opaque(quote!((#a #op #b)))
+            }
+            (Integer(a), Opaque(b)) if is_arithmetic(op) => {
+                let a = proc_macro2::Literal::i128_unsuffixed(a);
+                Opaque(quote!((#a #op #b)))
+            }
             (a @ (Real(_) | Opaque(_)), b @ (Real(_) | Opaque(_))) => {
                 let (a, b) = (self.real(syntax, a), self.real(syntax, b));
                 self.reals(syntax, op, a, b)
             }
-            (a @ List(_), _) | (_, a) => {
+            (a @ (List(_) | Tuple(_) | Iterator(_)), _) | (_, a) => {
                 self.refuse(syntax, format!("this operator does not apply to {}", a.kind()))
             }
         }
@@ -276,7 +330,8 @@ impl Lowering {
                 Vector(a.iter().zip(&b).map(|(a, b)| self.graph.select(condition, *a, *b)).collect())
             }
             (List(a), List(b)) if a.len() == b.len() => {
-                List(a.into_iter().zip(b).map(|(a, b)| self.select(syntax, condition, a, b)).collect())
+                let pairs = a.iter().cloned().zip(b.iter().cloned());
+                Value::list(pairs.map(|(a, b)| self.select(syntax, condition, a, b)).collect())
             }
             (Tuple(a), Tuple(b)) if a.len() == b.len() => {
                 Tuple(a.into_iter().zip(b).map(|(a, b)| self.select(syntax, condition, a, b)).collect())
@@ -304,7 +359,7 @@ impl Lowering {
             Value::Vector(ids) => usize::try_from(i).ok().and_then(|i| ids.get(i).map(|id| Value::Real(*id))),
             Value::Opaque(path) => {
                 let i = proc_macro2::Literal::i128_unsuffixed(i);
-                return Value::Opaque(quote::quote!(#path[#i]));
+                return Value::Opaque(quote!(#path[#i]));
             }
             other => return self.refuse(base_syntax, format!("{} cannot be indexed", other.kind())),
         };
@@ -323,7 +378,10 @@ impl Lowering {
                 self.refuse(syntax, "this bound is not known to the macro: write the number, or a `const` in the body");
             }
             Value::Real(_) => {
-                self.refuse(syntax, "a bound or index that depends on data is not supported: it must be an integer constant");
+                self.refuse(
+                    syntax,
+                    "a bound or index that depends on data is not supported: it must be an integer constant",
+                );
             }
             other => {
                 self.refuse(syntax, format!("expected an integer, found {}", other.kind()));
@@ -340,7 +398,9 @@ impl Lowering {
                 let i = ["x", "y", "z", "w"].iter().position(|axis| name == axis);
                 match i.and_then(|i| ids.get(i)) {
                     Some(id) => Value::Real(*id),
-                    None => self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len())),
+                    None => {
+                        self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len()))
+                    }
                 }
             }
             (Member::Unnamed(index), Value::Tuple(items)) => match items.into_iter().nth(index.index as usize) {
@@ -363,17 +423,48 @@ impl Lowering {
         if high.saturating_sub(low) > 100_000 {
             return self.refuse(range, "this range is too long: loops are unrolled");
         }
-        Value::List((low..high).map(Value::Integer).collect())
+        self.evaluations += (high - low).max(0) as usize;
+        Value::iterator((low..high).map(Value::Integer))
     }
 
     fn cast(&mut self, cast: &syn::ExprCast) -> Value {
-        let target = cast.ty.to_token_stream().to_string();
-        match self.expr(&cast.expr) {
-            Value::Poison => Value::Poison,
-            Value::Integer(n) if target.starts_with('f') => Value::Real(self.graph.number(Number::float(n as f64))),
-            Value::Integer(n) => Value::Integer(n),
-            value @ (Value::Real(_) | Value::Opaque(_)) if target.starts_with('f') => value,
+        let value = self.expr(&cast.expr);
+        if matches!(value, Value::Poison) {
+            return Value::Poison;
+        }
+        let target = match &*cast.ty {
+            syn::Type::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
+            _ => String::new(),
+        };
+        match (value, target.as_str()) {
+            (value, "f64" | "f32") => self.cast_to_float(cast, &target, value),
+            (Value::Integer(n), target) => match wrapped(n, target) {
+                Some(n) => Value::Integer(n),
+                None => self.refuse(&cast.ty, "integers can be cast to `f64` and to integers in whose bounds they lie"),
+            },
+            (Value::Opaque(path), _) => {
+                let ty = &cast.ty;
+                Value::Opaque(quote!((#path as #ty)))
+            }
             _ => self.refuse(cast, "only integers can be cast: a number cast to an integer has no derivative"),
+        }
+    }
+
+    fn cast_to_float(&mut self, cast: &syn::ExprCast, target: &str, value: Value) -> Value {
+        if target != self.float {
+            return self.refuse(&cast.ty, format!("all numbers of an energy have one type, here `{}`", self.float));
+        }
+        match value {
+            Value::Integer(n) => Value::Real(self.graph.number(Number::float(n as f64))),
+            // It is a number from here on, so that `/` is no longer that of integers.
+            Value::Opaque(path) => Value::Real(self.constant(path)),
+            Value::Real(id) if self.graph.as_number(id).is_some() => Value::Real(id),
+            Value::Real(_) => {
+                let float = &self.float;
+                let message = format!("this is a number of type `{float}` already: leave the cast out");
+                self.refuse(cast, message)
+            }
+            other => self.refuse(cast, format!("{} cannot be cast to a number", other.kind())),
         }
     }
 
@@ -394,29 +485,23 @@ impl Lowering {
     }
 
     /// Calls a closure or nested function.
-    pub(super) fn apply(&mut self, syntax: &impl ToTokens, callable: &Rc<Callable>, arguments: Vec<Value>) -> Value {
+    pub(super) fn apply(
+        &mut self,
+        syntax: &impl ToTokens,
+        (callable, sees): (&Rc<Callable>, &Scopes),
+        arguments: Vec<Value>,
+    ) -> Value {
         if callable.parameters.len() != arguments.len() {
             let n = callable.parameters.len();
             return self.refuse(syntax, format!("this takes {n} arguments"));
         }
-        if let Some(name) = &callable.name
-            && self.calls.contains(name)
-        {
-            return self.refuse(syntax, format!("`{name}` calls itself: nested functions are inlined and cannot recur"));
+        if self.calls.iter().any(|other| Rc::ptr_eq(other, callable)) {
+            let name = callable.name.as_deref().unwrap_or("this closure");
+            return self
+                .refuse(syntax, format!("`{name}` calls itself: nested functions are inlined and cannot recur"));
         }
-        if self.calls.len() >= super::MAX_DEPTH {
-            return self.refuse(syntax, "calls are nested too deeply");
-        }
-        let mut visible = callable.visible.clone();
-        if callable.name.is_some() {
-            // A nested function sees the items around it, not the variables.
-            visible.extend(self.scopes.snapshot().into_iter().filter(|(name, value)| match value {
-                Value::Callable(other) => other.name.is_some(),
-                _ => name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_'),
-            }));
-        }
-        let before = std::mem::replace(&mut self.scopes, super::scope::Scopes::with(visible));
-        self.calls.push(callable.name.clone().unwrap_or_default());
+        let before = std::mem::replace(&mut self.scopes, sees.clone());
+        self.calls.push(callable.clone());
         // What is captured may be read, not assigned to.
         self.scopes.close();
         self.scopes.enter();
@@ -431,10 +516,14 @@ impl Lowering {
 
     fn call(&mut self, call: &syn::ExprCall) -> Value {
         if let Some(name) = simple_name(&call.func)
-            && let Some(Value::Callable(callable)) = self.scopes.get(&name).cloned()
+            && let Some(found) = self.named(&call.func, &name)
         {
             let arguments = call.args.iter().map(|argument| self.expr(argument)).collect();
-            return self.apply(&call.func, &callable, arguments);
+            return match found {
+                Value::Callable(callable, sees) => self.apply(&call.func, (&callable, &sees), arguments),
+                Value::Poison => Value::Poison,
+                other => self.refuse(&call.func, format!("only functions can be called; this is {}", other.kind())),
+            };
         }
         let Expr::Path(path) = &*call.func else {
             return self.refuse(&call.func, "only nested functions and closures can be called");
@@ -446,26 +535,36 @@ impl Lowering {
             _ => ("", ""),
         };
         match (owner, function) {
-            ("f64" | "f32", "from") if arguments.len() == 1 => match arguments.into_iter().next() {
-                Some(Value::Integer(n)) => Value::Real(self.graph.number(Number::float(n as f64))),
-                value => value.unwrap_or(Value::Poison),
-            },
-            ("f64" | "f32", method) if !arguments.is_empty() => {
+            ("f64" | "f32", _) if segments.len() == 2 && owner != self.float => {
+                let message = format!("all numbers of an energy have one type, here `{}`", self.float);
+                self.refuse(&call.func, message)
+            }
+            ("f64" | "f32", "from") if segments.len() == 2 && arguments.len() == 1 => {
+                match arguments.into_iter().next() {
+                    Some(Value::Integer(n)) => Value::Real(self.graph.number(Number::float(n as f64))),
+                    Some(Value::Opaque(path)) => Value::Real(self.constant(path)),
+                    value => value.unwrap_or(Value::Poison),
+                }
+            }
+            ("f64" | "f32", method) if segments.len() == 2 && !arguments.is_empty() => {
                 let mut arguments = arguments.into_iter();
                 let receiver = arguments.next().unwrap_or(Value::Poison);
                 let id = self.real(call, receiver);
                 self.method_of_real(&call.func, method, id, arguments.collect())
             }
-            (owner, "new") if owner.contains("Vector") => {
-                let ids = arguments.into_iter().map(|value| self.real(call, value)).collect();
-                Value::Vector(ids)
+            (owner, "new") if vector_length(owner) == Some(arguments.len()) => {
+                Value::Vector(arguments.into_iter().map(|value| self.real(call, value)).collect())
             }
-            (owner, "from") if owner.contains("Vector") && arguments.len() == 1 => {
+            (owner, "zeros") if arguments.is_empty() && vector_length(owner).is_some() => {
+                let zero = self.graph.zero();
+                Value::Vector(vec![zero; vector_length(owner).unwrap_or_default()])
+            }
+            (owner, "from") if (owner == "SVector" || vector_length(owner).is_some()) && arguments.len() == 1 => {
                 let items = match arguments.into_iter().next() {
                     Some(Value::List(items)) => items,
                     _ => return self.refuse(call, "a vector is made from an array"),
                 };
-                Value::Vector(items.into_iter().map(|value| self.real(call, value)).collect())
+                Value::Vector(items.iter().map(|value| self.real(call, value.clone())).collect())
             }
             _ => self.refuse(
                 &call.func,
@@ -475,13 +574,33 @@ impl Lowering {
     }
 }
 
-/// The constants of `core::f64::consts`.
-fn std_constant(name: &str) -> Option<f64> {
-    use std::f64::consts::*;
-    macro_rules! table {
-        ($($constant:ident)*) => { [$((stringify!($constant), $constant)),*] };
+/// The length of a vector type of nalgebra that has its length in its name.
+fn vector_length(name: &str) -> Option<usize> {
+    name.strip_prefix("Vector")?.parse().ok().filter(|n| (1..=6).contains(n))
+}
+
+fn is_arithmetic(op: &BinOp) -> bool {
+    matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_))
+}
+
+fn is_comparison(op: &BinOp) -> bool {
+    matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_))
+}
+
+/// `n as target`: the bits that fit. Of `usize` and `isize` only what fits on every processor.
+fn wrapped(n: i128, target: &str) -> Option<i128> {
+    match target {
+        "i8" => Some((n as i8).into()),
+        "i16" => Some((n as i16).into()),
+        "i32" => Some((n as i32).into()),
+        "i64" => Some((n as i64).into()),
+        "i128" => Some(n),
+        "u8" => Some((n as u8).into()),
+        "u16" => Some((n as u16).into()),
+        "u32" => Some((n as u32).into()),
+        "u64" => Some((n as u64).into()),
+        "usize" => u32::try_from(n).ok().map(Into::into),
+        "isize" => i32::try_from(n).ok().map(Into::into),
+        _ => None,
     }
-    let constants = table!(PI TAU E SQRT_2 LN_2 LN_10 LOG2_E LOG10_E LOG2_10 LOG10_2 FRAC_1_PI FRAC_2_PI FRAC_2_SQRT_PI
-        FRAC_1_SQRT_2 FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6 FRAC_PI_8);
-    constants.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
 }

@@ -1,10 +1,12 @@
 //! Methods: of numbers, of vectors, of arrays and iterators.
 
 use super::Lowering;
-use super::value::Value;
+use super::scope::Scopes;
+use super::value::{Callable, Value};
 use crate::ir::op::FUNCTIONS;
 use crate::ir::{Function, Id, Number};
-use quote::ToTokens;
+use quote::{ToTokens, quote};
+use std::rc::Rc;
 use syn::{Expr, ExprMethodCall};
 
 impl Lowering {
@@ -20,19 +22,37 @@ impl Lowering {
         }
         match receiver {
             Value::Real(id) => self.method_of_real(&call.method, &name, id, arguments),
+            // Integers have these too, and what follows may be a division of integers.
+            Value::Opaque(path) if matches!(name.as_str(), "abs" | "signum") && arguments.is_empty() => {
+                let method = &call.method;
+                Value::Opaque(quote!(#path.#method()))
+            }
+            Value::Opaque(_) if matches!(name.as_str(), "min" | "max") && is_opaque(&arguments) => {
+                self.refuse(&call.method, "this is known to rustc alone: make it a constant outside of the function")
+            }
             Value::Opaque(path) => {
                 let id = self.constant(path);
                 self.method_of_real(&call.method, &name, id, arguments)
             }
             Value::Vector(ids) => self.method_of_vector(call, &name, ids, arguments),
-            Value::List(items) => self.method_of_list(call, &name, items, arguments),
+            Value::List(items) => self.method_of_array(call, &name, &items, &arguments),
+            Value::Iterator(items) => self.method_of_iterator(call, &name, &items, &arguments),
             Value::Integer(n) => match (name.as_str(), &arguments[..]) {
                 ("pow", [Value::Integer(k)]) => match u32::try_from(*k).ok().and_then(|k| n.checked_pow(k)) {
                     Some(n) => Value::Integer(n),
                     None => self.refuse(&call.method, "this power is out of bounds"),
                 },
                 ("abs", []) => Value::Integer(n.saturating_abs()),
-                _ => self.refuse(&call.method, "integers have `pow` and `abs`; write `2.0` for a number"),
+                ("min", [Value::Integer(k)]) => Value::Integer(n.min(*k)),
+                ("max", [Value::Integer(k)]) => Value::Integer(n.max(*k)),
+                ("rem_euclid", [Value::Integer(k)]) => match n.checked_rem_euclid(*k) {
+                    Some(n) => Value::Integer(n),
+                    None => self.refuse(&call.method, "this integer cannot be computed"),
+                },
+                _ => self.refuse(
+                    &call.method,
+                    "integers have `pow`, `abs`, `min`, `max` and `rem_euclid`; write `2.0` for a number",
+                ),
             },
             other => self.refuse(&call.method, format!("{} has no such method", other.kind())),
         }
@@ -102,77 +122,125 @@ impl Lowering {
                 Value::Vector((0..3).map(&mut component).collect())
             }
             ("len", []) => Value::Integer(ids.len() as i128),
-            ("iter", []) => Value::List(ids.into_iter().map(Value::Real).collect()),
+            ("iter", []) => Value::iterator(ids.into_iter().map(Value::Real)),
             ("sum", []) => Value::Real(graph.sum(&ids)),
             _ => self.refuse(
                 &call.method,
-                format!("vectors have `dot`, `norm`, `norm_squared`, `cross`, `sum`, `iter` and components; not `{name}`"),
-            ),
-        }
-    }
-
-    fn method_of_list(&mut self, call: &ExprMethodCall, name: &str, items: Vec<Value>, arguments: Vec<Value>) -> Value {
-        match (name, &arguments[..]) {
-            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::List(items),
-            ("rev", []) => Value::List(items.into_iter().rev().collect()),
-            ("len" | "count", []) => Value::Integer(items.len() as i128),
-            ("enumerate", []) => {
-                let pair = |(i, item)| Value::Tuple(vec![Value::Integer(i as i128), item]);
-                Value::List(items.into_iter().enumerate().map(pair).collect())
-            }
-            ("zip", [other]) => match self.list(&call.args[0], other.clone()) {
-                Some(other) => {
-                    let pair = |(a, b)| Value::Tuple(vec![a, b]);
-                    Value::List(items.into_iter().zip(other).map(pair).collect())
-                }
-                None => Value::Poison,
-            },
-            ("skip", [Value::Integer(n)]) => Value::List(items.into_iter().skip((*n).max(0) as usize).collect()),
-            ("take", [Value::Integer(n)]) => Value::List(items.into_iter().take((*n).max(0) as usize).collect()),
-            ("windows", [Value::Integer(n @ 1..)]) => {
-                Value::List(items.windows(*n as usize).map(|window| Value::List(window.to_vec())).collect())
-            }
-            ("map" | "flat_map", [Value::Callable(function)]) => {
-                let mut mapped = vec![];
-                for item in items {
-                    if self.exhausted(&call.method) {
-                        return Value::Poison;
-                    }
-                    let value = self.apply(&call.method, function, vec![item]);
-                    match (name, value) {
-                        ("flat_map", value) => match self.list(&call.args[0], value) {
-                            Some(inner) => mapped.extend(inner),
-                            None => return Value::Poison,
-                        },
-                        (_, Value::Poison) => return Value::Poison,
-                        (_, value) => mapped.push(value),
-                    }
-                }
-                Value::List(mapped)
-            }
-            ("filter", [Value::Callable(function)]) => self.filter(call, items, &function.clone()),
-            ("sum", []) => self.sum(call, items),
-            _ => self.refuse(
-                &call.method,
                 format!(
-                    "arrays and iterators have `iter`, `map`, `flat_map`, `filter`, `zip`, `enumerate`, `windows`, \
-                     `rev`, `skip`, `take`, `len` and `sum`; not `{name}` with these arguments"
+                    "vectors have `dot`, `norm`, `norm_squared`, `cross`, `sum`, `iter` and components; not `{name}`"
                 ),
             ),
         }
     }
 
+    fn method_of_array(
+        &mut self,
+        call: &ExprMethodCall,
+        name: &str,
+        items: &Rc<Vec<Value>>,
+        arguments: &[Value],
+    ) -> Value {
+        match (name, arguments) {
+            ("iter" | "into_iter", []) => Value::Iterator(items.clone()),
+            ("len", []) => Value::Integer(items.len() as i128),
+            ("windows", [Value::Integer(n @ 1..)]) => {
+                let windows = items.windows(usize::try_from(*n).unwrap_or(usize::MAX));
+                Value::iterator(windows.map(|window| Value::list(window.to_vec())))
+            }
+            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
+                Some(mapped) => Value::list(mapped),
+                None => Value::Poison,
+            },
+            _ => self.refuse(
+                &call.method,
+                format!("arrays have `iter`, `map`, `windows` and `len`; not `{name}` with these arguments"),
+            ),
+        }
+    }
+
+    fn method_of_iterator(
+        &mut self,
+        call: &ExprMethodCall,
+        name: &str,
+        items: &Rc<Vec<Value>>,
+        arguments: &[Value],
+    ) -> Value {
+        let count = |n: &i128| usize::try_from(*n).unwrap_or(usize::MAX);
+        match (name, arguments) {
+            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Iterator(items.clone()),
+            ("rev", []) => Value::iterator(items.iter().rev().cloned()),
+            ("len" | "count", []) => Value::Integer(items.len() as i128),
+            ("enumerate", []) => {
+                let pair = |(i, item): (usize, &Value)| Value::Tuple(vec![Value::Integer(i as i128), item.clone()]);
+                Value::iterator(items.iter().enumerate().map(pair))
+            }
+            ("zip", [other]) => match self.list(&call.args[0], other.clone()) {
+                Some(other) => {
+                    let pair = |(a, b): (&Value, &Value)| Value::Tuple(vec![a.clone(), b.clone()]);
+                    Value::iterator(items.iter().zip(other.iter()).map(pair))
+                }
+                None => Value::Poison,
+            },
+            ("skip", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().skip(count(n)).cloned()),
+            ("take", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().take(count(n)).cloned()),
+            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
+                Some(mapped) => Value::iterator(mapped),
+                None => Value::Poison,
+            },
+            ("flat_map", [Value::Callable(function, sees)]) => {
+                let Some(mapped) = self.map(call, items, (function, sees)) else { return Value::Poison };
+                let mut flat = vec![];
+                for inner in mapped {
+                    match self.list(&call.args[0], inner) {
+                        Some(inner) => flat.extend(inner.iter().cloned()),
+                        None => return Value::Poison,
+                    }
+                }
+                Value::iterator(flat)
+            }
+            ("filter", [Value::Callable(function, sees)]) => self.filter(call, items, (function, sees)),
+            ("sum", []) => self.sum(call, items),
+            _ => self.refuse(
+                &call.method,
+                format!(
+                    "iterators have `map`, `flat_map`, `filter`, `zip`, `enumerate`, `rev`, `skip`, `take`, `count` \
+                     and `sum`; not `{name}` with these arguments"
+                ),
+            ),
+        }
+    }
+
+    fn map(
+        &mut self,
+        call: &ExprMethodCall,
+        items: &[Value],
+        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
+    ) -> Option<Vec<Value>> {
+        let said = self.errors.len();
+        let mut mapped = vec![];
+        for item in items {
+            if self.errors.len() > said || self.exhausted(&call.method) {
+                return None;
+            }
+            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
+                Value::Poison => return None,
+                value => mapped.push(value),
+            }
+        }
+        Some(mapped)
+    }
+
     fn filter(
         &mut self,
         call: &ExprMethodCall,
-        items: Vec<Value>,
-        function: &std::rc::Rc<super::value::Callable>,
+        items: &[Value],
+        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
     ) -> Value {
         let mut kept = vec![];
         for item in items {
-            match self.apply(&call.method, function, vec![item.clone()]) {
+            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
                 Value::Truth(truth) => match self.graph.as_truth(truth) {
-                    Some(true) => kept.push(item),
+                    Some(true) => kept.push(item.clone()),
                     Some(false) => {}
                     None => return self.refuse(&call.args[0], "a filter may depend on indices, not on data: use `if`"),
                 },
@@ -180,28 +248,25 @@ impl Lowering {
                 _ => return self.refuse(&call.args[0], "a filter has a condition"),
             }
         }
-        Value::List(kept)
+        Value::iterator(kept)
     }
 
-    fn sum(&mut self, call: &ExprMethodCall, items: Vec<Value>) -> Value {
-        let mut items = items.into_iter();
+    fn sum(&mut self, call: &ExprMethodCall, items: &[Value]) -> Value {
+        let mut items = items.iter().cloned();
         let Some(mut total) = items.next() else {
             return Value::Real(self.graph.zero());
         };
         for item in items {
             total = self.arithmetic(call, &syn::BinOp::Add(Default::default()), total, item);
         }
-        match total {
-            Value::Opaque(path) => Value::Real(self.constant(path)),
-            total => total,
-        }
+        total
     }
 
     /// A value as a list to go over.
-    pub(super) fn list(&mut self, syntax: &Expr, value: Value) -> Option<Vec<Value>> {
+    pub(super) fn list(&mut self, syntax: &Expr, value: Value) -> Option<Rc<Vec<Value>>> {
         match value {
-            Value::List(items) => return Some(items),
-            Value::Vector(ids) => return Some(ids.into_iter().map(Value::Real).collect()),
+            Value::List(items) | Value::Iterator(items) => return Some(items),
+            Value::Vector(ids) => return Some(Rc::new(ids.into_iter().map(Value::Real).collect())),
             Value::Poison => {}
             other => {
                 self.refuse(syntax, format!("loops go over ranges, arrays and iterators; this is {}", other.kind()));
@@ -209,6 +274,10 @@ impl Lowering {
         }
         None
     }
+}
+
+fn is_opaque(arguments: &[Value]) -> bool {
+    arguments.iter().all(|value| matches!(value, Value::Opaque(_) | Value::Integer(_)))
 }
 
 fn dot(graph: &mut crate::ir::Graph, a: &[Id], b: &[Id]) -> Id {

@@ -3,10 +3,12 @@
 //! Integers, ranges, loops, closures and arrays are evaluated while lowering; what is left is arithmetic on numbers.
 //! This is the last stage that sees syntax: it hands on a table from nodes to the places at which they were written.
 
+mod constants;
 mod expr;
 mod method;
 mod scope;
 mod statement;
+mod unseen;
 mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
@@ -16,8 +18,10 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::Scopes;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::fmt::Display;
-use value::Value;
+use std::rc::Rc;
+use value::{Callable, Value};
 
 /// A body as a graph.
 pub(crate) struct Lowered {
@@ -39,11 +43,11 @@ const MAX_NODES: usize = 20_000;
 /// Evaluations, to stop loops that do nothing but run.
 const MAX_EVALUATIONS: usize = 500_000;
 
-/// Calls inside calls.
-const MAX_DEPTH: usize = 64;
-
 /// Lowers the body of an energy.
 pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
+    let mut unseen = Diagnostics::default();
+    unseen::report(&energy.item.block, &energy.float, &mut unseen);
+    unseen.or(())?;
     let mut lowering = Lowering {
         graph: Graph::default(),
         errors: Diagnostics::default(),
@@ -53,6 +57,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
         evaluations: 0,
         calls: vec![],
+        float: energy.float.to_string(),
     };
     for (role, argument) in &energy.arguments {
         let symbols = energy.symbols(*role, argument);
@@ -75,8 +80,10 @@ struct Lowering {
     /// The number of scalar parameters.
     parameters: u32,
     evaluations: usize,
-    /// Nested functions being evaluated.
-    calls: Vec<String>,
+    /// Closures and nested functions being evaluated.
+    calls: Vec<Rc<Callable>>,
+    /// The type of all numbers.
+    float: String,
 }
 
 impl Lowering {
@@ -121,11 +128,11 @@ impl Lowering {
 
     /// Remembers where a node was written first.
     fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Id {
-        if !self.places.contains_key(&id) {
+        if let Entry::Vacant(place) = self.places.entry(id) {
             let mut tokens = syntax.to_token_stream().into_iter();
             if let Some(first) = tokens.next() {
                 let last = tokens.last().map_or(first.span(), |last| last.span());
-                self.places.insert(id, (first.span(), last));
+                place.insert((first.span(), last));
             }
         }
         id

@@ -1,21 +1,46 @@
-//! Names and what they are bound to.
+//! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
 
-use super::value::Value;
-use proc_macro2::Ident;
+use super::value::{Callable, Constant, Value};
 use std::collections::{HashMap, HashSet};
+use std::rc::Rc;
 
-/// Nested scopes of one function body.
+/// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure
+/// captures what it sees.
+#[derive(Clone)]
 pub(super) struct Scopes {
-    levels: Vec<HashMap<String, Value>>,
+    levels: Vec<Rc<Level>>,
     /// Variables of levels below this one may not be assigned to: they belong to what is around a branch or closure.
     closed_below: usize,
     /// Accumulators of the loops around, with the level above which the loop's own variables live.
-    accumulators: Vec<(HashSet<String>, usize)>,
+    accumulators: Vec<(Rc<HashSet<String>>, usize)>,
+}
+
+/// A block: variables are visible from their `let` on, items from its first line on.
+#[derive(Clone, Default)]
+struct Level {
+    variables: HashMap<String, Value>,
+    items: HashMap<String, Item>,
+}
+
+/// An item that can be named in an expression.
+#[derive(Clone)]
+pub(super) enum Item {
+    Function(Rc<Callable>),
+    Constant(Rc<Constant>),
+    /// A constant of the standard library under the name that `use` gives it.
+    Import(Value),
+}
+
+/// What a name stands for.
+pub(super) enum Found {
+    Variable(Value),
+    /// An item, and what it sees: the items around it, never the variables.
+    Item(Item, Scopes),
 }
 
 impl Default for Scopes {
     fn default() -> Self {
-        Scopes { levels: vec![HashMap::new()], closed_below: 0, accumulators: vec![] }
+        Scopes { levels: vec![Rc::default()], closed_below: 0, accumulators: vec![] }
     }
 }
 
@@ -27,40 +52,61 @@ pub(super) enum Refused {
 
 impl Scopes {
     pub(super) fn enter(&mut self) {
-        self.levels.push(HashMap::new());
+        self.levels.push(Rc::default());
     }
 
     pub(super) fn leave(&mut self) {
         self.levels.pop();
     }
 
-    pub(super) fn bind(&mut self, name: &Ident, value: Value) {
-        if let Some(level) = self.levels.last_mut() {
-            level.insert(name.to_string(), value);
+    fn innermost(&mut self) -> Option<&mut Level> {
+        self.levels.last_mut().map(Rc::make_mut)
+    }
+
+    pub(super) fn bind(&mut self, name: &impl ToString, value: Value) {
+        if let Some(level) = self.innermost() {
+            level.variables.insert(name.to_string(), value);
         }
     }
 
-    fn level_of(&self, name: &str) -> Option<usize> {
-        self.levels.iter().rposition(|level| level.contains_key(name))
+    pub(super) fn declare(&mut self, name: &impl ToString, item: Item) {
+        if let Some(level) = self.innermost() {
+            level.items.insert(name.to_string(), item);
+        }
     }
 
-    pub(super) fn get(&self, name: &str) -> Option<&Value> {
-        self.level_of(name).and_then(|level| self.levels[level].get(name))
+    pub(super) fn get(&self, name: &str) -> Option<Found> {
+        let (level, names) = self.levels.iter().enumerate().rev().find(|(_, level)| level.knows(name))?;
+        Some(match names.variables.get(name) {
+            Some(value) => Found::Variable(value.clone()),
+            None => Found::Item(names.items.get(name)?.clone(), self.items_only(level)),
+        })
+    }
+
+    /// What an item of a level sees.
+    fn items_only(&self, level: usize) -> Scopes {
+        let items = |level: &Rc<Level>| Rc::new(Level { items: level.items.clone(), ..Level::default() });
+        Scopes { levels: self.levels[..=level].iter().map(items).collect(), ..Scopes::default() }
+    }
+
+    fn level_of_variable(&self, name: &str) -> Option<usize> {
+        let level = self.levels.iter().rposition(|level| level.knows(name))?;
+        self.levels[level].variables.contains_key(name).then_some(level)
     }
 
     /// Whether a name is being accumulated by a loop around, so that its value is not known before the loop ends.
     pub(super) fn is_accumulating(&self, name: &str) -> bool {
-        let Some(level) = self.level_of(name) else { return false };
+        let Some(level) = self.level_of_variable(name) else { return false };
         self.accumulators.iter().any(|(names, outside)| level < *outside && names.contains(name))
     }
 
     /// A variable to add to.
     pub(super) fn accumulator(&mut self, name: &str) -> Result<&mut Value, Refused> {
-        let level = self.level_of(name).ok_or(Refused::Unknown)?;
+        let level = self.level_of_variable(name).ok_or(Refused::Unknown)?;
         if level < self.closed_below {
             return Err(Refused::Outside);
         }
-        self.levels[level].get_mut(name).ok_or(Refused::Unknown)
+        Rc::make_mut(&mut self.levels[level]).variables.get_mut(name).ok_or(Refused::Unknown)
     }
 
     /// From here on outer variables may be read but not assigned to; returns what [`Scopes::open`] needs.
@@ -73,24 +119,16 @@ impl Scopes {
     }
 
     pub(super) fn enter_loop(&mut self, accumulators: HashSet<String>) {
-        self.accumulators.push((accumulators, self.levels.len()));
+        self.accumulators.push((Rc::new(accumulators), self.levels.len()));
     }
 
     pub(super) fn leave_loop(&mut self) {
         self.accumulators.pop();
     }
+}
 
-    /// The innermost scope with everything that is visible in it, for a closure.
-    pub(super) fn snapshot(&self) -> HashMap<String, Value> {
-        let mut all = HashMap::new();
-        for level in &self.levels {
-            all.extend(level.iter().map(|(name, value)| (name.clone(), value.clone())));
-        }
-        all
-    }
-
-    /// Scopes in which only `visible` can be seen.
-    pub(super) fn with(visible: HashMap<String, Value>) -> Self {
-        Scopes { levels: vec![visible], ..Scopes::default() }
+impl Level {
+    fn knows(&self, name: &str) -> bool {
+        self.variables.contains_key(name) || self.items.contains_key(name)
     }
 }

@@ -1,13 +1,16 @@
 //! Blocks, `let`, items, loops and accumulation.
 
-use super::scope::Refused;
-use super::value::{Callable, Value};
+use super::constants::imported;
+use super::scope::{self, Refused, Scopes};
+use super::value::{Callable, Constant, Progress, Value};
 use super::{Lowering, MAX_NODES};
+use crate::ir::Number;
 use quote::ToTokens;
-use std::collections::{HashMap, HashSet};
+use std::cell::RefCell;
+use std::collections::HashSet;
 use std::rc::Rc;
 use syn::visit::Visit;
-use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, Item, Pat, Stmt};
+use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, Item, Pat, PatIdent, Stmt};
 
 const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for` with `+=`, and a last expression";
 
@@ -23,29 +26,58 @@ impl Lowering {
         last
     }
 
-    /// Constants and functions can be used before they are written.
+    /// Items can be used before they are written, and see items only.
     fn items(&mut self, block: &Block) {
+        let mut imports = vec![];
         for statement in &block.stmts {
-            if let Stmt::Item(Item::Fn(item)) = statement {
-                let parameters = item.sig.inputs.iter().filter_map(|input| match input {
-                    syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
-                    syn::FnArg::Receiver(_) => None,
-                });
-                let callable = Callable {
-                    name: Some(item.sig.ident.to_string()),
-                    parameters: parameters.collect(),
-                    body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
-                    visible: HashMap::new(),
-                };
-                self.scopes.bind(&item.sig.ident, Value::Callable(Rc::new(callable)));
+            if let Stmt::Item(Item::Use(item)) = statement {
+                imported(&item.tree, &mut vec![], &mut imports);
             }
         }
+        // What is imported by name hides what comes by `*`, and items hide both.
+        imports.sort_by_key(|(_, _, glob)| !*glob);
+        for (name, value, _) in imports {
+            let value = self.graph.number(Number::float(value));
+            self.scopes.declare(&name, scope::Item::Import(Value::Real(value)));
+        }
         for statement in &block.stmts {
-            if let Stmt::Item(Item::Const(item)) = statement {
-                let value = self.expr(&item.expr);
-                self.scopes.bind(&item.ident, value);
+            match statement {
+                Stmt::Item(Item::Fn(item)) => {
+                    let parameters = item.sig.inputs.iter().filter_map(|input| match input {
+                        syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
+                        syn::FnArg::Receiver(_) => None,
+                    });
+                    let callable = Callable {
+                        name: Some(item.sig.ident.to_string()),
+                        parameters: parameters.collect(),
+                        body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
+                    };
+                    self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
+                }
+                Stmt::Item(Item::Const(item)) => {
+                    let constant = Constant { expr: (*item.expr).clone(), value: RefCell::new(Progress::Untouched) };
+                    self.scopes.declare(&item.ident, scope::Item::Constant(Rc::new(constant)));
+                }
+                _ => {}
             }
         }
+    }
+
+    /// The value of a `const` item that sees what is in `sees`.
+    pub(super) fn constant_item(&mut self, syntax: &impl ToTokens, constant: &Constant, sees: Scopes) -> Value {
+        let progress = constant.value.replace(Progress::Underway);
+        let value = match progress {
+            Progress::Known(value) => value,
+            Progress::Underway => self.refuse(syntax, "this constant is defined in terms of itself"),
+            Progress::Untouched => {
+                let before = std::mem::replace(&mut self.scopes, sees);
+                let value = self.expr(&constant.expr);
+                self.scopes = before;
+                value
+            }
+        };
+        constant.value.replace(Progress::Known(value.clone()));
+        value
     }
 
     fn statement(&mut self, statement: &Stmt) -> Value {
@@ -56,18 +88,21 @@ impl Lowering {
                     self.bind(&local.pat, value);
                     Value::unit()
                 }
-                Some(_) => self.refuse(local, "`let … else` has no derivative; use `if` as an expression"),
-                None => self.refuse(local, "give the variable its value here: `let name = …;`"),
+                Some(_) => self.refuse_names(local, "`let … else` has no derivative; use `if` as an expression"),
+                None => self.refuse_names(local, "give the variable its value here: `let name = …;`"),
             },
             Stmt::Item(Item::Fn(_) | Item::Const(_)) => Value::unit(),
-            Stmt::Item(Item::Use(item)) if item.to_token_stream().to_string().contains("consts") => Value::unit(),
-            Stmt::Item(Item::Use(item)) => {
-                self.refuse(item, "the generated code cannot see imports inside the body: move this above the function")
-            }
+            Stmt::Item(Item::Use(item)) if imported(&item.tree, &mut vec![], &mut vec![]) => Value::unit(),
+            Stmt::Item(Item::Use(item)) => self.refuse(
+                item,
+                "the generated code cannot see imports inside the body: move this above the function; only \
+                     constants of `std::f64::consts` can be imported here",
+            ),
             Stmt::Item(item) => self.refuse(item, format!("this item is not part of an energy; {STATEMENTS}")),
             Stmt::Expr(expr, semicolon) => {
                 let value = self.expr(expr);
-                if semicolon.is_some() { Value::unit() } else { value }
+                // A statement that was refused may have been the value: `return x;`.
+                if semicolon.is_some() && !matches!(value, Value::Poison) { Value::unit() } else { value }
             }
             Stmt::Macro(call) => self.refuse(call, format!("the macro cannot see into other macros; {STATEMENTS}")),
         }
@@ -76,6 +111,13 @@ impl Lowering {
     /// Binds the names of a pattern.
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         match (pattern, value) {
+            (Pat::Ident(PatIdent { by_ref: Some(_), mutability: Some(_), .. }), _) => {
+                self.refuse(
+                    pattern,
+                    "what is changed through a reference is not followed: bind a new variable with `let`",
+                );
+                self.poison_names(pattern);
+            }
             (Pat::Ident(ident), value) if ident.subpat.is_none() => self.scopes.bind(&ident.ident, value),
             (Pat::Type(typed), value) => self.bind(&typed.pat, value),
             (Pat::Paren(inner), value) => self.bind(&inner.pat, value),
@@ -87,8 +129,8 @@ impl Lowering {
                 }
             }
             (Pat::Slice(pattern), Value::List(values)) if pattern.elems.len() == values.len() => {
-                for (pattern, value) in pattern.elems.iter().zip(values) {
-                    self.bind(pattern, value);
+                for (pattern, value) in pattern.elems.iter().zip(values.iter()) {
+                    self.bind(pattern, value.clone());
                 }
             }
             (pattern, Value::Poison) => self.poison_names(pattern),
@@ -96,11 +138,19 @@ impl Lowering {
                 let kind = value.kind();
                 self.refuse(
                     pattern,
-                    format!("this pattern does not fit {kind}; patterns are names, tuples `(a, b)` and arrays `[a, b]`"),
+                    format!(
+                        "this pattern does not fit {kind}; patterns are names, tuples `(a, b)` and arrays `[a, b]`"
+                    ),
                 );
                 self.poison_names(pattern);
             }
         }
+    }
+
+    /// Refuses a `let`, but not the uses of what it would bind.
+    fn refuse_names(&mut self, local: &syn::Local, message: &str) -> Value {
+        self.poison_names(&local.pat);
+        self.refuse(local, message)
     }
 
     /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
@@ -118,12 +168,14 @@ impl Lowering {
         let domain = self.expr(&for_loop.expr);
         let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
         self.scopes.enter_loop(accumulated(&for_loop.body));
-        for item in items {
-            if self.exhausted(&for_loop.for_token) {
+        let said = self.errors.len();
+        for item in items.iter() {
+            // The other rounds would say the same.
+            if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
                 break;
             }
             self.scopes.enter();
-            self.bind(&for_loop.pat, item);
+            self.bind(&for_loop.pat, item.clone());
             self.block(&for_loop.body);
             self.scopes.leave();
         }
@@ -170,7 +222,11 @@ impl Lowering {
         let Some(name) = simple_name(target) else {
             return self.refuse(assignment, "elements cannot be assigned to; build the array in one expression");
         };
-        if self.scopes.is_accumulating(&name) || !matches!(self.scopes.accumulator(&name), Ok(_) | Err(Refused::Unknown)) {
+        let variable = self.scopes.accumulator(&name);
+        if let Ok(Value::Poison) = variable {
+            return Value::Poison;
+        }
+        if matches!(variable, Err(Refused::Outside)) || self.scopes.is_accumulating(&name) {
             return self.refuse(assignment, assignment_outside(&name));
         }
         self.refuse(

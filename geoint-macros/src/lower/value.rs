@@ -1,9 +1,10 @@
 //! What expressions evaluate to while a body is lowered.
 
+use super::scope::Scopes;
 use crate::ir::Id;
 use crate::parse::Shape;
 use proc_macro2::TokenStream;
-use std::collections::HashMap;
+use std::cell::RefCell;
 use std::rc::Rc;
 
 /// A value during lowering.
@@ -17,11 +18,15 @@ pub(super) enum Value {
     Truth(Id),
     /// A column vector of nalgebra.
     Vector(Vec<Id>),
-    /// An array, a range, or an iterator over something.
-    List(Vec<Value>),
+    /// An array.
+    List(Rc<Vec<Value>>),
+    /// A range, or an iterator over something.
+    Iterator(Rc<Vec<Value>>),
     Tuple(Vec<Value>),
-    Callable(Rc<Callable>),
-    /// A constant that lives outside the function.
+    /// A closure or a nested function, with what it sees.
+    Callable(Rc<Callable>, Rc<Scopes>),
+    /// A constant that lives outside the function, or what is computed from such constants alone. Only rustc knows its
+    /// value, and whether its `/` is that of integers.
     Opaque(TokenStream),
     /// What has been reported already.
     Poison,
@@ -33,8 +38,21 @@ pub(super) struct Callable {
     pub(super) name: Option<String>,
     pub(super) parameters: Vec<syn::Pat>,
     pub(super) body: syn::Expr,
-    /// What a closure sees; nested functions see only items, which are bound when they are called.
-    pub(super) visible: HashMap<String, Value>,
+}
+
+/// A `const` item, evaluated when it is first used: items may refer to later ones.
+pub(super) struct Constant {
+    pub(super) expr: syn::Expr,
+    pub(super) value: RefCell<Progress>,
+}
+
+/// How far the evaluation of a constant is.
+#[derive(Clone)]
+pub(super) enum Progress {
+    Untouched,
+    /// Whoever asks now is part of the definition.
+    Underway,
+    Known(Value),
 }
 
 impl Value {
@@ -45,10 +63,11 @@ impl Value {
             Value::Integer(_) => "an integer (write `2.0` for a number)",
             Value::Truth(_) => "a condition",
             Value::Vector(_) => "a vector",
-            Value::List(_) => "an array or iterator",
+            Value::List(_) => "an array",
+            Value::Iterator(_) => "an iterator",
             Value::Tuple(items) if items.is_empty() => "nothing: the last expression must be a value",
             Value::Tuple(_) => "a tuple",
-            Value::Callable(_) => "a function",
+            Value::Callable(..) => "a function",
             Value::Opaque(_) => "a constant",
             Value::Poison => "an error",
         }
@@ -57,6 +76,14 @@ impl Value {
     pub(super) fn unit() -> Value {
         Value::Tuple(vec![])
     }
+
+    pub(super) fn list(items: Vec<Value>) -> Value {
+        Value::List(Rc::new(items))
+    }
+
+    pub(super) fn iterator(items: impl IntoIterator<Item = Value>) -> Value {
+        Value::Iterator(Rc::new(items.into_iter().collect()))
+    }
 }
 
 /// Scalars in the shape of an argument.
@@ -64,10 +91,10 @@ pub(super) fn shaped(shape: &Shape, ids: &[Id]) -> Value {
     match shape.extents[..] {
         [] => Value::Real(ids[0]),
         [_] if shape.vector => Value::Vector(ids.to_vec()),
-        [_] => Value::List(ids.iter().map(|id| Value::Real(*id)).collect()),
+        [_] => Value::list(ids.iter().map(|id| Value::Real(*id)).collect()),
         [_, ref inner @ ..] => {
             let inner = Shape { extents: inner.to_vec(), vector: shape.vector };
-            Value::List(ids.chunks(inner.len()).map(|chunk| shaped(&inner, chunk)).collect())
+            Value::list(ids.chunks(inner.len()).map(|chunk| shaped(&inner, chunk)).collect())
         }
     }
 }

@@ -3,6 +3,7 @@
 mod cost;
 mod derivatives;
 mod schedules;
+mod meaning;
 mod snapshots;
 mod structures;
 
