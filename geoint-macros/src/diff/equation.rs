@@ -14,14 +14,13 @@ use crate::ir::{Graph, Id, Number, Symbol};
 pub(crate) struct Equation {
     /// What is solved for: momentum increments, or position and momentum increments.
     pub(crate) unknowns: Vec<Symbol>,
+    /// Position increments in terms of momentum increments, if those alone are solved for. What follows reads both.
+    pub(crate) drift: Option<Vec<Id>>,
     pub(crate) residual: Vec<Id>,
     /// ∂residualᵢ/∂unknownⱼ, a row an equation.
     pub(crate) jacobian: Vec<Vec<Id>>,
     /// An explicit approximation of the unknowns.
     pub(crate) guess: Vec<Id>,
-    /// The increments of q and p in terms of the unknowns.
-    pub(crate) dq: Vec<Id>,
-    pub(crate) dp: Vec<Id>,
 }
 
 /// y' = f(y, t) for y = (q, p); or q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
@@ -92,27 +91,20 @@ pub(crate) fn tree(
         let unknowns = [dq, dp].concat();
         let residual = difference(graph, &[&q[..], &p].concat(), &[drift, kick].concat());
         let jacobian = jacobian(graph, &residual, &unknowns);
-        return Ok(Equation { unknowns, residual, jacobian, guess, dq: q, dp: p });
+        return Ok(Equation { unknowns, drift: None, residual, jacobian, guess });
     }
     // ∂residual/∂dp = 1 − (∂kick/∂dq)·(∂dq/∂dp): the chain rule by hand keeps ∂dq/∂dp, a constant, out of every term.
     let inner = jacobian(graph, &kick, &dq);
     let outer = jacobian(graph, &drift, &dp);
     let residual = difference(graph, &p, &kick);
-    let mut entries = product(graph, &inner, &outer).concat();
-    let n = degrees as usize;
-    for (place, entry) in entries.iter_mut().enumerate() {
-        let unit = graph.integer(i64::from(place % (n + 1) == 0));
-        *entry = graph.sub(unit, *entry);
+    let mut jacobian = product(graph, &inner, &outer);
+    for (i, row) in jacobian.iter_mut().enumerate() {
+        for (k, entry) in row.iter_mut().enumerate() {
+            let unit = graph.integer(i64::from(i == k));
+            *entry = graph.sub(unit, *entry);
+        }
     }
-    // In terms of dp alone.
-    let roots = [&residual[..], &entries].concat();
-    let reduced = substitute(graph, &roots, |_, symbol| match symbol {
-        Symbol::Dq(i) => Some(drift[i as usize]),
-        _ => None,
-    });
-    let (residual, entries) = reduced.split_at(n);
-    let jacobian = entries.chunks(n).map(<[Id]>::to_vec).collect();
-    Ok(Equation { unknowns: dp, residual: residual.to_vec(), jacobian, guess, dq: drift, dp: p })
+    Ok(Equation { unknowns: dp, drift: Some(drift), residual, jacobian, guess })
 }
 
 fn difference(graph: &mut Graph, a: &[Id], b: &[Id]) -> Vec<Id> {

@@ -8,7 +8,7 @@ use crate::diff::equation::{Equation, Field};
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The places of a square matrix, row by row.
 fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
@@ -29,13 +29,13 @@ pub(super) fn discrete_gradient(
     let entries = square(&places);
 
     let iteration: Vec<Id> = equation.residual.iter().chain(equation.jacobian.iter().flatten()).copied().collect();
-    let increments: Vec<Id> = [&equation.dq[..], &equation.dp[..]].concat();
+    let drift = equation.drift.as_deref().unwrap_or_default();
     let level = |symbol| match symbol {
         Symbol::Parameter(_) | Symbol::H => 0,
         Symbol::Q(_) | Symbol::P(_) | Symbol::T => 1,
         Symbol::Dq(_) | Symbol::Dp(_) => 2,
     };
-    let plan = schedule::plan(graph, level, &[&[], &equation.guess], &[&iteration, &increments]);
+    let plan = schedule::plan(graph, level, &[&[], &equation.guess], &[&iteration, drift]);
 
     let outside = (&unknowns[..], "increment");
     let prepare = context.planned(&plan.stores[0], outside, |values| quote!([#(#values),*]));
@@ -44,21 +44,21 @@ pub(super) fn discrete_gradient(
         let guess = write("guess", &places, guess);
         quote!(let mut guess = <#increment as Array>::zero(); #guess ([#(#slots),*], guess))
     });
+    // Increments of positions, if those of momenta are the unknowns.
+    let drift = context.planned(&plan.last[1], outside, |values| {
+        let names = (0..values.len()).map(|i| format_ident!("dq{i}"));
+        quote!(#(let #names = #values;)*)
+    });
     let residual = context.planned(&plan.last[0], outside, |values| {
         let (residual, jacobian) = values.split_at(unknowns.len());
         let residual = write("residual", &places, residual);
         let jacobian = write("jacobian", &entries, jacobian);
         quote!(#residual #jacobian)
     });
-    let finish = context.planned(&plan.last[1], outside, |values| {
-        let coordinates = context.coordinates();
-        let (dq, dp) = values.split_at(coordinates.len());
-        let add = |base: TokenStream, values: &[TokenStream]| -> TokenStream {
-            let places = coordinates.iter().map(|indices| place(base.clone(), indices));
-            quote!(#(#places += #values;)*)
-        };
-        let (q, p) = (add(quote!(q), dq), add(quote!(p), dp));
-        quote!(#q #p)
+    let finish = (0..context.energy.degrees()).map(|i| {
+        let [q, p] = [quote!(q), quote!(p)].map(|base| place(base, &context.coordinate(i)));
+        let [dq, dp] = [Symbol::Dq(i), Symbol::Dp(i)].map(|s| context.input_or_unknown(unknowns, "increment", s));
+        quote!(#q += #dq; #p += #dp;)
     });
     let origin = if unknowns.len() == context.coordinates().len() { quote!(*p) } else { quote!([*q, *p]) };
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
@@ -88,6 +88,7 @@ pub(super) fn discrete_gradient(
                 residual: &mut #increment,
                 jacobian: &mut Square<#increment>,
             ) {
+                #drift
                 #residual
             }
             #[inline(always)]
@@ -98,11 +99,12 @@ pub(super) fn discrete_gradient(
                 q: &mut #array,
                 p: &mut #array,
             ) {
-                #finish
+                #drift
+                #(#finish)*
             }
         }
     };
-    (tokens, plan.last[0].operations())
+    (tokens, plan.last[1].operations() + plan.last[0].operations())
 }
 
 /// An implementation that no scalar satisfies, whose message names the term that has no slope.

@@ -96,8 +96,9 @@ impl Context<'_> {
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
             Symbol::Parameter(i) => self.parameter(i),
-            // Increments occur only as unknowns, which have an array of their own.
-            Symbol::Dq(i) | Symbol::Dp(i) => place(quote!(increment), &self.coordinate(i)),
+            // Increments that are not unknowns follow from those.
+            Symbol::Dq(i) => format_ident!("dq{i}").into_token_stream(),
+            Symbol::Dp(i) => format_ident!("dp{i}").into_token_stream(),
         }
     }
 
@@ -132,7 +133,7 @@ impl Context<'_> {
     }
 
     /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
-    fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> TokenStream {
+    pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> TokenStream {
         match unknowns.iter().position(|unknown| *unknown == symbol) {
             Some(i) => {
                 let array = format_ident!("{array}");

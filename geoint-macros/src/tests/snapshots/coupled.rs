@@ -253,8 +253,8 @@ const _: () = {
             p: &mut [R; 2],
         ) {
             q[0] += increment[0][0];
-            q[1] += increment[0][1];
             p[0] += increment[1][0];
+            q[1] += increment[0][1];
             p[1] += increment[1][1];
         }
     }
