@@ -1,1 +1,12 @@
-//! t
+//! What the example programs share: what a run costs, a place for output, tables for the terminal, figures.
+//!
+//! Everything that teaches how to use the library is in the programs themselves.
+
+mod cost;
+mod output;
+pub mod plot;
+mod table;
+
+pub use cost::{looks, shortest};
+pub use output::{claim, output, shown};
+pub use table::table;

@@ -1,0 +1,207 @@
+//! What if the energy is not T(p) + V(q)? A double pendulum, whose arms couple q and p.
+//!
+//! Kick and drift do not exist here, so explicit methods such as Verlet do not compile for it. Three families do without
+//! them: collocation, the midpoint rule and the discrete gradient, alone or composed to a higher order.
+
+use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
+use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use std::error::Error;
+use std::time::Duration;
+
+/// Two pendulums, the second hanging from the first; q angles from below in rad, p in kg m²/s.
+#[hamiltonian]
+fn double_pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
+    let [a, b] = q;
+    let (sin, cos) = (a - b).sin_cos();
+    let u = p[0] / l1;
+    let v = p[1] / l2;
+    let kinetic = (m2 * u * u + (m1 + m2) * v * v - 2.0 * m2 * u * v * cos) / (2.0 * m2 * (m1 + m2 * sin * sin));
+    let height = m1 * l1 * a.cos() + m2 * (l1 * a.cos() + l2 * b.cos());
+    kinetic - g * height
+}
+
+const SYSTEM: DoublePendulum = DoublePendulum { m1: 1.0, m2: 0.6, l1: 1.0, l2: 0.8, g: 9.81 };
+const SECONDS: f64 = 200.0;
+const SECONDS_BETWEEN_SAMPLES: f64 = 0.04;
+
+/// Positions and momenta of both arms at a time.
+type Arms = State<[f64; 2]>;
+
+/// Far from small, but still a regular motion: errors grow with time, not exponentially.
+fn start() -> Arms {
+    State::new([0.0, 1.4], [0.0, 0.0])
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", DoublePendulum::REPORT);
+
+    // Twelfth order: what is left of its error is rounding.
+    let truth = samples(Gauss::<6>, 0.02)?;
+    let conserving = DiscreteGradient::default();
+    let runs = [
+        run("ExplicitEuler", ExplicitEuler, 0.001, &truth)?,
+        run("ImplicitMidpoint", ImplicitMidpoint, 0.01, &truth)?,
+        run("ImplicitMidpoint", ImplicitMidpoint, 0.005, &truth)?,
+        run("DiscreteGradient", conserving, 0.01, &truth)?,
+        run("DiscreteGradient", conserving, 0.005, &truth)?,
+        run("Suzuki4.of(DiscreteGradient)", Suzuki4.of(conserving), 0.02, &truth)?,
+        run("Suzuki4.of(DiscreteGradient)", Suzuki4.of(conserving), 0.01, &truth)?,
+        run("Gauss::<3>", Gauss::<3>, 0.02, &truth)?,
+        run("Gauss::<3>", Gauss::<3>, 0.01, &truth)?,
+    ];
+    println!("Double pendulum, {SECONDS} s\n");
+    let head = ["method", "step / s", "looks", "time / ms", "energy error", "distance / m"];
+    println!("{}", table(head, &runs.each_ref().map(Run::row)));
+    println!(
+        "looks: points at which the energy is looked at; distance: of the lower bob from its true path, at most\n"
+    );
+
+    let [euler, midpoint, midpoint_half, conserve, conserve_half, suzuki, suzuki_half, gauss, gauss_half] = &runs;
+    draw_path()?;
+    draw_energy_errors(&[
+        (euler, palette::BLACK),
+        (midpoint, palette::VERMILION),
+        (gauss, palette::BLUE),
+        (conserve, palette::GREEN),
+    ])?;
+    println!();
+
+    claim("explicit Euler is off by more than half of the energy, with a tenth of the step", euler.energy_error > 0.5)?;
+    claim("the midpoint rule keeps it to 1e-4", midpoint.energy_error < 1e-4)?;
+    claim("the discrete gradient keeps it to 5e-14, composed or not", {
+        [conserve, conserve_half, suzuki, suzuki_half].iter().all(|run| run.energy_error < 5e-14)
+    })?;
+    let order = |coarse: &Run, fine: &Run| (coarse.distance / fine.distance).log2();
+    for (coarse, fine, claimed) in [
+        (midpoint, midpoint_half, 2.0),
+        (conserve, conserve_half, 2.0),
+        (suzuki, suzuki_half, 4.0),
+        (gauss, gauss_half, 6.0),
+    ] {
+        let (name, order) = (coarse.name, order(coarse, fine));
+        claim(&format!("{name} is of order {claimed} (observed {order:.2})"), (order - claimed).abs() < 0.15)?;
+    }
+    let apart = distance(&suzuki_half.samples, &gauss.samples);
+    claim(&format!("two methods that share nothing agree on the path to 0.01 mm ({apart:.1e} m)"), apart < 1e-5)
+}
+
+/// What one method did with one step size.
+struct Run {
+    name: &'static str,
+    step_size: f64,
+    looks: u64,
+    time: Duration,
+    samples: Vec<Arms>,
+    energy_error: f64,
+    distance: f64,
+}
+
+impl Run {
+    fn row(&self) -> [String; 6] {
+        [
+            self.name.into(),
+            self.step_size.to_string(),
+            self.looks.to_string(),
+            format!("{:.1}", self.time.as_secs_f64() * 1e3),
+            format!("{:.1e}", self.energy_error),
+            format!("{:.1e}", self.distance),
+        ]
+    }
+}
+
+/// One method with one step size, compared with the truth.
+fn run<M: Method<DoublePendulum, f64>>(
+    name: &'static str,
+    method: M,
+    h: f64,
+    truth: &[Arms],
+) -> Result<Run, Box<dyn Error>> {
+    let steps = (SECONDS / h).round() as u64;
+    let looks = looks(SYSTEM, method, h, start(), steps)?;
+    let time = shortest(|| SYSTEM.integrator(method, h, start()).advance(steps))?;
+    let samples = samples(method, h)?;
+    let distance = distance(&samples, truth);
+    Ok(Run { name, step_size: h, looks, time, energy_error: energy_error(&samples), samples, distance })
+}
+
+fn samples<M: Method<DoublePendulum, f64>>(method: M, h: f64) -> Result<Vec<Arms>, StepError> {
+    let stride = (SECONDS_BETWEEN_SAMPLES / h).round() as u64;
+    let samples = (SECONDS / SECONDS_BETWEEN_SAMPLES).round() as usize;
+    SYSTEM.integrator(method, h, start()).sampled(stride).take(samples).collect()
+}
+
+/// The largest change of the energy relative to its start.
+fn energy_error(samples: &[Arms]) -> f64 {
+    let first = SYSTEM.energy(&start());
+    samples.iter().map(|state| (SYSTEM.energy(state) / first - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// How far the lower bobs are apart, at most, in m.
+fn distance(samples: &[Arms], others: &[Arms]) -> f64 {
+    let apart = |(a, b): (&Arms, &Arms)| {
+        let ([_, a], [_, b]) = (bobs(a), bobs(b));
+        (a.0 - b.0).hypot(a.1 - b.1)
+    };
+    samples.iter().zip(others).map(apart).fold(0.0, f64::max)
+}
+
+/// Where the ends of the arms are, in m.
+fn bobs(state: &Arms) -> [(f64, f64); 2] {
+    let ([a, b], DoublePendulum { l1, l2, .. }) = (state.q, SYSTEM);
+    let upper = (l1 * a.sin(), -l1 * a.cos());
+    [upper, (upper.0 + l2 * b.sin(), upper.1 - l2 * b.cos())]
+}
+
+fn draw_path() -> Result<(), Box<dyn Error>> {
+    let mut sim = SYSTEM.integrator(Gauss::<3>, 0.01, start());
+    let samples: Vec<_> = sim.until(20.0).collect::<Result<_, _>>()?;
+    let end = sim.state();
+    let path = |bob: usize| samples.iter().map(|state| bobs(state)[bob]).collect();
+    let curve = |name: &str, colour, width, dot, points| Curve { name: name.into(), colour, width, dot, points };
+    let [upper, lower] = bobs(&end);
+    let panel = Panel {
+        title: format!("Double pendulum, the first {:.0} seconds", end.t),
+        x_label: "x (m)".into(),
+        y_label: "height (m)".into(),
+        x: -1.1..1.1,
+        y: -1.9..0.1,
+        scale: Scale::Equal,
+        names: Names::Above,
+        curves: vec![
+            curve("lower bob", palette::BLUE, 0.9, 0.0, path(1)),
+            curve("upper bob", palette::ORANGE, 0.9, 0.0, path(0)),
+            curve("arms", palette::BLACK, 2.0, 5.0, vec![(0.0, 0.0), upper, lower]),
+        ],
+    };
+    let path = output("double_pendulum_path.svg")?;
+    save(&path, (640, 560), &[panel])?;
+    println!("path        {}", shown(&path));
+    Ok(())
+}
+
+fn draw_energy_errors(runs: &[(&Run, palette::Colour)]) -> Result<(), Box<dyn Error>> {
+    let curve = |&(run, colour): &(&Run, palette::Colour)| Curve {
+        name: format!("{}, {} s", run.name, run.step_size),
+        colour,
+        width: 1.8,
+        dot: 0.0,
+        // The error vanishes now and then; its largest values make a curve that can be read.
+        points: run.samples.chunks(100).map(|seconds| (seconds[50].t, energy_error(seconds))).collect(),
+    };
+    let panel = Panel {
+        title: "Double pendulum: error of the energy".into(),
+        x_label: "time (s)".into(),
+        y_label: "relative energy error, largest in 4 s".into(),
+        x: 0.0..SECONDS,
+        y: -16.0..2.0,
+        scale: Scale::Logarithmic,
+        names: Names::AtEnds,
+        curves: runs.iter().map(curve).collect(),
+    };
+    let path = output("double_pendulum_energy.svg")?;
+    save(&path, (820, 480), &[panel])?;
+    println!("energies    {}", shown(&path));
+    Ok(())
+}

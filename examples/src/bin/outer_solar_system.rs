@@ -1,0 +1,309 @@
+//! Which orbits do the outer planets run through in 547 years, and what does each method lose on the way?
+//!
+//! The Sun, Jupiter, Saturn, Uranus, Neptune and Pluto attract each other; one energy function says so. All explicit
+//! methods get the same budget, the forces once in ten days: a step of a method with k stages is 10·k days long.
+//!
+//! Initial data: E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), section I.2.4,
+//! table 2.2: heliocentric, equatorial, for September 5, 1994, at 0h00.
+
+use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
+use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use indicatif::{ProgressBar, ProgressStyle};
+use nalgebra::Vector3;
+use std::error::Error;
+use std::time::Duration;
+
+/// Bodies under their mutual gravity; q in AU, p in solar masses · AU/d, m in solar masses, g in AU³/(d² solar mass).
+#[hamiltonian]
+fn outer_solar_system(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
+    let mut energy = 0.0;
+    for i in 0..6 {
+        energy += p[i].norm_squared() / (2.0 * m[i]);
+        for j in 0..i {
+            energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+        }
+    }
+    energy
+}
+
+const NAMES: [&str; 6] = ["Sun", "Jupiter", "Saturn", "Uranus", "Neptune", "Pluto"];
+
+/// The Sun has the inner planets added.
+const SYSTEM: OuterSolarSystem = OuterSolarSystem {
+    m: [1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449, 1.0 / 1.3e8],
+    g: 2.95912208286e-4,
+};
+
+const POSITIONS: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [-3.5023653, -3.8169847, -1.5507963],
+    [9.0755314, -3.0458353, -1.6483708],
+    [8.3101420, -16.2901086, -7.2521278],
+    [11.4707666, -25.7294829, -10.8169456],
+    [-15.5387357, -25.2225594, -3.1902382],
+];
+
+const VELOCITIES: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [0.00565429, -0.00412490, -0.00190589],
+    [0.00168318, 0.00483525, 0.00192462],
+    [0.00354178, 0.00137102, 0.00055029],
+    [0.00288930, 0.00114527, 0.00039677],
+    [0.00276725, -0.00170702, -0.00136504],
+];
+
+/// Positions and momenta of all bodies at a time.
+type Bodies = State<[Vector3<f64>; 6]>;
+
+fn start() -> Bodies {
+    let momentum = |i: usize| Vector3::from(VELOCITIES[i]) * SYSTEM.m[i];
+    State::new(POSITIONS.map(Vector3::from), std::array::from_fn(momentum))
+}
+
+const DAYS: f64 = 200_000.0;
+const FORCES: u64 = 20_000;
+const DAYS_BETWEEN_SAMPLES: f64 = 160.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let bar = progress(9);
+    let runs = [
+        explicit("ExplicitEuler", ExplicitEuler, 1, &bar)?,
+        explicit("StormerVerlet", StormerVerlet, 1, &bar)?,
+        explicit("PEFRL", PEFRL, 4, &bar)?,
+        explicit("BlanesMoan4", BlanesMoan4, 6, &bar)?,
+        explicit("BlanesMoanSrkn14a", BlanesMoanSrkn14a, 14, &bar)?,
+        explicit("BceRkn17_8", BceRkn17_8, 17, &bar)?,
+        explicit("KahanLi8_17a.of(StormerVerlet)", KahanLi8_17a.of(StormerVerlet), 17, &bar)?,
+        implicit("Gauss::<4>", Gauss::<4>, 500, &bar)?,
+        implicit("DiscreteGradient", DiscreteGradient::default(), 2_000, &bar)?,
+    ];
+    bar.finish_and_clear();
+    let [euler, verlet, .., order_8, _, _, conserving] = &runs;
+
+    println!("Outer solar system, {DAYS} days\n");
+    println!("{}", comparison(&runs)?);
+    println!("distance: of the planet that is furthest from where it should be at the end\n");
+
+    let jupiter = period(&order_8.samples, 1);
+    claim("explicit Euler is off by more than half of the energy", euler.energy_error() > 0.5)?;
+    claim("Verlet keeps it to 1e-5, in the last century as in the first", {
+        let before = verlet.samples.partition_point(|state| state.t < 36_525.0);
+        let (first, last) = (&verlet.samples[..before], &verlet.samples[verlet.samples.len() - before..]);
+        verlet.energy_error() < 1e-5 && energy_error(last) < 1.1 * energy_error(first)
+    })?;
+    claim("the method of order 8 keeps it to 2e-11 for the same number of forces", order_8.energy_error() < 2e-11)?;
+    claim("the discrete gradient keeps it to 5e-14", conserving.energy_error() < 5e-14)?;
+    claim("all but explicit Euler keep the angular momentum to 5e-14", {
+        euler.angular_momentum_error() > 0.1 && runs[1..].iter().all(|run| run.angular_momentum_error() < 5e-14)
+    })?;
+    claim(&format!("Jupiter goes round in {jupiter:.3} years; observed are 11.862"), (jupiter - 11.862).abs() < 0.01)?;
+
+    println!();
+    write_orbits(order_8)?;
+    draw_orbits(euler, order_8)?;
+    draw_energy_errors(&runs)
+}
+
+/// What one method did.
+struct Run {
+    name: &'static str,
+    steps: u64,
+    forces: u64,
+    time: Duration,
+    samples: Vec<Bodies>,
+}
+
+impl Run {
+    fn step_size(&self) -> f64 {
+        DAYS / self.steps as f64
+    }
+
+    fn energy_error(&self) -> f64 {
+        energy_error(&self.samples)
+    }
+
+    /// The largest change of the angular momentum relative to its length.
+    fn angular_momentum_error(&self) -> f64 {
+        let of = |state: &Bodies| -> Vector3<f64> { state.q.iter().zip(&state.p).map(|(q, p)| q.cross(p)).sum() };
+        let first = of(&start());
+        self.samples.iter().map(|state| (of(state) - first).norm() / first.norm()).fold(0.0, f64::max)
+    }
+}
+
+fn energy_error(samples: &[Bodies]) -> f64 {
+    samples.iter().map(|state| (SYSTEM.energy(state) / SYSTEM.energy(&start()) - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// As many steps as the budget allows for `stages` forces a step.
+fn explicit<M: Method<OuterSolarSystem, f64>>(
+    name: &'static str,
+    method: M,
+    stages: u64,
+    bar: &ProgressBar,
+) -> Result<Run, StepError> {
+    let steps = FORCES / stages;
+    run(name, method, steps, steps * stages, bar)
+}
+
+/// `steps` steps; every point at which Newton's iterations look at the energy counts.
+fn implicit<M: Method<OuterSolarSystem, f64>>(
+    name: &'static str,
+    method: M,
+    steps: u64,
+    bar: &ProgressBar,
+) -> Result<Run, Box<dyn Error>> {
+    let forces = looks(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
+    Ok(run(name, method, steps, forces, bar)?)
+}
+
+/// The same way twice: in one go for the time it takes, then with a look around about every 160 days.
+fn run<M: Method<OuterSolarSystem, f64>>(
+    name: &'static str,
+    method: M,
+    steps: u64,
+    forces: u64,
+    bar: &ProgressBar,
+) -> Result<Run, StepError> {
+    bar.set_message(name);
+    let step_size = DAYS / steps as f64;
+    let time = shortest(|| SYSTEM.integrator(method, step_size, start()).advance(steps))?;
+
+    let mut sim = SYSTEM.integrator(method, step_size, start());
+    let stride = (DAYS_BETWEEN_SAMPLES / step_size).ceil() as u64;
+    let mut samples = vec![start()];
+    for state in sim.sampled(stride).take((steps / stride) as usize) {
+        samples.push(state?);
+    }
+    bar.inc(1);
+    Ok(Run { name, steps, forces, time, samples })
+}
+
+/// Hidden by itself where there is no terminal.
+fn progress(runs: u64) -> ProgressBar {
+    let style =
+        ProgressStyle::with_template("{bar:40} {pos}/{len} {msg}").unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(runs).with_style(style)
+}
+
+fn comparison(runs: &[Run]) -> Result<String, StepError> {
+    let rows: Vec<_> = runs
+        .iter()
+        .map(|run| {
+            let end = run.samples.last().copied().unwrap_or_else(start);
+            let reference = reference(end.t)?;
+            let distance = (1..6).map(|i| (from_sun(&end, i) - from_sun(&reference, i)).norm()).fold(0.0, f64::max);
+            Ok([
+                run.name.to_owned(),
+                format!("{:.1}", run.step_size()),
+                run.forces.to_string(),
+                format!("{:.2}", run.time.as_secs_f64() * 1e3),
+                format!("{:.1e}", run.energy_error()),
+                format!("{:.1e}", run.angular_momentum_error()),
+                format!("{distance:.1e}"),
+            ])
+        })
+        .collect::<Result<_, StepError>>()?;
+    let head = ["method", "step / d", "forces", "time / ms", "energy error", "ang. mom. error", "distance / AU"];
+    Ok(table(head, &rows))
+}
+
+/// The state at a time by a method of order 10, none of the above, with steps so short that only rounding is left.
+fn reference(t: f64) -> Result<Bodies, StepError> {
+    let steps = (t / 40.0).ceil();
+    let mut sim = SYSTEM.integrator(SofroniouSpaletta10_35.of(StormerVerlet), t / steps, start());
+    sim.advance(steps as u64)?;
+    Ok(sim.state())
+}
+
+/// Where body `i` is as seen from the Sun, in the ecliptic of J2000.
+fn from_sun(state: &Bodies, i: usize) -> Vector3<f64> {
+    let (sin, cos) = 23.4392911_f64.to_radians().sin_cos();
+    let q = state.q[i] - state.q[0];
+    Vector3::new(q.x, cos * q.y + sin * q.z, cos * q.z - sin * q.y)
+}
+
+/// The mean time in years in which body `i` goes round the Sun.
+fn period(samples: &[Bodies], i: usize) -> f64 {
+    let turn = |pair: &[Bodies]| {
+        let (a, b) = (from_sun(&pair[0], i), from_sun(&pair[1], i));
+        (a.x * b.y - a.y * b.x).atan2(a.x * b.x + a.y * b.y)
+    };
+    let angle: f64 = samples.windows(2).map(turn).sum();
+    let days = samples.last().map_or(0.0, |state| state.t);
+    days / 365.25 * std::f64::consts::TAU / angle
+}
+
+/// Positions as the integrator has them, in the frame of the initial data.
+fn write_orbits(run: &Run) -> Result<(), Box<dyn Error>> {
+    let path = output("outer_solar_system.csv")?;
+    let mut csv = csv::Writer::from_path(&path)?;
+    csv.write_record(["t_d", "body", "x_au", "y_au", "z_au"])?;
+    for state in &run.samples {
+        for (name, q) in NAMES.iter().zip(&state.q) {
+            csv.write_record([&state.t.to_string(), *name, &q.x.to_string(), &q.y.to_string(), &q.z.to_string()])?;
+        }
+    }
+    csv.flush()?;
+    println!("orbits      {}", shown(&path));
+    Ok(())
+}
+
+fn draw_orbits(wrong: &Run, right: &Run) -> Result<(), Box<dyn Error>> {
+    let colours = [palette::BLACK, palette::VERMILION, palette::ORANGE, palette::SKY, palette::BLUE, palette::PURPLE];
+    let panel = |run: &Run| Panel {
+        title: format!("{}, {} steps of {:.0} days", run.name, run.steps, run.step_size()),
+        x_label: "x in the ecliptic, towards the vernal equinox (AU)".into(),
+        y_label: "y (AU)".into(),
+        x: -36.0..50.0,
+        y: -36.0..50.0,
+        scale: Scale::Equal,
+        names: Names::Above,
+        curves: (0..6)
+            .map(|i| Curve {
+                name: NAMES[i].into(),
+                colour: colours[i],
+                width: 0.7,
+                dot: 3.5,
+                points: run.samples.iter().map(|state| from_sun(state, i)).map(|q| (q.x, q.y)).collect(),
+            })
+            .collect(),
+    };
+    let path = output("outer_solar_system_orbits.svg")?;
+    save(&path, (560, 600), &[panel(wrong), panel(right)])?;
+    println!("            {}", shown(&path));
+    Ok(())
+}
+
+fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
+    let colours = [
+        ("ExplicitEuler", palette::BLACK),
+        ("StormerVerlet", palette::VERMILION),
+        ("BlanesMoan4", palette::ORANGE),
+        ("BceRkn17_8", palette::BLUE),
+        ("DiscreteGradient", palette::GREEN),
+    ];
+    let curve = |(name, colour): (&str, palette::Colour)| -> Option<Curve> {
+        let run = runs.iter().find(|run| run.name == name)?;
+        // The error vanishes now and then; its largest values in the rhythm of Jupiter make a curve that can be read.
+        let period = |state: &Bodies| (state.t / 5000.0 - 0.001).ceil();
+        let periods = run.samples[1..].chunk_by(|a, b| period(a) == period(b));
+        let points = periods.map(|period| (period[period.len() / 2].t / 365.25, energy_error(period))).collect();
+        Some(Curve { name: name.into(), colour, width: 1.8, dot: 0.0, points })
+    };
+    let path = output("outer_solar_system_energy.svg")?;
+    let panel = Panel {
+        title: "Outer solar system: error of the energy".into(),
+        x_label: "time (years)".into(),
+        y_label: "relative energy error, largest in 5000 days".into(),
+        x: 0.0..550.0,
+        y: -16.0..0.0,
+        scale: Scale::Logarithmic,
+        names: Names::AtEnds,
+        curves: colours.into_iter().filter_map(curve).collect(),
+    };
+    save(&path, (820, 480), &[panel])?;
+    println!("energies    {}", shown(&path));
+    Ok(())
+}
