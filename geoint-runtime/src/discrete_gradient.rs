@@ -14,8 +14,7 @@ use crate::system::DiscreteGradientStep;
 /// Newton solve a step, for half of the unknowns if T is quadratic. T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020;
 /// R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct DiscreteGradient {}
+pub struct DiscreteGradient;
 
 impl<S: DiscreteGradientStep<R>, R: Real> Method<S, R> for DiscreteGradient {
     type Prepared = S::Prepared;

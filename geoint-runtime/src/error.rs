@@ -53,7 +53,7 @@ impl fmt::Display for StepError {
                 write!(f, "the step from t = {t} leads to a state that is not finite; try a smaller step")
             }
             StepError::OutsideDomain { t, what } => {
-                write!(f, "the step from t = {t} leaves the domain of the energy: {what}; try a smaller step")
+                write!(f, "the step from t = {t} looks at the energy where it is not defined: {what}")
             }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,

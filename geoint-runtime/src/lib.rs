@@ -85,7 +85,7 @@ pub use real::Real;
 #[doc(inline)]
 pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 #[doc(inline)]
-pub use state::State;
+pub use state::{Coordinates, State};
 #[doc(inline)]
 pub use system::{Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
@@ -94,7 +94,7 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, PositionVerlet, State, StepError,
+        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method, PositionVerlet, State, StepError,
         StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

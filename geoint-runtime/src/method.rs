@@ -17,7 +17,12 @@ pub struct Claims {
 }
 
 /// A one-step method for the system `S`.
-pub trait Method<S: Hamiltonian<R>, R: Real>: Copy {
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a method for `{S}`",
+    note = "a composition becomes a method with the map that it composes: `Yoshida4.of(StormerVerlet)`",
+    note = "`Gauss` has 1 to 6 stages"
+)]
+pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
     /// Everything that depends on the method, the parameters and h.
     type Prepared: Copy;
 

@@ -143,12 +143,8 @@ fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id)
 
 fn counted(operations: Operations) -> String {
     let Operations { arithmetic, divisions, calls } = operations;
-    let mut parts = vec![format!("{arithmetic} sums and products")];
-    if divisions > 0 {
-        parts.push(format!("{divisions} divisions and roots"));
-    }
-    if calls > 0 {
-        parts.push(format!("{calls} functions"));
-    }
-    parts.join(", ")
+    let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
+    let parts: Vec<String> =
+        kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")).collect();
+    if parts.is_empty() { "nothing".into() } else { parts.join(", ") }
 }
