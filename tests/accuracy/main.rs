@@ -1,0 +1,8 @@
+//! Is right: derivatives, orders, symplecticity, symmetry, clocks, and the tables behind them.
+
+mod language;
+mod derivatives;
+mod tables;
+mod orders;
+mod geometry;
+mod clock;

@@ -1,0 +1,195 @@
+//! What is measured of a method: error against an independent solution, order, drift, symplecticity, symmetry.
+
+use crate::problems::{Problem, flat};
+use crate::scalars::{Double, Dual, Scalar};
+use geoint_runtime::array::Array;
+use geoint_runtime::{Coordinates, Hamiltonian, Method, State, StepError};
+
+/// The state after a time, by Gragg's midpoint rule extrapolated to order 24 (W. B. Gragg 1965; R. Bulirsch & J. Stoer
+/// 1966) in `parts` equal parts.
+///
+/// It knows of a system nothing but ∇H and shares no code with the methods. In double-double with a few parts a unit of
+/// time it is accurate to 10⁻²² or better.
+pub fn solution<S: Hamiltonian<R>, R: Scalar>(
+    system: &S,
+    state: &State<S::Coordinates>,
+    duration: R,
+    parts: usize,
+) -> Vec<R> {
+    let real = |n: usize| R::from_f64(n as f64);
+    let field = |t: R, y: &[R]| {
+        let (q, p) = y.split_at(S::Array::LEN);
+        let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
+        system.gradient(t, &array::<S, R>(q), &array::<S, R>(p), &mut dq, &mut dp);
+        dp.as_slice().iter().copied().chain(dq.as_slice().iter().map(|force| -*force)).collect::<Vec<R>>()
+    };
+    let ahead = |y: &[R], h: R, slope: &[R]| -> Vec<R> { y.iter().zip(slope).map(|(y, f)| *y + h * *f).collect() };
+
+    let whole = duration / real(parts);
+    let mut y = flat(state);
+    for part in 0..parts {
+        let t = state.t + real(part) * whole;
+        let mut table: Vec<Vec<R>> = vec![];
+        for k in 0..12 {
+            let n = 2 * (k + 1);
+            let h = whole / real(n);
+            let (mut before, mut now) = (y.clone(), ahead(&y, h, &field(t, &y)));
+            for i in 1..n {
+                let next = ahead(&before, h + h, &field(t + real(i) * h, &now));
+                (before, now) = (now, next);
+            }
+            // Aitken–Neville in h²: row k from row k − 1.
+            let mut row = now;
+            let mut rows = vec![row.clone()];
+            for j in 1..=k {
+                let ratio = real(n) / real(2 * (k + 1 - j));
+                let weight = R::from_f64(1.0) / (ratio * ratio - R::from_f64(1.0));
+                row = row.iter().zip(&table[j - 1]).map(|(new, old)| *new + (*new - *old) * weight).collect();
+                rows.push(row.clone());
+            }
+            table = rows;
+        }
+        y = table.pop().unwrap_or_default();
+    }
+    y
+}
+
+fn array<S: Hamiltonian<R>, R: Scalar>(x: &[R]) -> S::Array {
+    let mut array = S::Array::zero();
+    array.as_mut_slice().copy_from_slice(x);
+    array
+}
+
+/// |a − b|.
+pub fn distance<R: Scalar>(a: &[R], b: &[R]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).map(|(a, b)| (*a - *b).magnitude().powi(2)).sum::<f64>().sqrt()
+}
+
+/// Errors below this may come from coefficients of tables, which are rounded to `f64`.
+const FLOOR: f64 = 2e-14;
+/// Errors above this say nothing of h → 0.
+const CEILING: f64 = 0.05;
+/// No more steps than this.
+const MOST: u64 = 512;
+
+/// log₂ e(h)/e(h/2) for the smallest h whose two errors are beyond rounding; NaN if there is none.
+///
+/// `error` gives the error after a fixed time in so many steps.
+pub fn observed_order(mut error: impl FnMut(u64) -> Result<f64, StepError>) -> f64 {
+    let mut order = f64::NAN;
+    let mut before = f64::INFINITY;
+    let mut n = 2;
+    while n <= MOST {
+        // A long step may fail; the order is about short ones.
+        let now = error(n).unwrap_or(f64::INFINITY);
+        if now < FLOOR {
+            break;
+        }
+        if before < CEILING {
+            order = (before / now).log2();
+        }
+        (before, n) = (now, 2 * n);
+    }
+    order
+}
+
+/// The error of a method in double-double after a time, in `n` steps.
+pub fn error<P: Problem, M: Method<P::Over<Double>, Double>>(
+    method: M,
+    start: f64,
+    duration: f64,
+    n: u64,
+    solution: &[Double],
+) -> Result<f64, StepError> {
+    let h = Double::from(duration) / n as f64;
+    let mut sim = P::system::<Double>().integrator(method, h, P::start(start));
+    sim.advance(n)?;
+    Ok(distance(&flat(&sim.state()), solution))
+}
+
+/// max |MᵀJM − J| for the derivative M of `steps` steps, from one run in dual numbers a coordinate.
+pub fn symplecticity_defect<P: Problem, M: Method<P::Over<Dual>, Dual>>(
+    method: M,
+    start: f64,
+    h: f64,
+    steps: u64,
+) -> Result<f64, StepError> {
+    let (q, p) = P::START;
+    let n = q.len();
+    let mut columns = vec![];
+    for seed in 0..2 * n {
+        let mut state = P::start::<Dual>(start);
+        let (mut q, mut p) = (state.q.into_array(), state.p.into_array());
+        let entry = if seed < n { &mut q.as_mut_slice()[seed] } else { &mut p.as_mut_slice()[seed - n] };
+        *entry = Dual::variable(entry.value());
+        (state.q, state.p) = (Coordinates::from_array(q), Coordinates::from_array(p));
+        let mut sim = P::system::<Dual>().integrator(method, h.into(), state);
+        sim.advance(steps)?;
+        columns.push(flat(&sim.state()).iter().map(|x| x.derivative()).collect::<Vec<f64>>());
+    }
+    assert_eq!(p.len(), n);
+    let mut defect = 0.0_f64;
+    for i in 0..2 * n {
+        for j in 0..2 * n {
+            let form: f64 = (0..n).map(|k| columns[i][k] * columns[j][n + k] - columns[i][n + k] * columns[j][k]).sum();
+            let expected = f64::from(i8::from(j == i + n)) - f64::from(i8::from(i == j + n));
+            defect = defect.max((form - expected).abs());
+        }
+    }
+    Ok(defect)
+}
+
+/// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id| at the start, in `f64`, relative to the largest coordinate if that is above 1.
+pub fn symmetry_defect<P: Problem, M: Method<P::Over<f64>, f64>>(
+    method: M,
+    start: f64,
+    h: f64,
+    steps: u64,
+) -> Result<f64, StepError> {
+    let state = P::start::<f64>(start);
+    let mut sim = P::system::<f64>().integrator(method, h, state);
+    sim.advance(steps)?;
+    sim.set_step_size(-h);
+    sim.advance(steps)?;
+    let x = flat(&state);
+    Ok(distance(&flat(&sim.state()), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
+}
+
+/// A straight line y = offset + slope·x by least squares.
+#[derive(Clone, Copy, Debug)]
+pub struct Line {
+    /// The slope.
+    pub slope: f64,
+    /// The standard error of the slope, for independent deviations from the line.
+    pub uncertainty: f64,
+}
+
+/// The line through points (x, y).
+pub fn regression(points: &[(f64, f64)]) -> Line {
+    let n = points.len() as f64;
+    let (mx, my) = points.iter().fold((0.0, 0.0), |(x, y), p| (x + p.0 / n, y + p.1 / n));
+    let xx: f64 = points.iter().map(|p| (p.0 - mx).powi(2)).sum();
+    let slope = points.iter().map(|p| (p.0 - mx) * (p.1 - my)).sum::<f64>() / xx;
+    let rest: f64 = points.iter().map(|p| (p.1 - my - slope * (p.0 - mx)).powi(2)).sum();
+    Line { slope, uncertainty: (rest / ((n - 2.0) * xx)).sqrt() }
+}
+
+/// Numbers in [−1, 1) that look random: the same in every run (D. H. Lehmer 1951, with Knuth's multiplier).
+#[derive(Clone, Copy, Debug)]
+pub struct Noise(u64);
+
+impl Noise {
+    /// A sequence of its own for each seed.
+    pub const fn new(seed: u64) -> Self {
+        Noise(seed)
+    }
+}
+
+impl Iterator for Noise {
+    type Item = f64;
+    fn next(&mut self) -> Option<f64> {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        Some((self.0 >> 11) as f64 / (1_u64 << 52) as f64 - 1.0)
+    }
+}

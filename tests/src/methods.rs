@@ -1,0 +1,65 @@
+//! The list of all methods. Whatever is claimed of methods is tested by walking it.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::mean_gradient::{Midpoint, Tree};
+use geoint_runtime::system::{Collocation, MeanGradient};
+use geoint_runtime::{Method, QuadraticKinetic, Real, Separable};
+
+/// What is done with every method.
+pub trait Visitor<S: Hamiltonian<R>, R: Real> {
+    /// Called once for a method, with its name as written.
+    fn visit<M: Method<S, R>>(&mut self, name: &'static str, method: M);
+}
+
+macro_rules! visit {
+    ($visitor:ident: $($method:expr),* $(,)?) => { $( $visitor.visit(stringify!($method), $method); )* };
+}
+
+/// Every composition of a symmetric map.
+macro_rules! compositions {
+    ($visitor:ident: $name:ident = $map:expr) => {
+        compositions!($visitor: $name = $map; Yoshida4 Suzuki4 McLachlan4 Yoshida6a McLachlan6_9 KahanLi8_17a
+            SofroniouSpaletta10_35)
+    };
+    ($visitor:ident: $name:ident = $map:expr; $($composition:ident)*) => {
+        $( $visitor.visit(concat!(stringify!($composition), ".of(", stringify!($name), ")"), $composition.of($map)); )*
+    };
+}
+
+/// Methods for every H.
+pub fn general<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: Collocation<R> + MeanGradient<Midpoint, R>,
+{
+    visit!(visitor: ExplicitEuler, ImplicitMidpoint, Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
+    compositions!(visitor: ImplicitMidpoint = ImplicitMidpoint);
+}
+
+/// Methods for every H whose divided differences are known.
+pub fn discrete_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: MeanGradient<Tree, R>,
+{
+    let map = DiscreteGradient::default();
+    visitor.visit("DiscreteGradient", map);
+    compositions!(visitor: DiscreteGradient = map);
+}
+
+/// Methods for H = T(p, t) + V(q, t).
+pub fn separable<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: Separable<R>,
+{
+    visit!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet);
+    visit!(visitor: ForestRuth4, PEFRL, BlanesMoan4, BlanesMoan6);
+    compositions!(visitor: StormerVerlet = StormerVerlet);
+    compositions!(visitor: PositionVerlet = PositionVerlet);
+}
+
+/// Methods that need a T quadratic in p with a constant mass matrix.
+pub fn nystrom<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: QuadraticKinetic<R>,
+{
+    visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+}

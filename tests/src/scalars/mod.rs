@@ -1,0 +1,48 @@
+//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits.
+
+mod double;
+mod dual;
+
+pub use double::Double;
+pub use dual::Dual;
+
+use geoint_runtime::Real;
+
+/// What kernels of every energy accept, those with branches too.
+pub trait Scalar: Real + PartialOrd {}
+impl<R: Real + PartialOrd> Scalar for R {}
+
+/// The arithmetic of `std::ops` from functions of two values, the other operand being the same type or `f64`.
+macro_rules! arithmetic {
+    ($scalar:ident: $($op:ident::$method:ident, $assign:ident::$assign_method:ident = |$a:ident, $b:ident| $value:expr;)*) => { $(
+        impl core::ops::$op for $scalar {
+            type Output = Self;
+            #[inline]
+            fn $method(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                $value
+            }
+        }
+        impl core::ops::$assign for $scalar {
+            #[inline]
+            fn $assign_method(&mut self, other: Self) {
+                *self = core::ops::$op::$method(*self, other);
+            }
+        }
+        impl core::ops::$op<f64> for $scalar {
+            type Output = Self;
+            #[inline]
+            fn $method(self, other: f64) -> Self {
+                core::ops::$op::$method(self, <$scalar>::from(other))
+            }
+        }
+        impl core::ops::$op<$scalar> for f64 {
+            type Output = $scalar;
+            #[inline]
+            fn $method(self, other: $scalar) -> $scalar {
+                core::ops::$op::$method(<$scalar>::from(self), other)
+            }
+        }
+    )* };
+}
+use arithmetic;
