@@ -1,1 +1,89 @@
-//! t
+//! Time, step size, and the shorter scalar.
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+
+/// Time is t₀ + n·h bit for bit, whatever the method and however the steps were asked for.
+struct Clock;
+
+impl Visitor<DrivenPendulum, f64> for Clock {
+    fn visit<M: Method<DrivenPendulum, f64>>(&mut self, name: &'static str, method: M) {
+        let (t0, h) = (0.3, 0.01);
+        let mut sim = DrivenPendulum::system::<f64>().integrator(method, h, DrivenPendulum::start(t0));
+        let mut n = 0_u64;
+        for steps in [0, 1, 2, 7, 90] {
+            sim.advance(steps).unwrap();
+            n += steps;
+            assert_eq!(sim.time().to_bits(), (t0 + n as f64 * h).to_bits(), "{name} after {n} steps");
+            assert_eq!(sim.state().t.to_bits(), sim.time().to_bits());
+            assert_eq!(sim.steps(), n);
+        }
+        for sample in sim.sampled(3).take(5) {
+            n += 3;
+            assert_eq!(sample.unwrap().t.to_bits(), (t0 + n as f64 * h).to_bits(), "{name}");
+        }
+    }
+}
+
+#[test]
+fn time_is_a_product_not_a_sum() {
+    methods::general(&mut Clock);
+    methods::discrete_gradient(&mut Clock);
+    methods::separable(&mut Clock);
+    methods::nystrom(&mut Clock);
+    // The sum is another number, so that the test can fail.
+    let sum = (0..100).fold(0.3, |t, _| t + 0.01);
+    assert_ne!(sum, 0.3 + 100.0 * 0.01);
+}
+
+/// A new step size starts a new product at the time reached, keeps the state and the count of steps.
+#[test]
+fn a_new_step_size_goes_on_from_here() {
+    let system = DrivenPendulum::system::<f64>();
+    let mut sim = system.integrator(BlanesMoan4, 0.1, DrivenPendulum::start(0.3));
+    sim.advance(7).unwrap();
+    let before = sim.state();
+    sim.set_step_size(0.03);
+    assert_eq!(sim.state(), before);
+    assert_eq!((sim.step_size(), sim.steps()), (0.03, 7));
+    sim.advance(11).unwrap();
+    assert_eq!(sim.time(), (0.3 + 7.0 * 0.1) + 11.0 * 0.03);
+    assert_eq!(sim.steps(), 18);
+    let mut fresh = system.integrator(BlanesMoan4, 0.03, before);
+    fresh.advance(11).unwrap();
+    assert_eq!(sim.state(), fresh.state());
+}
+
+/// An energy of type `f32`, and an energy of type `f64` run in `f32`, agree with each other bit for bit and with `f64` to
+/// its rounding.
+#[test]
+fn short_numbers() {
+    struct Short;
+    impl Visitor<ShortPendulum, f32> for Short {
+        fn visit<M: Method<ShortPendulum, f32>>(&mut self, name: &'static str, method: M) {
+            let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
+            let mut sim = system.integrator(method, 0.01, State::new(1.1, 0.4));
+            sim.advance(50).unwrap();
+            let exact = Pendulum::system::<f64>().integrator(Gauss::<6>, 0.01, Pendulum::start(0.0));
+            let exact = { exact }.sampled(50).next().unwrap().unwrap();
+            let tolerance = if method.claims().order == 1 { 0.2 } else { 2e-3 };
+            let gap = (f64::from(sim.state().q) - exact.q).abs();
+            let limit = if method.claims().order >= 4 { 5e-5 } else { tolerance };
+            assert!(gap < limit, "{name}: {gap:.1e}");
+            assert_eq!(sim.time(), (50.0 * f64::from(0.01_f32)) as f32);
+        }
+    }
+    methods::general(&mut Short);
+    methods::discrete_gradient(&mut Short);
+    methods::separable(&mut Short);
+    methods::nystrom(&mut Short);
+
+    let short = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
+    let long = Pendulum { m: 1.3_f32, l: 0.7, g: 9.81 };
+    let mut a = short.integrator(StormerVerlet, 0.01, State::new(1.1, 0.4));
+    let mut b = long.integrator(StormerVerlet, 0.01, State::new(1.1_f32, 0.4));
+    (a.advance(1000).unwrap(), b.advance(1000).unwrap());
+    assert_eq!(a.state(), b.state());
+}

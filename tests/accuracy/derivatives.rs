@@ -1,1 +1,198 @@
-//! t
+//! Values, gradients and Jacobians of every problem by second routes.
+//!
+//! Values against the function as the user wrote it; gradients against dual numbers run through the value kernel and
+//! against differences of the user's function; everything that contains second derivatives against dual numbers run
+//! through the kernel of first derivatives.
+
+use geoint_runtime::array::Array;
+use geoint_runtime::system::mean_gradient::{Midpoint, Tree};
+use geoint_runtime::system::{Collocation, MeanGradient};
+use geoint_runtime::{Hamiltonian, Real};
+use geoint_tests::for_each_problem;
+use geoint_tests::measure::Noise;
+use geoint_tests::problems::*;
+use geoint_tests::scalars::Dual;
+
+/// The bound on a difference of two numbers that are the same up to rounding, in units of the larger and of 1.
+pub(crate) fn assert_near(what: &str, a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance * a.abs().max(1.0), "{what}: {a:e} and {b:e} differ by {:.1e}", (a - b).abs());
+}
+
+fn array<A: Array>(x: &[A::Real]) -> A {
+    let mut array = A::zero();
+    array.as_mut_slice().copy_from_slice(x);
+    array
+}
+
+/// Constants, one of which is the variable.
+fn seeded(x: &[f64], seed: usize) -> Vec<Dual> {
+    x.iter().enumerate().map(|(i, x)| if i == seed { Dual::variable(*x) } else { Dual::from(*x) }).collect()
+}
+
+/// A kernel of first derivatives: ∂H/∂q, ∂H/∂p.
+pub(crate) fn gradient<S: Hamiltonian<R>, R: Real>(system: &S, t: f64, q: &[R], p: &[R]) -> Vec<R> {
+    let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
+    system.gradient(R::from_f64(t), &array(q), &array(p), &mut dq, &mut dp);
+    [dq.as_slice(), dp.as_slice()].concat()
+}
+
+/// H and ∇H at a point.
+pub(crate) fn check_gradient<S, D>(plain: &S, dual: &D, written: &dyn Fn(&[f64], &[f64]) -> f64, t: f64, q: &[f64], p: &[f64])
+where
+    S: Hamiltonian<f64>,
+    D: Hamiltonian<Dual>,
+{
+    let n = q.len();
+    let value = plain.hamiltonian(t, &array(q), &array(p));
+    assert_near("H", value, written(q, p), 16.0 * f64::EPSILON);
+    let x = [q, p].concat();
+    for (i, slope) in gradient(plain, t, q, p).into_iter().enumerate() {
+        let y = seeded(&x, i);
+        let kernel = dual.hamiltonian(t.into(), &array(&y[..n]), &array(&y[n..]));
+        assert_near("∇H and dual numbers", slope, kernel.derivative(), 1e-13);
+        // Differences of order 8.
+        let h = 1e-3;
+        let at = |k: f64| {
+            let mut y = x.clone();
+            y[i] += k * h;
+            written(&y[..n], &y[n..])
+        };
+        let difference: f64 = [(1.0, 4.0 / 5.0), (2.0, -1.0 / 5.0), (3.0, 4.0 / 105.0), (4.0, -1.0 / 280.0)]
+            .iter()
+            .map(|(k, weight)| weight * (at(*k) - at(-k)) / h)
+            .sum();
+        assert_near("∇H and differences", slope, difference, 1e-10);
+    }
+}
+
+/// The field of collocation and its Jacobian at a point.
+pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(plain: &S, dual: &D, t: f64, q: &[f64], p: &[f64]) {
+    let n = q.len();
+    let prepared = Collocation::prepare(plain);
+    let (y, velocity) = S::unknown(&prepared, &array(q), &array(p));
+    let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+    S::field(&prepared, t, &y, &mut f, &mut jacobian);
+
+    // f from the gradient: (∂H/∂p, −∂H/∂q), or the derivative of ∂H/∂p in the direction of p' = −∂H/∂q.
+    let slopes = gradient(plain, t, q, p);
+    let expected: Vec<f64> = if S::DERIVATIVE == 1 {
+        slopes[n..].iter().copied().chain(slopes[..n].iter().map(|x| -x)).collect()
+    } else {
+        let fixed: Vec<Dual> = q.iter().map(|x| Dual::from(*x)).collect();
+        let moving: Vec<Dual> =
+            p.iter().zip(&slopes).map(|(p, force)| *p + (Dual::variable(0.0) * -*force)).collect();
+        let along = gradient(dual, t, &fixed, &moving);
+        for (v, slope) in velocity.as_slice().iter().zip(&slopes[n..]) {
+            assert_near("q'", *v, *slope, 1e-14);
+        }
+        along[n..].iter().map(|x| x.derivative()).collect()
+    };
+    for (f, expected) in f.as_slice().iter().zip(&expected) {
+        assert_near("the field", *f, *expected, 1e-13);
+    }
+
+    let prepared = Collocation::prepare(dual);
+    let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian);
+    for column in 0..S::Unknown::LEN {
+        let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
+        D::field(&prepared, t.into(), &array(&seeded(y.as_slice(), column)), &mut f, &mut unused);
+        for (row, f) in rows.iter().zip(f.as_slice()) {
+            assert_near("the Jacobian of the field", row.as_slice()[column], f.derivative(), 1e-12);
+        }
+    }
+}
+
+/// The Jacobian of the equation of a mean gradient, at an increment of about `size`.
+fn check_equation<G, S, D>(plain: &S, dual: &D, t: f64, q: &[f64], p: &[f64], noise: &mut Noise)
+where
+    S: MeanGradient<G, f64>,
+    D: MeanGradient<G, Dual>,
+{
+    let h = 0.07;
+    let prepared = plain.prepare(h);
+    let (start, _) = S::start(&prepared, t, &array(q), &array(p));
+    let mut at = |size: f64, noise: &mut Noise| {
+        let increment: Vec<f64> = noise.take(S::Increment::LEN).map(|x| size * x).collect();
+        let (mut residual, mut jacobian) = (S::Increment::zero(), S::Increment::fill(S::Increment::zero()));
+        S::residual(&prepared, &start, &array(&increment), &mut residual, &mut jacobian);
+        let rows: Vec<f64> =
+            S::Increment::entries::<S::Increment>(&mut jacobian).iter().flat_map(|row| row.as_slice().to_vec()).collect();
+        (increment, rows)
+    };
+    let (increment, rows) = at(0.1, noise);
+    let constant = |x: &[f64]| x.iter().map(|x| Dual::from(*x)).collect::<Vec<_>>();
+    let prepared = dual.prepare(h.into());
+    let (start, _) = D::start(&prepared, t.into(), &array(&constant(q)), &array(&constant(p)));
+    let n = increment.len();
+    for column in 0..n {
+        let (mut residual, mut unused) = (D::Increment::zero(), D::Increment::fill(D::Increment::zero()));
+        D::residual(&prepared, &start, &array(&seeded(&increment, column)), &mut residual, &mut unused);
+        for (row, residual) in residual.as_slice().iter().enumerate() {
+            assert_near("the Jacobian of the equation", rows[row * n + column], residual.derivative(), 1e-12);
+        }
+    }
+    // Where both ends meet there is no 0/0 and no jump.
+    let (_, met) = at(0.0, noise);
+    let (_, near) = at(1e-9, noise);
+    for (met, near) in met.iter().zip(&near) {
+        assert_near("the Jacobian where both ends meet", *met, *near, 1e-7);
+    }
+}
+
+/// Points around the start of a problem, at times that are no multiples of anything.
+fn points<P: Problem>(mut check: impl FnMut(f64, &[f64], &[f64], &mut Noise)) {
+    let mut noise = Noise::new(7);
+    for i in 0..25 {
+        let mut near = |x: &[f64]| x.iter().zip(&mut noise).map(|(x, r)| x + 0.15 * r).collect::<Vec<f64>>();
+        let (q, p) = (near(P::START.0), near(P::START.1));
+        check(0.37 * f64::from(i), &q, &p, &mut noise);
+    }
+}
+
+fn check<P: Problem>() {
+    let (plain, dual) = (P::system::<f64>(), P::system::<Dual>());
+    points::<P>(|t, q, p, noise| {
+        check_gradient(&plain, &dual, &|q, p| P::written(t, q, p), t, q, p);
+        check_field(&plain, &dual, t, q, p);
+        check_equation::<Midpoint, _, _>(&plain, &dual, t, q, p, noise);
+    });
+}
+
+fn check_tree<P: Problem>()
+where
+    P::Over<f64>: MeanGradient<Tree, f64>,
+    P::Over<Dual>: MeanGradient<Tree, Dual>,
+{
+    let (plain, dual) = (P::system::<f64>(), P::system::<Dual>());
+    points::<P>(|t, q, p, noise| check_equation::<Tree, _, _>(&plain, &dual, t, q, p, noise));
+}
+
+#[test]
+fn every_problem() {
+    macro_rules! call {
+        ($System:ident) => {
+            check::<$System>();
+        };
+    }
+    for_each_problem!(call);
+}
+
+#[test]
+fn every_discrete_gradient() {
+    macro_rules! call {
+        // A branch has no divided difference yet.
+        (OneSided) => {};
+        ($System:ident) => {
+            check_tree::<$System>();
+        };
+    }
+    for_each_problem!(call);
+}
+
+/// The checks see a derivative that is wrong in the seventh digit.
+#[test]
+#[should_panic(expected = "∇H")]
+fn a_wrong_derivative_is_seen() {
+    let (plain, dual) = (Pendulum::system::<f64>(), Pendulum { m: 1.3.into(), l: 0.7.into(), g: Dual::from(9.81 * (1.0 + 1e-7)) });
+    check_gradient(&plain, &dual, &|q, p| Pendulum::written(0.0, q, p), 0.0, &[1.0], &[0.3]);
+}

@@ -1,1 +1,84 @@
-//! t
+//! Symplecticity and symmetry of every method, as claimed and not otherwise.
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::measure::{symmetry_defect, symplecticity_defect};
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+use geoint_tests::scalars::Dual;
+use std::marker::PhantomData;
+
+const FROM: f64 = 0.4;
+
+/// A step long enough for what is not symplectic or symmetric to show.
+struct Geometry<P> {
+    h: f64,
+    failures: Vec<String>,
+    controls: usize,
+    problem: PhantomData<P>,
+}
+
+impl<P: Problem> Geometry<P> {
+    fn with_step(h: f64) -> Self {
+        Geometry { h, failures: vec![], controls: 0, problem: PhantomData }
+    }
+
+    fn judge(&mut self, name: &str, claimed: bool, defect: Result<f64, StepError>, kept: f64, broken: f64) {
+        self.controls += usize::from(!claimed);
+        let good = matches!(defect, Ok(defect) if if claimed { defect <= kept } else { defect > broken });
+        println!("{:16} {name:45} {claimed:5} {defect:.1e?}", P::NAME);
+        if !good {
+            self.failures.push(format!("{name}: claimed {claimed}, defect {defect:.1e?}"));
+        }
+    }
+
+    fn finish(self) {
+        assert!(self.failures.is_empty(), "{}:\n{}", P::NAME, self.failures.join("\n"));
+        assert!(self.controls > 0, "nothing showed what a failure looks like");
+    }
+}
+
+impl<P: Problem> Visitor<P::Over<Dual>, Dual> for Geometry<P> {
+    fn visit<M: Method<P::Over<Dual>, Dual>>(&mut self, name: &'static str, method: M) {
+        let defect = symplecticity_defect::<P, M>(method, FROM, self.h, 3);
+        // One degree of freedom: a map that keeps energy and is symmetric may come close to keeping area.
+        self.judge(name, method.claims().symplectic, defect, 1e-12, 1e-6);
+    }
+}
+
+/// The same measurement for symmetry; another type because its scalar is another.
+struct Symmetry<P>(Geometry<P>);
+
+impl<P: Problem> Visitor<P::Over<f64>, f64> for Symmetry<P> {
+    fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
+        let defect = symmetry_defect::<P, M>(method, FROM, self.0.h, 3);
+        self.0.judge(name, method.claims().symmetric, defect, 1e-13, 1e-6);
+    }
+}
+
+macro_rules! geometry {
+    ($($System:ident, $h:literal, $($list:ident)*;)*) => {
+        #[test]
+        fn symplecticity() { $(
+            let mut geometry = Geometry::<$System>::with_step($h);
+            $( methods::$list(&mut geometry); )*
+            geometry.finish();
+        )* }
+
+        #[test]
+        fn symmetry() { $(
+            let mut geometry = Symmetry(Geometry::<$System>::with_step($h));
+            $( methods::$list(&mut geometry); )*
+            geometry.0.finish();
+        )* }
+    };
+}
+
+geometry! {
+    HenonHeiles, 0.2, general discrete_gradient separable nystrom;
+    Relativistic, 0.1, general discrete_gradient separable;
+    DoublePendulum, 0.1, general discrete_gradient;
+    Breathing, 0.1, general discrete_gradient separable;
+    SwingingMass, 0.1, general discrete_gradient;
+    Magnetic, 0.1, general;
+}

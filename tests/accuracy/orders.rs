@@ -5,37 +5,36 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method, QuadraticKinetic, Separable, Splitting};
-use geoint_tests::measure::{distance, error, observed_order, solution};
+use geoint_tests::measure::{STEPS, distance, error, observed_order, solutions};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Double;
 use std::marker::PhantomData;
 
-/// Where runs start and how long they last.
+/// Where runs start: not where forces begin.
 const FROM: f64 = 0.4;
-const DURATION: f64 = 1.7;
 /// How far an observed order may be from the claim.
 const TOLERANCE: f64 = 0.15;
 
 /// Observes the order of every method that it visits.
 struct Orders<P> {
-    solution: Vec<Double>,
+    duration: f64,
+    solutions: Vec<Vec<Double>>,
     failures: Vec<String>,
     visited: usize,
     problem: PhantomData<P>,
 }
 
-fn reference<P: Problem>(parts: usize) -> Vec<Double> {
-    solution(&P::system::<Double>(), &P::start(FROM), DURATION.into(), parts)
-}
-
 impl<P: Problem> Orders<P> {
-    fn new() -> Self {
-        Orders { solution: reference::<P>(24), failures: vec![], visited: 0, problem: PhantomData }
+    fn over(duration: f64) -> Self {
+        let solutions = solutions::<P>(FROM, duration, 24);
+        Orders { duration, solutions, failures: vec![], visited: 0, problem: PhantomData }
     }
 
     fn observe<M: Method<P::Over<Double>, Double>>(&self, method: M) -> f64 {
-        observed_order(|n| error::<P, M>(method, FROM, DURATION, n, &self.solution))
+        // A long step may fail; the order is about short ones.
+        let error = |n: &u64| error::<P, M>(method, FROM, self.duration, *n, &self.solutions).unwrap_or(f64::INFINITY);
+        observed_order(&STEPS.iter().map(error).collect::<Vec<_>>())
     }
 
     fn finish(self, expected: usize) {
@@ -44,13 +43,20 @@ impl<P: Problem> Orders<P> {
     }
 }
 
+/// Where errors of order 10 and 12 already fall as their leading term before the rounding of the tables stops them.
+/// Elsewhere they may fall faster, but not more slowly.
+fn is_asymptotic<P: Problem>(order: u32) -> bool {
+    order < 10 || P::NAME == HenonHeiles::NAME
+}
+
 impl<P: Problem> Visitor<P::Over<Double>, Double> for Orders<P> {
     fn visit<M: Method<P::Over<Double>, Double>>(&mut self, name: &'static str, method: M) {
         let Claims { order, .. } = method.claims();
         let observed = self.observe(method);
         self.visited += 1;
         println!("{:16} {name:45} claims {order:2}, observed {observed:6.3}", P::NAME);
-        if !((observed - f64::from(order)).abs() <= TOLERANCE) {
+        let excess = observed - f64::from(order);
+        if !(excess >= -TOLERANCE && (excess <= TOLERANCE || !is_asymptotic::<P>(order))) {
             self.failures.push(format!("{name} claims order {order}, observed {observed:.3}"));
         }
     }
@@ -64,7 +70,7 @@ const NYSTROM: usize = 4;
 
 #[test]
 fn quadratic_kinetic_energy() {
-    let mut orders = Orders::<HenonHeiles>::new();
+    let mut orders = Orders::<HenonHeiles>::over(6.1);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
@@ -74,7 +80,7 @@ fn quadratic_kinetic_energy() {
 
 #[test]
 fn other_kinetic_energy() {
-    let mut orders = Orders::<Relativistic>::new();
+    let mut orders = Orders::<Relativistic>::over(1.3);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
@@ -83,7 +89,7 @@ fn other_kinetic_energy() {
 
 #[test]
 fn not_separable() {
-    let mut orders = Orders::<DoublePendulum>::new();
+    let mut orders = Orders::<DoublePendulum>::over(1.3);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     orders.finish(GENERAL + DISCRETE_GRADIENT);
@@ -91,7 +97,7 @@ fn not_separable() {
 
 #[test]
 fn driven_potential() {
-    let mut orders = Orders::<DrivenPendulum>::new();
+    let mut orders = Orders::<DrivenPendulum>::over(3.9);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
@@ -101,7 +107,7 @@ fn driven_potential() {
 
 #[test]
 fn driven_kinetic_and_potential() {
-    let mut orders = Orders::<Breathing>::new();
+    let mut orders = Orders::<Breathing>::over(2.7);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
@@ -110,7 +116,7 @@ fn driven_kinetic_and_potential() {
 
 #[test]
 fn driven_and_not_separable() {
-    let mut orders = Orders::<SwingingMass>::new();
+    let mut orders = Orders::<SwingingMass>::over(3.9);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     orders.finish(GENERAL + DISCRETE_GRADIENT);
@@ -119,18 +125,11 @@ fn driven_and_not_separable() {
 /// The measure itself: it is not order 4 what is not.
 #[test]
 fn a_lower_order_is_seen() {
-    let orders = Orders::<HenonHeiles>::new();
+    let orders = Orders::<HenonHeiles>::over(6.1);
     let within = |observed: f64, claim: f64| (observed - claim).abs() <= TOLERANCE;
-    // Order 2 in place of 4: the weights of the triple jump in the wrong arrangement.
-    let [outer, inner] = [-1.7024143839193153, 1.3512071919596578].map(|g| [g, 1.3512071919596578, 1.3512071919596578]);
-    assert_eq!(inner, [1.3512071919596578; 3]);
-    let broken = Splitting::<3>::new(
-        4,
-        false,
-        [0.5 * outer[0], 0.5 * (outer[0] + outer[1]), 0.5 * (outer[1] + outer[2])],
-        outer,
-        0.5 * outer[2],
-    );
+    // The triple jump with its weights in another order, and each Verlet step as kick and drift once more.
+    let [long, back] = [1.3512071919596578, -1.7024143839193153];
+    let broken = Splitting::<3>::new(4, false, [0.5 * back, 0.5 * (back + long), long], [back, long, long], 0.5 * long);
     let observed = orders.observe(broken);
     assert!(!within(observed, 4.0), "{observed}");
     assert!(!within(orders.observe(StormerVerlet), 4.0));
@@ -140,7 +139,7 @@ fn a_lower_order_is_seen() {
 /// Why Nyström tables are refused: on a T that is not quadratic those of order 6 and 8 fall to 4 or less.
 #[test]
 fn nystrom_tables_lose_their_order_elsewhere() {
-    let orders = Orders::<Relativistic>::new();
+    let orders = Orders::<Relativistic>::over(1.3);
     let (a, b) = (orders.observe(*BlanesMoanSrkn14a.table()), orders.observe(*BceRkn17_8.table()));
     assert!(a < 4.5 && b < 4.5, "{a} {b}");
 }
@@ -192,14 +191,15 @@ fn methods_are_refused_without_proof() {
 /// The solution that everything is measured against does not depend on its own step.
 #[test]
 fn the_reference_is_accurate() {
-    fn check<P: Problem>() {
-        let gap = distance(&reference::<P>(24), &reference::<P>(36));
-        assert!(gap < 1e-22, "{}: {gap:.1e}", P::NAME);
+    fn check<P: Problem>(duration: f64) {
+        let [coarse, fine] = [24, 36].map(|parts| solutions::<P>(FROM, duration, parts));
+        let gap = coarse.iter().zip(&fine).map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
+        assert!(gap < 1e-21, "{}: {gap:.1e}", P::NAME);
     }
-    check::<HenonHeiles>();
-    check::<Relativistic>();
-    check::<DoublePendulum>();
-    check::<DrivenPendulum>();
-    check::<Breathing>();
-    check::<SwingingMass>();
+    check::<HenonHeiles>(6.1);
+    check::<Relativistic>(1.3);
+    check::<DoublePendulum>(1.3);
+    check::<DrivenPendulum>(3.9);
+    check::<Breathing>(2.7);
+    check::<SwingingMass>(3.9);
 }

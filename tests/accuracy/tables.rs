@@ -1,1 +1,134 @@
-//! t
+//! The tables themselves: every one is in the list of methods, is consistent, and meets conditions of its order.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::splitting::{DriftFirst, KickFirst};
+use geoint_runtime::{Composition, Method, Splitting};
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::HenonHeiles;
+use std::collections::BTreeSet;
+
+struct Names(BTreeSet<&'static str>);
+
+impl Visitor<HenonHeiles, f64> for Names {
+    fn visit<M: Method<HenonHeiles, f64>>(&mut self, name: &'static str, _: M) {
+        assert!(self.0.insert(name), "{name} is visited twice");
+    }
+}
+
+/// The list is complete: every constant that the runtime exports is visited, compositions with each symmetric map.
+#[test]
+fn the_list_of_methods_is_complete() {
+    let mut names = Names(BTreeSet::new());
+    methods::general(&mut names);
+    methods::discrete_gradient(&mut names);
+    methods::separable(&mut names);
+    methods::nystrom(&mut names);
+
+    let mut tables = 0;
+    for line in include_str!("../../geoint-runtime/src/tables.rs").lines() {
+        let Some((name, ty)) = line.strip_prefix("pub const ").and_then(|rest| rest.split_once(':')) else { continue };
+        tables += 1;
+        let expected = match ty.trim_start().starts_with("Composition") {
+            true => ["StormerVerlet", "PositionVerlet", "ImplicitMidpoint", "DiscreteGradient"]
+                .map(|map| format!("{name}.of({map})"))
+                .to_vec(),
+            false => vec![name.to_string()],
+        };
+        for method in expected {
+            assert!(names.0.contains(method.as_str()), "{method} is not in the list of methods");
+        }
+    }
+    assert_eq!(tables, 15, "tables found in the source of the runtime");
+    for stages in 1..=6 {
+        assert!(names.0.contains(format!("Gauss::<{stages}>").as_str()));
+    }
+    for line in include_str!("../../geoint-runtime/src/splitting.rs").lines() {
+        if let Some(name) = line.strip_prefix("pub struct ").and_then(|rest| rest.strip_suffix(';')) {
+            let no_method = name.contains('<') || ["KickFirst", "DriftFirst"].contains(&name);
+            assert!(no_method || names.0.contains(name), "{name} is not in the list of methods");
+        }
+    }
+}
+
+/// Σ γ = 1 and Σ γᵏ = 0 for odd k < order: conditions that hold for every symmetric composition.
+#[test]
+fn compositions_meet_their_power_sums() {
+    fn check<const K: usize>(name: &str, composition: Composition<K>) {
+        let weights = composition.weights();
+        let size: f64 = weights.iter().map(|w| w.abs()).sum();
+        let power = |k: i32| weights.iter().map(|w| w.powi(k)).sum::<f64>();
+        assert!((power(1) - 1.0).abs() < 1e-15 * size, "{name}: Σγ − 1 = {:.1e}", power(1) - 1.0);
+        // From order 4 on; to order 8 and 10 the same holds for k = 5, 7, 9.
+        for k in (3..composition.order() as i32).step_by(2) {
+            let size: f64 = weights.iter().map(|w| w.abs().powi(k)).sum();
+            assert!(power(k).abs() < f64::from(k) * 2e-16 * size, "{name}: Σγ^{k} = {:.1e}", power(k));
+        }
+        assert!(weights.iter().eq(weights.iter().rev()), "{name} is not a palindrome");
+    }
+    check("Yoshida4", Yoshida4);
+    check("Suzuki4", Suzuki4);
+    check("McLachlan4", McLachlan4);
+    check("Yoshida6a", Yoshida6a);
+    check("McLachlan6_9", McLachlan6_9);
+    check("KahanLi8_17a", KahanLi8_17a);
+    check("SofroniouSpaletta10_35", SofroniouSpaletta10_35);
+}
+
+/// Kicks and drifts sum to 1 and meet the two conditions of order 3 in their palindromic form:
+/// Σ bᵢ cᵢ² = 1/3 and Σ bᵢ bⱼ min(cᵢ, cⱼ) … = 1/3, c being the drifts so far and b the kicks.
+#[test]
+fn splittings_meet_their_conditions() {
+    fn check<const K: usize, O>(name: &str, table: &Splitting<K, O>, kick_first: bool) {
+        // (kick, drift) pairs in order of application, padded with zeros.
+        let (outer, last, inner) = table.coefficients();
+        let mut flows: Vec<(bool, f64)> = vec![];
+        for (x, y) in outer.iter().zip(inner) {
+            flows.extend([(kick_first, *x), (!kick_first, *y)]);
+        }
+        flows.push((kick_first, last));
+        let backwards: Vec<_> = flows.iter().rev().copied().collect();
+        assert_eq!(flows, backwards, "{name} is not a palindrome");
+
+        // Run on q'' = f with f constant, linear and quadratic in time: c is the drift so far.
+        let (mut c, mut b) = (0.0, 0.0);
+        let (mut kicks_c, mut kicks_cc, mut drifts_bb) = (0.0, 0.0, 0.0);
+        for (is_kick, weight) in flows {
+            if is_kick {
+                kicks_c += weight * c;
+                kicks_cc += weight * c * c;
+                b += weight;
+            } else {
+                drifts_bb += weight * b * b;
+                c += weight;
+            }
+        }
+        let sums = [("Σa", c, 1.0), ("Σb", b, 1.0), ("Σbc", kicks_c, 0.5), ("Σbc²", kicks_cc, 1.0 / 3.0), ("ΣaB²", drifts_bb, 1.0 / 3.0)];
+        for (what, sum, expected) in sums {
+            assert!((sum - expected).abs() < 2e-15, "{name}: {what} − {expected} = {:.1e}", sum - expected);
+        }
+    }
+    check::<3, DriftFirst>("ForestRuth4", &ForestRuth4, false);
+    check::<4, DriftFirst>("PEFRL", &PEFRL, false);
+    check::<6, KickFirst>("BlanesMoan4", &BlanesMoan4, true);
+    check::<10, KickFirst>("BlanesMoan6", &BlanesMoan6, true);
+    check::<6, KickFirst>("BlanesMoanSrkn6b", BlanesMoanSrkn6b.table(), true);
+    check::<11, KickFirst>("BlanesMoanSrkn11b", BlanesMoanSrkn11b.table(), true);
+    check::<14, DriftFirst>("BlanesMoanSrkn14a", BlanesMoanSrkn14a.table(), false);
+    check::<17, DriftFirst>("BceRkn17_8", BceRkn17_8.table(), false);
+}
+
+/// Closed forms, computed here.
+#[test]
+fn tables_with_a_closed_form() {
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 4e-16 * a.abs(), "{a} {b}");
+    let triple = 1.0 / (2.0 - 2.0_f64.cbrt());
+    near(Yoshida4.weights()[0], triple);
+    near(Yoshida4.weights()[1], 1.0 - 2.0 * triple);
+    let fractal = 1.0 / (4.0 - 4.0_f64.cbrt());
+    near(Suzuki4.weights()[1], fractal);
+    near(Suzuki4.weights()[2], 1.0 - 4.0 * fractal);
+    let (outer, _, inner) = ForestRuth4.coefficients();
+    near(outer[0], 0.5 * triple);
+    near(outer[1], 0.5 * (1.0 - triple));
+    near(inner[0], triple);
+}

@@ -66,46 +66,57 @@ pub fn distance<R: Scalar>(a: &[R], b: &[R]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (*a - *b).magnitude().powi(2)).sum::<f64>().sqrt()
 }
 
-/// Errors below this may come from coefficients of tables, which are rounded to `f64`.
-const FLOOR: f64 = 2e-14;
+/// Numbers of steps in which orders are observed.
+pub const STEPS: [u64; 14] = [4, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512];
+/// Times, evenly spread, at which errors are taken: at a single one the leading term may happen to vanish.
+pub const LOOKS: u64 = 4;
 /// Errors above this say nothing of h → 0.
-const CEILING: f64 = 0.05;
-/// No more steps than this.
-const MOST: u64 = 512;
+const CEILING: f64 = 0.2;
+/// An error that does not fall below this has nothing to do with the rounding of coefficients to `f64`.
+const ROUNDED: f64 = 1e-14;
 
-/// log₂ e(h)/e(h/2) for the smallest h whose two errors are beyond rounding; NaN if there is none.
+/// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
 ///
-/// `error` gives the error after a fixed time in so many steps.
-pub fn observed_order(mut error: impl FnMut(u64) -> Result<f64, StepError>) -> f64 {
+/// `errors` belong to [`STEPS`]. Even in double-double an error does not fall to zero, because tables are rounded to
+/// `f64`: what is left with the smallest step shows how far that reaches.
+pub fn observed_order(errors: &[f64]) -> f64 {
+    let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
+    let floor = if least < ROUNDED { 25.0 * least } else { 0.0 };
     let mut order = f64::NAN;
-    let mut before = f64::INFINITY;
-    let mut n = 2;
-    while n <= MOST {
-        // A long step may fail; the order is about short ones.
-        let now = error(n).unwrap_or(f64::INFINITY);
-        if now < FLOOR {
-            break;
+    for (steps, error) in STEPS.iter().zip(errors) {
+        let twice = STEPS.iter().position(|n| *n == 2 * steps).and_then(|i| errors.get(i));
+        if let Some(next) = twice.filter(|next| **next > floor && *error < CEILING) {
+            order = (error / next).log2();
         }
-        if before < CEILING {
-            order = (before / now).log2();
-        }
-        (before, n) = (now, 2 * n);
     }
     order
 }
 
-/// The error of a method in double-double after a time, in `n` steps.
+/// The solution of a problem at all looks.
+pub fn solutions<P: Problem>(start: f64, duration: f64, parts: usize) -> Vec<Vec<Double>> {
+    let solve = |look: u64| {
+        let part = Double::from(duration) * look as f64 / LOOKS as f64;
+        solution(&P::system::<Double>(), &P::start(start), part, parts * look as usize)
+    };
+    (1..=LOOKS).map(solve).collect()
+}
+
+/// The error of a method in double-double, in the root-mean-square of all looks, for `n` steps.
 pub fn error<P: Problem, M: Method<P::Over<Double>, Double>>(
     method: M,
     start: f64,
     duration: f64,
     n: u64,
-    solution: &[Double],
+    solutions: &[Vec<Double>],
 ) -> Result<f64, StepError> {
     let h = Double::from(duration) / n as f64;
     let mut sim = P::system::<Double>().integrator(method, h, P::start(start));
-    sim.advance(n)?;
-    Ok(distance(&flat(&sim.state()), solution))
+    let mut sum = 0.0;
+    for solution in solutions {
+        sim.advance(n / LOOKS)?;
+        sum += distance(&flat(&sim.state()), solution).powi(2);
+    }
+    Ok((sum / LOOKS as f64).sqrt())
 }
 
 /// max |MᵀJM − J| for the derivative M of `steps` steps, from one run in dual numbers a coordinate.

@@ -261,7 +261,7 @@ problems! { t q p:
     henon_heiles HenonHeiles { m: [1.7, 0.6], lambda: 0.8 } (q, p, m, lambda) at [0.3, -0.2], [0.35, 0.25];
     quartic_chain QuarticChain { w: [0.6, 1.9], k: [1.2, 0.8, 1.5] } (q, p, w, k) at [0.5, -0.7], [0.4, 0.6];
     double_pendulum DoublePendulum { m1: 1.4, m2: 0.8, l1: 0.9, l2: 1.2, g: 3.0 } (q, p, m1, m2, l1, l2, g)
-        at [1.2, -0.4], [0.3, 0.5];
+        at [0.7, -0.4], [0.3, 0.5];
     relativistic Relativistic { m: [0.8, 1.5], k: 1.3 } (q, p, m, k) at [0.6, -0.4], [0.7, 0.5];
     driven_pendulum DrivenPendulum { m: 1.4, g: 2.1, drive: 0.6, omega: 2.3 } (t, q, p, m, g, drive, omega) at [0.8], [0.5];
     breathing Breathing { m: [1.6, 0.7], omega: 2.1 } (q, p, t, m, omega) at [0.6, -0.5], [0.4, 0.7];

@@ -33,6 +33,21 @@ impl Dual {
         Dual(self.0.powi(n))
     }
 
+    /// x to the power of a number that is constant or not, as the method of `f64` takes it.
+    pub fn powf(self, y: impl Into<Dual>) -> Self {
+        Real::powf(self, y.into())
+    }
+
+    /// x·π/180.
+    pub fn to_radians(self) -> Self {
+        self * (std::f64::consts::PI / 180.0)
+    }
+
+    /// x·180/π.
+    pub fn to_degrees(self) -> Self {
+        self * (180.0 / std::f64::consts::PI)
+    }
+
     /// 1/x.
     pub fn recip(self) -> Self {
         Dual(self.0.recip())
