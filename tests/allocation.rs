@@ -1,2 +1,91 @@
-//! t
-fn main(){}
+//! Stepping allocates nothing, whatever the method. Alone in its program, because it owns the allocator.
+
+#![allow(unsafe_code, reason = "an allocator cannot be written without it")]
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::hint::black_box;
+use std::marker::PhantomData;
+
+thread_local! {
+    /// Per thread: the test harness may allocate on others.
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+fn count() {
+    ALLOCATIONS.with(|n| n.set(n.get() + 1));
+}
+
+// SAFETY: everything is left to the allocator of the system; counting neither allocates nor unwinds.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        count();
+        unsafe { System.alloc_zeroed(layout) }
+    }
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        count();
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations_during(run: impl FnOnce()) -> u64 {
+    let before = ALLOCATIONS.with(Cell::get);
+    run();
+    ALLOCATIONS.with(Cell::get) - before
+}
+
+/// Everything that can be done with an integrator, an error included.
+struct Steps<P>(usize, PhantomData<P>);
+
+impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
+    fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
+        self.0 += 1;
+        let count = allocations_during(|| {
+            let mut sim = P::system::<f64>().integrator(method, 0.01, P::start(0.0));
+            sim.step().unwrap();
+            sim.advance(20).unwrap();
+            sim.set_step_size(0.02);
+            black_box(sim.until(1.0).filter(Result::is_ok).count());
+            black_box(sim.sampled(2).take(3).filter(Result::is_ok).count());
+            black_box((sim.energy(), sim.state()));
+            sim.set_step_size(f64::NAN);
+            assert!(sim.step().is_err());
+            sim.set_step_size(1e200);
+            black_box(sim.advance(3).is_err());
+        });
+        assert_eq!(count, 0, "{} with {name}", P::NAME);
+    }
+}
+
+#[test]
+fn stepping_allocates_nothing() {
+    assert!(allocations_during(|| drop(black_box(vec![1.0]))) > 0, "the counter counts");
+
+    let mut steps = Steps::<HenonHeiles>(0, PhantomData);
+    methods::general(&mut steps);
+    methods::discrete_gradient(&mut steps);
+    methods::separable(&mut steps);
+    methods::nystrom(&mut steps);
+    assert_eq!(steps.0, 49);
+
+    let mut steps = Steps::<DoublePendulum>(0, PhantomData);
+    methods::general(&mut steps);
+    methods::discrete_gradient(&mut steps);
+    assert_eq!(steps.0, 23);
+}

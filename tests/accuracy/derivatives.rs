@@ -111,7 +111,7 @@ where
     let h = 0.07;
     let prepared = plain.prepare(h);
     let (start, _) = S::start(&prepared, t, &array(q), &array(p));
-    let mut at = |size: f64, noise: &mut Noise| {
+    let at = |size: f64, noise: &mut Noise| {
         let increment: Vec<f64> = noise.take(S::Increment::LEN).map(|x| size * x).collect();
         let (mut residual, mut jacobian) = (S::Increment::zero(), S::Increment::fill(S::Increment::zero()));
         S::residual(&prepared, &start, &array(&increment), &mut residual, &mut jacobian);

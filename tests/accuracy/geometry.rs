@@ -23,12 +23,16 @@ impl<P: Problem> Geometry<P> {
         Geometry { h, failures: vec![], controls: 0, problem: PhantomData }
     }
 
-    fn judge(&mut self, name: &str, claimed: bool, defect: Result<f64, StepError>, kept: f64, broken: f64) {
-        self.controls += usize::from(!claimed);
-        let good = matches!(defect, Ok(defect) if if claimed { defect <= kept } else { defect > broken });
-        println!("{:16} {name:45} {claimed:5} {defect:.1e?}", P::NAME);
+    /// `kept` bounds the defect from above if the property is claimed, 10⁻⁶ from below if not: of a composition of high
+    /// order that is not asked, because it may come as close to the exact flow as its order says.
+    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, StepError>, kept: f64) {
+        let control = !claimed && order <= 2;
+        self.controls += usize::from(control);
+        let good = matches!(defect, Ok(defect) if (!claimed || defect <= kept) && (!control || defect > 1e-6));
+        let shown = defect.map_or_else(|error| error.to_string(), |defect| format!("{defect:.1e}"));
+        println!("{:16} {name:45} {claimed:5} {shown}", P::NAME);
         if !good {
-            self.failures.push(format!("{name}: claimed {claimed}, defect {defect:.1e?}"));
+            self.failures.push(format!("{name}: claimed {claimed}, defect {shown}"));
         }
     }
 
@@ -41,8 +45,7 @@ impl<P: Problem> Geometry<P> {
 impl<P: Problem> Visitor<P::Over<Dual>, Dual> for Geometry<P> {
     fn visit<M: Method<P::Over<Dual>, Dual>>(&mut self, name: &'static str, method: M) {
         let defect = symplecticity_defect::<P, M>(method, FROM, self.h, 3);
-        // One degree of freedom: a map that keeps energy and is symmetric may come close to keeping area.
-        self.judge(name, method.claims().symplectic, defect, 1e-12, 1e-6);
+        self.judge(name, method.claims().order, method.claims().symplectic, defect, 1e-12);
     }
 }
 
@@ -52,7 +55,7 @@ struct Symmetry<P>(Geometry<P>);
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Symmetry<P> {
     fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
         let defect = symmetry_defect::<P, M>(method, FROM, self.0.h, 3);
-        self.0.judge(name, method.claims().symmetric, defect, 1e-13, 1e-6);
+        self.0.judge(name, method.claims().order, method.claims().symmetric, defect, 1e-13);
     }
 }
 

@@ -48,7 +48,7 @@ functions! {
     asin(q, p) in -0.9, 0.9: (0.6 * q + 0.3 * p).asin() * q;
     acos(q, p) in -0.9, 0.9: (0.6 * q - 0.3 * p).acos() * p;
     atan(q, p) in -3.0, 3.0: (0.7 * q + 0.4 * p).atan() * q;
-    atan2(q, p) in 0.3, 2.0: (q - 1.0).atan2(p - 2.5) * p;
+    atan2(q, p) in 0.3, 2.0: (q + 0.2).atan2(p - 1.1) * p + (-q).atan2(p);
     sinh(q, p) in -1.5, 1.5: (0.7 * q + 0.4 * p).sinh() * q;
     cosh(q, p) in -1.5, 1.5: (0.7 * q + 0.4 * p).cosh() * p;
     tanh(q, p) in -2.0, 2.0: (0.7 * q + 0.4 * p).tanh() * q;
@@ -68,7 +68,7 @@ functions! {
     powi(q, p) in 0.4, 1.6: q.powi(5) * p + p.powi(-3) * q + (q - p).powi(2) + q.powi(0) + p.powi(1);
     powf(q, p) in 0.4, 1.6: q.powf(2.5) * p + p.powf(-0.5) + q.powf(1.7) * p.powf(-0.3) + q.powf(2.0) + q.powf(p);
     recip(q, p) in 0.4, 1.6: (0.7 * q + 0.4 * p).recip() * q;
-    abs(q, p) in -3.0, 3.0: (0.7 * q + 0.4 * p).abs() * q * p;
+    abs(q, p) in 0.2, 3.0: (0.7 * q + 0.4 * p).abs() * q * p + (-q - p * p).abs() * p;
     mul_add(q, p) in -2.0, 2.0: q.mul_add(p * q, q * p * p);
     min(q, p) in -2.0, 2.0: (q * q * q).min(p * p) * p;
     max(q, p) in -2.0, 2.0: (q * q * q).max(q * p) * p;

@@ -1,2 +1,5 @@
-//! t
-fn main(){}
+//! Stays right: what is kept over long times, what bad input gets, how trajectories are walked.
+
+mod conservation;
+mod refusals;
+mod trajectories;

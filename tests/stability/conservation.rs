@@ -1,0 +1,143 @@
+//! Long runs: energy to rounding, energy within bounds, energy lost.
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::measure::{Line, distance, regression, solution};
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+use geoint_tests::scalars::Double;
+
+/// Kepler in the form whose angular momentum the discrete gradient keeps.
+fn ellipse(e: f64) -> (Kepler, State<[f64; 2]>) {
+    let speed = ((1.0 + e) / (1.0 - e)).sqrt();
+    (Kepler { mass: 1.0, mu: 1.0 }, State::new([1.0 - e, 0.0], [0.0, speed]))
+}
+
+fn momentum(state: &State<[f64; 2]>) -> f64 {
+    state.q[0] * state.p[1] - state.q[1] * state.p[0]
+}
+
+/// Errors of energy and angular momentum over a run.
+fn ellipse_errors<M: Method<Kepler, f64>>(method: M) -> (f64, f64) {
+    let (system, start) = ellipse(0.6);
+    let (energy, spin) = (system.energy(&start), momentum(&start));
+    let mut sim = system.integrator(method, 0.05, start);
+    sim.sampled(1).take(2000).map(Result::unwrap).fold((0.0, 0.0), |(h, l), state| {
+        (f64::max(h, (system.energy(&state) - energy).abs()), f64::max(l, (momentum(&state) - spin).abs()))
+    })
+}
+
+#[test]
+fn discrete_gradient_keeps_energy_and_angular_momentum() {
+    let (energy, spin) = ellipse_errors(DiscreteGradient::default());
+    println!("discrete gradient: energy {energy:.1e}, angular momentum {spin:.1e}");
+    assert!(energy <= 1e-14, "energy {energy:.1e}");
+    assert!(spin <= 1e-14, "angular momentum {spin:.1e}");
+    // Neither comes for free: the midpoint rule keeps the second alone, and explicit Euler nothing.
+    let (energy, spin) = ellipse_errors(ImplicitMidpoint);
+    assert!(energy > 1e-4 && spin <= 1e-13, "{energy:.1e} {spin:.1e}");
+    let (energy, spin) = ellipse_errors(ExplicitEuler);
+    assert!(energy > 1e-2 && spin > 1e-2, "{energy:.1e} {spin:.1e}");
+}
+
+/// Energy errors of a run, relative to the start, at every `stride`-th step.
+fn errors<P: Problem, M: Method<P::Over<f64>, f64>>(method: M, h: f64, stride: u64, samples: usize) -> Vec<(f64, f64)> {
+    let (system, start) = (P::system::<f64>(), P::start::<f64>(0.0));
+    let energy = system.energy(&start);
+    let mut sim = system.integrator(method, h, start);
+    let point = |state: Result<State<_>, _>| {
+        let state = state.unwrap();
+        (state.t, (system.energy(&state) - energy) / energy)
+    };
+    sim.sampled(stride).take(samples).map(point).collect()
+}
+
+fn largest(points: &[(f64, f64)]) -> f64 {
+    points.iter().map(|point| point.1.abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn discrete_gradient_has_no_drift_in_a_million_steps() {
+    let points = errors::<Pendulum, _>(DiscreteGradient::default(), 0.1, 100, 10_000);
+    let Line { slope, uncertainty } = regression(&points);
+    let reach = slope * points.last().unwrap().0;
+    println!("pendulum: largest {:.1e}, drift over the run {reach:.1e} ± {uncertainty:.1e} a unit of time", largest(&points));
+    assert!(largest(&points) <= 1e-12, "{:.1e}", largest(&points));
+    // Rounding walks at random, √n steps of about u: a drift of one unit in 2⁵³ a step would reach 1e-10.
+    assert!(reach.abs() <= 5e-13, "{reach:.1e}");
+}
+
+#[test]
+fn verlet_keeps_energy_within_bounds_and_euler_does_not() {
+    let points = errors::<Pendulum, _>(StormerVerlet, 0.02, 100, 10_000);
+    let (early, late) = points.split_at(1000);
+    println!("verlet: {:.1e} early, {:.1e} late", largest(early), largest(late));
+    assert!(largest(late) <= 1.05 * largest(early), "{:.1e} {:.1e}", largest(early), largest(late));
+    assert!(largest(late) < 0.02);
+    let Line { slope, .. } = regression(&points);
+    assert!((slope * points.last().unwrap().0).abs() < 1e-3 * largest(late), "{slope:.1e}");
+
+    let points = errors::<Pendulum, _>(ExplicitEuler, 0.0002, 100, 10_000);
+    let Line { slope, uncertainty } = regression(&points);
+    println!("euler: drift {:.1e}", slope * points.last().unwrap().0);
+    assert!((slope * points.last().unwrap().0).abs() > 0.05 && slope.abs() > 100.0 * uncertainty);
+}
+
+/// What the claims say of energy, for every method: to rounding or not.
+#[test]
+fn energy_is_kept_by_those_that_claim_it() {
+    struct Energy(usize);
+    impl Visitor<DoublePendulum, f64> for Energy {
+        fn visit<M: Method<DoublePendulum, f64>>(&mut self, name: &'static str, method: M) {
+            let error = largest(&errors::<DoublePendulum, _>(method, 0.1, 1, 200));
+            let claims = method.claims();
+            self.0 += usize::from(claims.conserves_energy);
+            println!("{name:45} {error:.1e}");
+            match claims.conserves_energy {
+                true => assert!(error < 5e-14, "{name}: {error:.1e}"),
+                false => assert!(error > 5e-14, "{name}: {error:.1e}"),
+            }
+        }
+    }
+    let mut energy = Energy(0);
+    methods::general(&mut energy);
+    methods::discrete_gradient(&mut energy);
+    assert_eq!(energy.0, 8);
+}
+
+/// The momentum of a cyclic coordinate is not touched, not even by rounding.
+#[test]
+fn cyclic_momentum_is_kept_bitwise() {
+    struct Cyclic;
+    impl Visitor<Spherical, f64> for Cyclic {
+        fn visit<M: Method<Spherical, f64>>(&mut self, name: &'static str, method: M) {
+            let start = Spherical::start::<f64>(0.0);
+            let mut sim = Spherical::system::<f64>().integrator(method, 0.02, start);
+            sim.advance(300).unwrap();
+            assert_eq!(sim.state().p[2].to_bits(), start.p[2].to_bits(), "{name}");
+            assert!((sim.state().p[1] - start.p[1]).abs() > 1e-3, "{name}: the others move");
+        }
+    }
+    let mut cyclic = Cyclic;
+    methods::general(&mut cyclic);
+    methods::discrete_gradient(&mut cyclic);
+}
+
+/// Errors of the implicit midpoint rule at T = 2 on Hénon–Heiles with unit masses from (0.1, −0.2, 0.3, 0.25), computed
+/// once by another program from an independent solution of relative accuracy 10⁻¹³.
+#[test]
+fn midpoint_errors_of_another_program() {
+    let system = HenonHeiles { m: [1.0, 1.0], lambda: 1.0 };
+    let start = State::new([0.1, -0.2], [0.3, 0.25]);
+    let exact = solution(&system, &start, 2.0, 20);
+    let lifted = HenonHeiles { m: [1.0, 1.0].map(Double::from), lambda: 1.0.into() };
+    let lifted = solution(&lifted, &State::new(start.q.map(Double::from), start.p.map(Double::from)), 2.0.into(), 20);
+    assert!(distance(&exact, &lifted.iter().map(|x| x.value()).collect::<Vec<_>>()) < 1e-14);
+    for (h, expected) in [(0.2, 4.759e-3), (0.1, 1.198e-3), (0.05, 3.000e-4)] {
+        let mut sim = system.integrator(ImplicitMidpoint, h, start);
+        let end = sim.until(2.0).last().unwrap().unwrap();
+        let error = distance(&flat(&end), &exact);
+        println!("h = {h}: {error:.3e}, expected {expected:.3e}");
+        assert!((error / expected - 1.0).abs() < 0.05, "h = {h}: {error:.3e}, expected {expected:.3e}");
+    }
+}

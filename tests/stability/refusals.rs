@@ -1,0 +1,206 @@
+//! Bad input at run time: an error with a reason, the last good state bit for bit, and a way to go on.
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+
+/// A logarithmic wall at q = 0: its force −1/q is a number on the other side as well.
+#[hamiltonian]
+fn wall(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) - k * q.ln() + q
+}
+
+/// A root that ends at q = 1.
+#[hamiltonian]
+fn rim(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) - (1.0 - q * q).sqrt()
+}
+
+/// A rim that is met by both coordinates.
+#[hamiltonian]
+fn joint_rim(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) + (q * p + 1.0).ln() + q * q
+}
+
+/// A step of each method.
+struct BadSteps;
+
+impl Visitor<Pendulum, f64> for BadSteps {
+    fn visit<M: Method<Pendulum, f64>>(&mut self, name: &'static str, method: M) {
+        let mut sim = Pendulum::system::<f64>().integrator(method, 0.01, Pendulum::start(0.2));
+        sim.advance(5).unwrap();
+        let good = sim.state();
+        for h in [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            sim.set_step_size(h);
+            let expected = |error: StepError| matches!(error, StepError::InvalidStepSize { h: seen } if seen == h || h.is_nan());
+            assert!(expected(sim.step().unwrap_err()), "{name}: {h}");
+            assert!(expected(sim.advance(3).unwrap_err()), "{name}: {h}");
+            assert_eq!((sim.state().q, sim.state().p), (good.q, good.p), "{name}: {h}");
+            assert_eq!(sim.steps(), 5);
+        }
+    }
+}
+
+#[test]
+fn unusable_step_sizes() {
+    methods::general(&mut BadSteps);
+    methods::discrete_gradient(&mut BadSteps);
+    methods::separable(&mut BadSteps);
+    methods::nystrom(&mut BadSteps);
+}
+
+/// Time stays what it was, so that a usable step size goes on as if nothing had been.
+#[test]
+fn time_survives_unusable_step_sizes() {
+    for h in [0.0, f64::NAN, f64::INFINITY] {
+        let mut sim = Pendulum::system::<f64>().integrator(StormerVerlet, 0.01, Pendulum::start(0.2));
+        sim.advance(5).unwrap();
+        let good = sim.state();
+        sim.set_step_size(h);
+        assert!(sim.step().is_err());
+        sim.set_step_size(0.02);
+        assert_eq!(sim.state(), good, "after h = {h}");
+        sim.step().unwrap();
+        assert_eq!(sim.time(), good.t + 0.02);
+    }
+}
+
+#[test]
+fn states_that_are_not_finite() {
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for (t, q, p) in [(0.0, bad, 0.0), (0.0, 0.0, bad), (bad, 0.0, 0.0)] {
+            let mut sim = Pendulum::system::<f64>().integrator(StormerVerlet, 0.01, State::at(t, q, p));
+            assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })), "{t} {q} {p}");
+            let mut sim = Pendulum::system::<f64>().integrator(ImplicitMidpoint, 0.01, State::at(t, q, p));
+            assert!(matches!(sim.advance(10), Err(StepError::NonFiniteState { .. })), "{t} {q} {p}");
+            assert_eq!(sim.sampled(1).count(), 1, "one item, the error");
+        }
+    }
+}
+
+/// After an error at some step of a long `advance`, the state is that of the step before, bit for bit, as single steps
+/// find it, and a smaller step goes on from there.
+fn stops_at_the_last_good_state<S, M>(system: S, method: M, h: f64, start: State<S::Coordinates>, smaller: f64) -> StepError
+where
+    S: Hamiltonian<f64>,
+    M: Method<S, f64>,
+    S::Coordinates: PartialEq,
+{
+    let mut single = system.integrator(method, h, start);
+    let mut last = single.state();
+    let reason = loop {
+        match single.step() {
+            Ok(()) => last = single.state(),
+            Err(reason) => break reason,
+        }
+        assert!(single.steps() < 3000, "no error in 3000 steps, now at {last:?}");
+    };
+    assert_eq!(single.state(), last);
+    assert_eq!(single.time(), start.t + single.steps() as f64 * h);
+
+    let mut bulk = system.integrator(method, h, start);
+    assert_eq!(bulk.advance(5000).unwrap_err(), reason);
+    assert_eq!(bulk.state(), last, "`advance` stops where single steps stop");
+    assert_eq!(bulk.steps(), single.steps());
+    // Again: the same answer, the same state.
+    assert_eq!(bulk.step().unwrap_err(), reason);
+    assert_eq!(bulk.state(), last);
+
+    bulk.set_step_size(smaller);
+    bulk.step().unwrap();
+    assert_eq!(bulk.time(), last.t + smaller);
+    reason
+}
+
+/// The particle falls towards the wall, and a long step jumps through it.
+#[test]
+fn a_logarithm_of_a_negative_number() {
+    fn check<M: Method<Wall, f64>>(name: &str, method: M) {
+        let system = Wall { m: 1.3, k: 0.05 };
+        let reason = stops_at_the_last_good_state(system, method, 0.31, State::new(2.0, -1.0), 1e-4);
+        let StepError::OutsideDomain { t, what } = reason else { panic!("{name}: {reason}") };
+        assert!(what.contains("ln") && t >= 0.0, "{name}: {reason}");
+    }
+    check("StormerVerlet", StormerVerlet);
+    check("PositionVerlet", PositionVerlet);
+    check("SymplecticEuler", SymplecticEuler);
+    check("ExplicitEuler", ExplicitEuler);
+    check("BlanesMoan4", BlanesMoan4);
+}
+
+#[test]
+fn a_root_of_a_negative_number() {
+    fn check<M: Method<Rim, f64>>(name: &str, method: M) {
+        let reason = stops_at_the_last_good_state(Rim { m: 1.4 }, method, 0.1, State::new(0.2, 2.0), 1e-4);
+        let StepError::OutsideDomain { t, what } = reason else { panic!("{name}: {reason}") };
+        assert!(what.contains("sqrt") || what.contains("root"), "{name}: {reason}");
+        assert!(t > 0.0, "{name}: {reason}");
+    }
+    check("StormerVerlet", StormerVerlet);
+    check("BlanesMoanSrkn14a", BlanesMoanSrkn14a);
+    check("ExplicitEuler", ExplicitEuler);
+    check("ImplicitMidpoint", ImplicitMidpoint);
+    check("Gauss", Gauss::<3>);
+    check("DiscreteGradient", DiscreteGradient::default());
+    check("composition", Yoshida4.of(ImplicitMidpoint));
+}
+
+#[test]
+fn a_start_outside_the_domain() {
+    let mut sim = Rim { m: 1.4 }.integrator(StormerVerlet, 0.1, State::new(1.5, 0.0));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })));
+    let mut sim = Wall { m: 1.4, k: 1.0 }.integrator(StormerVerlet, 0.01, State::new(-1.0, 0.0));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "{:?}", sim.state());
+    let mut sim = JointRim { m: 1.4 }.integrator(ImplicitMidpoint, 0.01, State::new(2.0, -1.0));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "{:?}", sim.state());
+}
+
+/// Far too large a step: Newton gives up, says so, and a smaller step works.
+#[test]
+fn newton_that_does_not_converge() {
+    fn check<M: Method<DoublePendulum, f64>>(name: &str, method: M) {
+        let start = DoublePendulum::start::<f64>(0.0);
+        let system = DoublePendulum::system::<f64>();
+        // Which long step fails depends on the method; one of these must, and none may return nonsense.
+        let mut refused = 0;
+        for h in [30.0, 300.0, 3e3, 3e4, 3e5, 3e6, 3e7, 3e8] {
+            let mut sim = system.integrator(method, h, start);
+            match sim.step() {
+                Ok(()) => assert!(flat(&sim.state()).iter().all(|x| x.is_finite()), "{name}: h = {h}"),
+                Err(StepError::NotConverged { t, iterations, .. }) => {
+                    refused += 1;
+                    assert!(t == 0.0 && iterations > 1);
+                    assert_eq!(sim.state(), start, "{name}: h = {h}");
+                    sim.set_step_size(0.01);
+                    sim.step().unwrap();
+                }
+                Err(other) => panic!("{name}: h = {h}: {other}"),
+            }
+        }
+        assert!(refused > 0, "{name}");
+    }
+    check("ImplicitMidpoint", ImplicitMidpoint);
+    check("Gauss", Gauss::<2>);
+    check("Gauss", Gauss::<6>);
+    check("DiscreteGradient", DiscreteGradient::default());
+    check("composition", Suzuki4.of(DiscreteGradient::default()));
+}
+
+/// Numbers that overflow without leaving any domain.
+#[test]
+fn overflow_on_the_way() {
+    let system = QuarticChain::system::<f64>();
+    let reason = stops_at_the_last_good_state(system, StormerVerlet, 5.0, QuarticChain::start(0.0), 1e-3_f64.powi(20));
+    assert!(matches!(reason, StepError::NonFinite { t } if t > 0.0), "{reason}");
+}
+
+/// Every message names the time and what to do.
+#[test]
+fn messages_say_what_to_do() {
+    let mut sim = Rim { m: 1.4 }.integrator(StormerVerlet, 0.1, State::new(0.2, 2.0));
+    let message = sim.advance(100).unwrap_err().to_string();
+    assert!(message.contains("t = ") && message.contains("domain") && message.contains("smaller step"), "{message}");
+    let error: Box<dyn std::error::Error> = Box::new(StepError::InvalidStepSize { h: 0.0 });
+    assert!(error.to_string().contains("step size"));
+}
