@@ -57,7 +57,7 @@ impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
     fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
         self.0 += 1;
         let count = allocations_during(|| {
-            let mut sim = P::system::<f64>().integrator(method, 0.01, P::start(0.0));
+            let mut sim = P::system::<f64>().integrator(method, 0.01, P::initial(0.0));
             sim.step().unwrap();
             sim.advance(20).unwrap();
             sim.set_step_size(0.02);

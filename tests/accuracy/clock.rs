@@ -11,7 +11,7 @@ struct Clock;
 impl Visitor<DrivenPendulum, f64> for Clock {
     fn visit<M: Method<DrivenPendulum, f64>>(&mut self, name: &'static str, method: M) {
         let (t0, h) = (0.3, 0.01);
-        let mut sim = DrivenPendulum::system::<f64>().integrator(method, h, DrivenPendulum::start(t0));
+        let mut sim = DrivenPendulum::system::<f64>().integrator(method, h, DrivenPendulum::initial(t0));
         let mut n = 0_u64;
         for steps in [0, 1, 2, 7, 90] {
             sim.advance(steps).unwrap();
@@ -42,7 +42,7 @@ fn time_is_a_product_not_a_sum() {
 #[test]
 fn a_new_step_size_goes_on_from_here() {
     let system = DrivenPendulum::system::<f64>();
-    let mut sim = system.integrator(BlanesMoan4, 0.1, DrivenPendulum::start(0.3));
+    let mut sim = system.integrator(BlanesMoan4, 0.1, DrivenPendulum::initial(0.3));
     sim.advance(7).unwrap();
     let before = sim.state();
     sim.set_step_size(0.03);
@@ -66,7 +66,7 @@ fn short_numbers() {
             let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
             let mut sim = system.integrator(method, 0.01, State::new(1.1, 0.4));
             sim.advance(50).unwrap();
-            let exact = Pendulum::system::<f64>().integrator(Gauss::<6>, 0.01, Pendulum::start(0.0));
+            let exact = Pendulum::system::<f64>().integrator(Gauss::<6>, 0.01, Pendulum::initial(0.0));
             let exact = { exact }.sampled(50).next().unwrap().unwrap();
             let tolerance = if method.claims().order == 1 { 0.2 } else { 2e-3 };
             let gap = (f64::from(sim.state().q) - exact.q).abs();

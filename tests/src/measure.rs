@@ -96,7 +96,7 @@ pub fn observed_order(errors: &[f64]) -> f64 {
 pub fn solutions<P: Problem>(start: f64, duration: f64, parts: usize) -> Vec<Vec<Double>> {
     let solve = |look: u64| {
         let part = Double::from(duration) * look as f64 / LOOKS as f64;
-        solution(&P::system::<Double>(), &P::start(start), part, parts * look as usize)
+        solution(&P::system::<Double>(), &P::initial(start), part, parts * look as usize)
     };
     (1..=LOOKS).map(solve).collect()
 }
@@ -110,7 +110,7 @@ pub fn error<P: Problem, M: Method<P::Over<Double>, Double>>(
     solutions: &[Vec<Double>],
 ) -> Result<f64, StepError> {
     let h = Double::from(duration) / n as f64;
-    let mut sim = P::system::<Double>().integrator(method, h, P::start(start));
+    let mut sim = P::system::<Double>().integrator(method, h, P::initial(start));
     let mut sum = 0.0;
     for solution in solutions {
         sim.advance(n / LOOKS)?;
@@ -130,7 +130,7 @@ pub fn symplecticity_defect<P: Problem, M: Method<P::Over<Dual>, Dual>>(
     let n = q.len();
     let mut columns = vec![];
     for seed in 0..2 * n {
-        let mut state = P::start::<Dual>(start);
+        let mut state = P::initial::<Dual>(start);
         let (mut q, mut p) = (state.q.into_array(), state.p.into_array());
         let entry = if seed < n { &mut q.as_mut_slice()[seed] } else { &mut p.as_mut_slice()[seed - n] };
         *entry = Dual::variable(entry.value());
@@ -158,7 +158,7 @@ pub fn symmetry_defect<P: Problem, M: Method<P::Over<f64>, f64>>(
     h: f64,
     steps: u64,
 ) -> Result<f64, StepError> {
-    let state = P::start::<f64>(start);
+    let state = P::initial::<f64>(start);
     let mut sim = P::system::<f64>().integrator(method, h, state);
     sim.advance(steps)?;
     sim.set_step_size(-h);

@@ -1,9 +1,8 @@
 //! The list of all methods. Whatever is claimed of methods is tested by walking it.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::mean_gradient::{Midpoint, Tree};
-use geoint_runtime::system::{Collocation, MeanGradient};
-use geoint_runtime::{Method, QuadraticKinetic, Real, Separable};
+use geoint_runtime::system::{Collocation, DiscreteGradientStep};
+use geoint_runtime::{Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
 pub trait Visitor<S: Hamiltonian<R>, R: Real> {
@@ -17,32 +16,30 @@ macro_rules! visit {
 
 /// Every composition of a symmetric map.
 macro_rules! compositions {
-    ($visitor:ident: $name:ident = $map:expr) => {
-        compositions!($visitor: $name = $map; Yoshida4 Suzuki4 McLachlan4 Yoshida6a McLachlan6_9 KahanLi8_17a
-            SofroniouSpaletta10_35)
+    ($visitor:ident: $map:ident) => {
+        compositions!($visitor: $map; Yoshida4 Suzuki4 McLachlan4 Yoshida6a McLachlan6_9 KahanLi8_17a SofroniouSpaletta10_35)
     };
-    ($visitor:ident: $name:ident = $map:expr; $($composition:ident)*) => {
-        $( $visitor.visit(concat!(stringify!($composition), ".of(", stringify!($name), ")"), $composition.of($map)); )*
+    ($visitor:ident: $map:ident; $($composition:ident)*) => {
+        $( $visitor.visit(concat!(stringify!($composition), ".of(", stringify!($map), ")"), $composition.of($map)); )*
     };
 }
 
 /// Methods for every H.
 pub fn general<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: Collocation<R> + MeanGradient<Midpoint, R>,
+    S: Collocation<R>,
 {
     visit!(visitor: ExplicitEuler, ImplicitMidpoint, Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
-    compositions!(visitor: ImplicitMidpoint = ImplicitMidpoint);
+    compositions!(visitor: ImplicitMidpoint);
 }
 
 /// Methods for every H whose divided differences are known.
 pub fn discrete_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: MeanGradient<Tree, R>,
+    S: DiscreteGradientStep<R>,
 {
-    let map = DiscreteGradient::default();
-    visitor.visit("DiscreteGradient", map);
-    compositions!(visitor: DiscreteGradient = map);
+    visit!(visitor: DiscreteGradient);
+    compositions!(visitor: DiscreteGradient);
 }
 
 /// Methods for H = T(p, t) + V(q, t).
@@ -52,8 +49,8 @@ where
 {
     visit!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet);
     visit!(visitor: ForestRuth4, PEFRL, BlanesMoan4, BlanesMoan6);
-    compositions!(visitor: StormerVerlet = StormerVerlet);
-    compositions!(visitor: PositionVerlet = PositionVerlet);
+    compositions!(visitor: StormerVerlet);
+    compositions!(visitor: PositionVerlet);
 }
 
 /// Methods that need a T quadratic in p with a constant mass matrix.

@@ -4,7 +4,7 @@
 //! and without explicit time, cyclic coordinates, branches, every shape of coordinates.
 
 use crate::scalars::Scalar;
-use geoint_runtime::system::{Collocation, MeanGradient, mean_gradient::Midpoint};
+use geoint_runtime::system::Collocation;
 use geoint_runtime::{Coordinates, Hamiltonian, State, array::Array, hamiltonian};
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -153,7 +153,7 @@ pub fn short_pendulum(q: f32, p: f32, m: f32, l: f32, g: f32) -> f32 {
 /// An energy with parameters and a start, over any scalar.
 pub trait Problem {
     /// The system over another scalar.
-    type Over<R: Scalar>: Hamiltonian<R> + Collocation<R> + MeanGradient<Midpoint, R>;
+    type Over<R: Scalar>: Collocation<R>;
     /// The name of the function.
     const NAME: &'static str;
     /// Positions and momenta at the start.
@@ -166,7 +166,7 @@ pub trait Problem {
     fn written(t: f64, q: &[f64], p: &[f64]) -> f64;
 
     /// The start at time `t`.
-    fn start<R: Scalar>(t: f64) -> State<Coords<Self, R>> {
+    fn initial<R: Scalar>(t: f64) -> State<Coords<Self, R>> {
         let (q, p) = Self::START;
         state::<Self::Over<R>, R>(t, q, p)
     }

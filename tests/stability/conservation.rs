@@ -1,7 +1,7 @@
 //! Long runs: energy to rounding, energy within bounds, energy lost.
 
-use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
+use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::measure::{Line, distance, regression, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -29,7 +29,7 @@ fn ellipse_errors<M: Method<Kepler, f64>>(method: M) -> (f64, f64) {
 
 #[test]
 fn discrete_gradient_keeps_energy_and_angular_momentum() {
-    let (energy, spin) = ellipse_errors(DiscreteGradient::default());
+    let (energy, spin) = ellipse_errors(DiscreteGradient);
     println!("discrete gradient: energy {energy:.1e}, angular momentum {spin:.1e}");
     assert!(energy <= 1e-14, "energy {energy:.1e}");
     assert!(spin <= 1e-14, "angular momentum {spin:.1e}");
@@ -42,7 +42,7 @@ fn discrete_gradient_keeps_energy_and_angular_momentum() {
 
 /// Energy errors of a run, relative to the start, at every `stride`-th step.
 fn errors<P: Problem, M: Method<P::Over<f64>, f64>>(method: M, h: f64, stride: u64, samples: usize) -> Vec<(f64, f64)> {
-    let (system, start) = (P::system::<f64>(), P::start::<f64>(0.0));
+    let (system, start) = (P::system::<f64>(), P::initial::<f64>(0.0));
     let energy = system.energy(&start);
     let mut sim = system.integrator(method, h, start);
     let point = |state: Result<State<_>, _>| {
@@ -58,7 +58,7 @@ fn largest(points: &[(f64, f64)]) -> f64 {
 
 #[test]
 fn discrete_gradient_has_no_drift_in_a_million_steps() {
-    let points = errors::<Pendulum, _>(DiscreteGradient::default(), 0.1, 100, 10_000);
+    let points = errors::<Pendulum, _>(DiscreteGradient, 0.1, 100, 10_000);
     let Line { slope, uncertainty } = regression(&points);
     let reach = slope * points.last().unwrap().0;
     println!("pendulum: largest {:.1e}, drift over the run {reach:.1e} ± {uncertainty:.1e} a unit of time", largest(&points));
@@ -111,7 +111,7 @@ fn cyclic_momentum_is_kept_bitwise() {
     struct Cyclic;
     impl Visitor<Spherical, f64> for Cyclic {
         fn visit<M: Method<Spherical, f64>>(&mut self, name: &'static str, method: M) {
-            let start = Spherical::start::<f64>(0.0);
+            let start = Spherical::initial::<f64>(0.0);
             let mut sim = Spherical::system::<f64>().integrator(method, 0.02, start);
             sim.advance(300).unwrap();
             assert_eq!(sim.state().p[2].to_bits(), start.p[2].to_bits(), "{name}");
@@ -129,10 +129,9 @@ fn cyclic_momentum_is_kept_bitwise() {
 fn midpoint_errors_of_another_program() {
     let system = HenonHeiles { m: [1.0, 1.0], lambda: 1.0 };
     let start = State::new([0.1, -0.2], [0.3, 0.25]);
-    let exact = solution(&system, &start, 2.0, 20);
     let lifted = HenonHeiles { m: [1.0, 1.0].map(Double::from), lambda: 1.0.into() };
-    let lifted = solution(&lifted, &State::new(start.q.map(Double::from), start.p.map(Double::from)), 2.0.into(), 20);
-    assert!(distance(&exact, &lifted.iter().map(|x| x.value()).collect::<Vec<_>>()) < 1e-14);
+    let exact = solution(&lifted, &State::new(start.q.map(Double::from), start.p.map(Double::from)), 2.0.into(), 20);
+    let exact: Vec<f64> = exact.iter().map(|x| x.value()).collect();
     for (h, expected) in [(0.2, 4.759e-3), (0.1, 1.198e-3), (0.05, 3.000e-4)] {
         let mut sim = system.integrator(ImplicitMidpoint, h, start);
         let end = sim.until(2.0).last().unwrap().unwrap();

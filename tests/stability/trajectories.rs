@@ -1,7 +1,8 @@
 //! Walking along a trajectory: counts, last times, errors that end it, and the bare loop against single steps.
 
-use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Collocation, DiscreteGradientStep};
+use geoint_runtime::{Method, Separable};
 use geoint_tests::measure::distance;
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -13,7 +14,7 @@ impl Visitor<HenonHeiles, f64> for Bulk {
     fn visit<M: Method<HenonHeiles, f64>>(&mut self, name: &'static str, method: M) {
         let system = HenonHeiles::system::<f64>();
         for n in [1, 2, 3, 50] {
-            let mut bulk = system.integrator(method, 0.05, HenonHeiles::start(0.0));
+            let mut bulk = system.integrator(method, 0.05, HenonHeiles::initial(0.0));
             let mut single = bulk;
             bulk.advance(n).unwrap();
             (0..n).for_each(|_| single.step().unwrap());
@@ -28,7 +29,7 @@ impl Visitor<HenonHeiles, f64> for Bulk {
 impl Visitor<Breathing, f64> for Bulk {
     fn visit<M: Method<Breathing, f64>>(&mut self, name: &'static str, method: M) {
         let system = Breathing::system::<f64>();
-        let mut bulk = system.integrator(method, 0.05, Breathing::start(0.4));
+        let mut bulk = system.integrator(method, 0.05, Breathing::initial(0.4));
         let mut single = bulk;
         bulk.advance(50).unwrap();
         (0..50).for_each(|_| single.step().unwrap());
@@ -42,10 +43,7 @@ fn advance_is_so_many_steps() {
     fn lists<S>(bulk: &mut Bulk)
     where
         Bulk: Visitor<S, f64>,
-        S: geoint_runtime::system::Collocation
-            + geoint_runtime::system::MeanGradient<geoint_runtime::system::mean_gradient::Midpoint>
-            + geoint_runtime::system::MeanGradient<geoint_runtime::system::mean_gradient::Tree>
-            + geoint_runtime::Separable,
+        S: Collocation + DiscreteGradientStep + Separable,
     {
         methods::general::<S, f64, _>(bulk);
         methods::discrete_gradient::<S, f64, _>(bulk);
@@ -59,7 +57,7 @@ fn advance_is_so_many_steps() {
 /// Longer than the stretch after which the driver looks whether numbers are still finite.
 #[test]
 fn advance_beyond_one_look() {
-    let mut bulk = Pendulum::system::<f64>().integrator(StormerVerlet, 0.001, Pendulum::start(0.0));
+    let mut bulk = Pendulum::system::<f64>().integrator(StormerVerlet, 0.001, Pendulum::initial(0.0));
     let mut single = bulk;
     bulk.advance(2500).unwrap();
     (0..2500).for_each(|_| single.step().unwrap());
@@ -68,7 +66,7 @@ fn advance_beyond_one_look() {
 }
 
 fn pendulum(h: f64, t: f64) -> geoint_runtime::Integrator<Pendulum, geoint_runtime::StormerVerlet> {
-    Pendulum::system::<f64>().integrator(StormerVerlet, h, Pendulum::start(t))
+    Pendulum::system::<f64>().integrator(StormerVerlet, h, Pendulum::initial(t))
 }
 
 fn times(samples: impl Iterator<Item = Result<State<f64>, StepError>>) -> Vec<f64> {
