@@ -6,7 +6,6 @@ use super::{Stages, fma};
 use geoint_runtime::BlanesMoanSrkn14a;
 
 const BODIES: usize = 6;
-const PAIRS: usize = BODIES * (BODIES - 1) / 2;
 
 /// Parameters.
 pub(crate) struct OuterSolarSystem {
@@ -17,18 +16,13 @@ pub(crate) struct OuterSolarSystem {
 /// Positions or momenta.
 pub(crate) type Vectors = [[f64; 3]; BODIES];
 
+/// A factor for every pair.
+type Pulls = [[f64; BODIES]; BODIES];
+
 impl OuterSolarSystem {
-    /// h·G·mᵢ·mⱼ of every pair.
-    fn pulls(&self, h: f64) -> [f64; PAIRS] {
-        let mut pulls = [0.0; PAIRS];
-        let mut pair = 0;
-        for i in 0..BODIES {
-            for j in i + 1..BODIES {
-                pulls[pair] = h * self.g * self.m[i] * self.m[j];
-                pair += 1;
-            }
-        }
-        pulls
+    /// h·G·mᵢ·mⱼ.
+    fn pulls(&self, h: f64) -> Pulls {
+        self.m.map(|m| self.m.map(|other| h * self.g * m * other))
     }
 
     fn inverse_masses(&self, h: f64) -> [f64; BODIES] {
@@ -62,22 +56,34 @@ impl OuterSolarSystem {
     }
 }
 
-/// One division and one root a pair.
+/// All pairs, written out: the compiler keeps a loop over them as a loop, with p in memory, which costs ten times as much.
 #[inline(always)]
-fn kick(pulls: &[f64; PAIRS], q: &Vectors, p: &mut Vectors) {
-    let mut pair = 0;
-    for i in 0..BODIES {
-        for j in i + 1..BODIES {
-            let [x, y, z] = [0, 1, 2].map(|k| q[j][k] - q[i][k]);
-            let r2 = fma(x, x, fma(y, y, z * z));
-            let f = pulls[pair] / (r2 * r2.sqrt());
-            for (k, d) in [x, y, z].into_iter().enumerate() {
-                p[i][k] = fma(f, d, p[i][k]);
-                p[j][k] = fma(-f, d, p[j][k]);
-            }
-            pair += 1;
-        }
-    }
+fn kick(pulls: &Pulls, q: &Vectors, p: &mut Vectors) {
+    pair::<0, 1>(pulls, q, p);
+    pair::<0, 2>(pulls, q, p);
+    pair::<0, 3>(pulls, q, p);
+    pair::<0, 4>(pulls, q, p);
+    pair::<0, 5>(pulls, q, p);
+    pair::<1, 2>(pulls, q, p);
+    pair::<1, 3>(pulls, q, p);
+    pair::<1, 4>(pulls, q, p);
+    pair::<1, 5>(pulls, q, p);
+    pair::<2, 3>(pulls, q, p);
+    pair::<2, 4>(pulls, q, p);
+    pair::<2, 5>(pulls, q, p);
+    pair::<3, 4>(pulls, q, p);
+    pair::<3, 5>(pulls, q, p);
+    pair::<4, 5>(pulls, q, p);
+}
+
+/// One division and one root; components written out for the same reason.
+#[inline(always)]
+fn pair<const I: usize, const J: usize>(pulls: &Pulls, q: &Vectors, p: &mut Vectors) {
+    let (x, y, z) = (q[J][0] - q[I][0], q[J][1] - q[I][1], q[J][2] - q[I][2]);
+    let r2 = x * x + y * y + z * z;
+    let f = pulls[I][J] / (r2 * r2.sqrt());
+    p[I] = [fma(f, x, p[I][0]), fma(f, y, p[I][1]), fma(f, z, p[I][2])];
+    p[J] = [fma(-f, x, p[J][0]), fma(-f, y, p[J][1]), fma(-f, z, p[J][2])];
 }
 
 #[inline(always)]
