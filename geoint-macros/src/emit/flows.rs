@@ -5,8 +5,8 @@ use super::kernel::{Context, write};
 use super::system::self_type;
 use crate::analyze::{Parts, Split, Structure};
 use crate::check::{COUPLED, NOT_QUADRATIC};
-use crate::diff::Gradient;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::diff;
+use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -16,12 +16,11 @@ pub(super) fn flows(
     context: &Context<'_>,
     graph: &mut Graph,
     structure: &Structure,
-    gradient: &Gradient,
     bounds: &TokenStream,
 ) -> (TokenStream, Option<[Operations; 2]>) {
     match &structure.split {
         Split::Separable(parts) => {
-            let (tokens, operations) = separable(context, graph, parts, gradient, bounds);
+            let (tokens, operations) = separable(context, graph, parts, bounds);
             (tokens, Some(operations))
         }
         Split::Coupled(term) => (coupled(context, graph, *term, bounds), None),
@@ -32,12 +31,19 @@ fn separable(
     context: &Context<'_>,
     graph: &mut Graph,
     parts: &Parts,
-    gradient: &Gradient,
     bounds: &TokenStream,
 ) -> (TokenStream, [Operations; 2]) {
     let (name, array) = (self_type(context), context.array());
-    let kick = flow(context, graph, "p", Symbol::P, &gradient.q, -1);
-    let drift = flow(context, graph, "q", Symbol::Q, &gradient.p, 1);
+    // Derivatives of −hV and hT, not −h and h times those of V and T: then h meets the constants of every term and is
+    // prepared with them, instead of being multiplied to the sum.
+    let h = graph.symbol(Symbol::H);
+    let [impulse, shift] = [(parts.potential, Number::MINUS_ONE), (parts.kinetic, Number::ONE)].map(|(part, sign)| {
+        let generator = graph.mul(h, part);
+        let generator = graph.scale(sign, generator);
+        diff::gradient(graph, generator, context.energy.degrees())
+    });
+    let kick = flow(context, graph, "p", Symbol::P, &impulse.q);
+    let drift = flow(context, graph, "q", Symbol::Q, &shift.p);
     let quadratic = match parts.not_quadratic {
         None => quote!(impl<R: #bounds> QuadraticKinetic<R> for #name {}),
         Some(term) => {
@@ -82,16 +88,18 @@ struct Flow {
     operations: Operations,
 }
 
-/// x ← x ± h·slope, where what depends on h and parameters only is prepared.
-fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -> Symbol, slopes: &[Id], sign: i64) -> Flow {
-    let h = graph.symbol(Symbol::H);
+/// x ← x + increment, where what depends on h and parameters only is prepared.
+///
+/// An increment is summed before it is added: x is rounded once.
+fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -> Symbol, increments: &[Id]) -> Flow {
     let mut changed = vec![];
     let mut roots = vec![];
-    for (i, slope) in slopes.iter().enumerate().filter(|(_, slope)| !graph.is_zero(**slope)).collect::<Vec<_>>() {
-        let increment = graph.mul(h, *slope);
-        let increment = graph.scale(crate::ir::Number::integer(sign), increment);
+    for (i, increment) in increments.iter().enumerate() {
+        if graph.is_zero(*increment) {
+            continue;
+        }
         let start = graph.symbol(symbol(i as u32));
-        roots.push(graph.add(start, increment));
+        roots.push(graph.add(start, *increment));
         changed.push(context.coordinate(i as u32));
     }
     let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));

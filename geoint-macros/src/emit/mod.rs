@@ -21,7 +21,7 @@ use quote::quote;
 /// Everything that is emitted beside the user's function.
 pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Structure, derivatives: &Derivatives) -> TokenStream {
     let bounds = system::bounds(graph, structure.energy);
-    let (flows, flow_costs) = flows::flows(context, graph, structure, &derivatives.gradient, &bounds);
+    let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
     let (discrete, discrete_cost) = match &derivatives.tree {
         Ok(equation) => {
             let (tokens, cost) = implicit::discrete_gradient(context, graph, equation, &bounds);

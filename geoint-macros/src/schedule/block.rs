@@ -81,6 +81,27 @@ impl std::ops::Add for Operations {
     }
 }
 
+impl Instruction {
+    /// How long a function takes, in units of one sum.
+    pub(crate) const CALL_LATENCY: u32 = 10;
+
+    /// When the value is there, in units of one sum: after the last of its operands. Rounded figures that processors of
+    /// the last ten years have in common; only the order of sums depends on them.
+    pub(crate) fn ready(&self, operand: impl Fn(&Operand) -> u32) -> u32 {
+        match self {
+            Instruction::Neg(a) | Instruction::Not(a) => operand(a),
+            Instruction::Compare(_, a, b) | Instruction::And(a, b) | Instruction::Or(a, b) => {
+                operand(a).max(operand(b))
+            }
+            Instruction::Add(a, b) | Instruction::Sub(a, b) | Instruction::Mul(a, b) => 1 + operand(a).max(operand(b)),
+            Instruction::MulAdd(a, b, c) => 1 + operand(a).max(operand(b)).max(operand(c)),
+            Instruction::Div(a, b) => 4 + operand(a).max(operand(b)),
+            Instruction::Sqrt(a) => 4 + operand(a),
+            Instruction::Call(_, args) => Self::CALL_LATENCY + args.iter().map(operand).max().unwrap_or(0),
+        }
+    }
+}
+
 impl Block {
     /// What the block costs; of two branches the dearer one.
     pub(crate) fn operations(&self) -> Operations {

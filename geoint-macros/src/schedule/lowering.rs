@@ -3,7 +3,6 @@
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol, Table};
 
-
 /// The level of every node; constants have none.
 pub(super) struct Levels<F> {
     of_symbol: F,
@@ -55,7 +54,10 @@ pub(super) struct Lowering<'a, F> {
     level: usize,
     uses: Table<usize>,
     scopes: Vec<Scope>,
-    registers: usize,
+    /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
+    ready: Vec<u32>,
+    /// Bases of which several negative powers are needed, and whether halves are among the exponents.
+    reciprocals: HashMap<Id, bool>,
 }
 
 impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
@@ -73,7 +75,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             graph.node(id).for_each_child(&mut count);
         }
         roots.iter().copied().for_each(count);
-        let mut lowering = Lowering { graph, levels, slots, level, uses, scopes: vec![], registers: 0 };
+        let mut lowering = Lowering { graph, levels, slots, level, uses, scopes: vec![], ready: vec![], reciprocals: HashMap::default() };
+        lowering.find_reciprocals(roots);
         lowering.block(roots)
     }
 
@@ -152,7 +155,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         if let Some(known) = self.scopes.iter().find_map(|scope| scope.numbered.get(&instruction)) {
             return *known;
         }
-        let register = self.register();
+        let register = self.register(instruction.ready(|operand| self.ready(operand)));
         let operand = Operand::Register(register);
         if let Some(scope) = self.scopes.last_mut() {
             scope.block.statements.push(Statement::Let(register, instruction.clone()));
@@ -161,9 +164,14 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         operand
     }
 
-    fn register(&mut self) -> Register {
-        self.registers += 1;
-        self.registers - 1
+    fn register(&mut self, ready: u32) -> Register {
+        self.ready.push(ready);
+        self.ready.len() - 1
+    }
+
+    /// When an operand is there.
+    fn ready(&self, operand: &Operand) -> u32 {
+        if let Operand::Register(register) = operand { self.ready[*register] } else { 0 }
     }
 
     fn compute(&mut self, id: Id) -> Operand {
@@ -229,7 +237,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         for (c, id) in now {
             summands.push(self.product(c, id));
         }
-        // Start with something that is there already and needs no sign.
+        // What is there last is added last. Start with something that is there already and needs no sign.
+        summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
         let start = summands
             .iter()
             .position(|term| !term.negative && term.times.is_none())
@@ -283,7 +292,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let mut below = vec![];
         for id in now {
             match *self.graph.node(id) {
-                Node::Power(base, exponent) if exponent.numerator < 0 && self.is_single(id) => {
+                Node::Power(base, exponent) if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
+                {
                     below.push(self.positive_power(base, exponent));
                 }
                 _ => above.push(self.operand(id)),
@@ -320,7 +330,31 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
 
     // ------------------------------------------------------------------------------------------------------ powers
 
+    fn find_reciprocals(&mut self, roots: &[Id]) {
+        let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
+        for id in self.graph.reachable(roots) {
+            match *self.graph.node(id) {
+                Node::Power(base, exponent)
+                    if exponent.numerator < 0 && self.levels.of(self.graph, id) == Some(self.level) =>
+                {
+                    exponents.entry(base).or_default().push(exponent);
+                }
+                _ => {}
+            }
+        }
+        let several = exponents.into_iter().filter(|(_, exponents)| exponents.len() > 1);
+        self.reciprocals = several.map(|(base, all)| (base, all.iter().any(|e| !e.is_integer()))).collect();
+    }
+
     fn power(&mut self, base: Id, exponent: Ratio) -> Operand {
+        if let (true, Some(halves)) = (exponent.numerator < 0, self.reciprocals.get(&base).copied()) {
+            // One division for all of them: 1/x or 1/√x, and products of that.
+            let x = self.operand(base);
+            let x = if halves { self.emit(Instruction::Sqrt(x)) } else { x };
+            let reciprocal = self.emit(Instruction::Div(Operand::Constant(Number::ONE), x));
+            let n = exponent.numerator.unsigned_abs();
+            return self.repeated(reciprocal, if halves && exponent.is_integer() { 2 * n } else { n });
+        }
         let power = self.positive_power(base, exponent);
         if exponent.numerator < 0 {
             self.emit(Instruction::Div(Operand::Constant(Number::ONE), power))
@@ -367,7 +401,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         if !wanted || self.known(partner).is_some() {
             return self.emit(Instruction::Call(function, vec![value]));
         }
-        let (sin, cos) = (self.register(), self.register());
+        let ready = self.ready(&value) + Instruction::CALL_LATENCY;
+        let (sin, cos) = (self.register(ready), self.register(ready));
         let (own, others) = if function == Function::Sin { (sin, cos) } else { (cos, sin) };
         if let Some(scope) = self.scopes.last_mut() {
             scope.block.statements.push(Statement::SinCos(sin, cos, value));
@@ -401,7 +436,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         };
         let (first, second) = (arms(self.graph, |a, _| a), arms(self.graph, |_, b| b));
         let (first, second) = (self.block(&first), self.block(&second));
-        let registers: Vec<Register> = group.iter().map(|_| self.register()).collect();
+        let ready = first.results.iter().chain(&second.results).map(|x| self.ready(x)).max().unwrap_or(0);
+        let registers: Vec<Register> = group.iter().map(|_| self.register(ready)).collect();
         if let Some(scope) = self.scopes.last_mut() {
             for (id, register) in group.iter().zip(&registers) {
                 scope.values.insert(*id, Operand::Register(*register));

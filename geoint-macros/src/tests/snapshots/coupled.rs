@@ -85,8 +85,8 @@ const _: () = {
             let v0 = q[0] * q[0];
             let v1 = R::from_f64(1.0) + v0;
             let v2 = p[0] * p[0];
-            let v3 = v1 * v2;
-            let v4 = q[1].multiply_add(p[1], v3);
+            let v3 = q[1] * p[1];
+            let v4 = v1.multiply_add(v2, v3);
             v4
         }
         #[inline]

@@ -1,0 +1,37 @@
+//! What an expert writes for one system and one method: the other side of every ratio.
+//!
+//! Kicks of neighbouring steps are merged, h and parameters are folded into constants before the loop, positions and
+//! momenta are locals. A momentum is rounded once a kick: what is added to it is summed first, as everyone does who cares
+//! about rounding over many steps. Only the fractions of the splitting tables are taken from the runtime; nothing else is.
+
+pub(crate) mod double_pendulum;
+pub(crate) mod henon_heiles;
+pub(crate) mod kepler;
+pub(crate) mod outer_solar_system;
+pub(crate) mod pendulum;
+
+use geoint_runtime::Splitting;
+
+/// a·b + c, fused where this build's processor does that in one instruction, as the runtime does it.
+#[inline(always)]
+fn fma(a: f64, b: f64, c: f64) -> f64 {
+    if cfg!(target_feature = "fma") { a.mul_add(b, c) } else { a * b + c }
+}
+
+/// A splitting table as a loop runs through it: `first`, then K times an inner and an outer flow a step.
+///
+/// The last outer flow of a step is merged with the first of the next. After the last step that is `first` too much, which
+/// an outer flow of −`first` takes back.
+struct Stages<const K: usize> {
+    first: f64,
+    inner: [f64; K],
+    outer: [f64; K],
+}
+
+impl<const K: usize> Stages<K> {
+    fn new<O>(table: &Splitting<K, O>, outer: f64, inner: f64) -> Self {
+        let (x, last, y) = table.coefficients();
+        let merged = |i: usize| if i + 1 < K { x[i + 1] } else { last + x[0] };
+        Stages { first: x[0] * outer, inner: y.map(|y| y * inner), outer: std::array::from_fn(|i| merged(i) * outer) }
+    }
+}

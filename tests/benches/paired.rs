@@ -1,0 +1,88 @@
+//! The cost of one program in units of another, on a machine that others use as well.
+//!
+//! Both run in turns, in batches of two milliseconds that take the same number of steps; each pair of batches gives a
+//! ratio, and the median of the ratios does not see what hits a minority of the batches. Which of the two goes first
+//! alternates, so that a drift of the clock frequency cancels.
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+const ROUNDS: usize = 301;
+const BATCH: Duration = Duration::from_millis(2);
+
+/// So many steps from a fixed start; what comes out.
+pub(crate) type Run = Box<dyn Fn(u64) -> Vec<f64>>;
+
+/// Two programs that take steps of the same problem.
+pub(crate) struct Pair {
+    /// The problem and the method.
+    pub(crate) name: String,
+    /// What is measured.
+    pub(crate) subject: Run,
+    /// What it is measured in.
+    pub(crate) unit: Run,
+}
+
+/// The ratio subject / unit, and what a step costs.
+pub(crate) struct Ratio {
+    pub(crate) median: f64,
+    /// A quarter of the ratios are below the first, a quarter above the second.
+    pub(crate) quartiles: [f64; 2],
+    /// Median nanoseconds a step, of the subject and of the unit.
+    pub(crate) nanoseconds: [f64; 2],
+}
+
+impl Pair {
+    /// The largest difference of the two results after some steps, relative to the largest entry.
+    pub(crate) fn difference(&self, steps: u64) -> f64 {
+        let (a, b) = ((self.subject)(steps), (self.unit)(steps));
+        assert_eq!(a.len(), b.len());
+        let scale = b.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
+        let differences = a.iter().zip(&b).map(|(a, b)| (a - b).abs() / scale);
+        // Not `max`: that would lose a NaN.
+        differences.fold(0.0, |m, d| if d <= m { m } else { d })
+    }
+
+    pub(crate) fn ratio(&self) -> Ratio {
+        let steps = steps_of_a_batch(&self.unit);
+        time(&self.subject, steps);
+        let (mut ratios, mut subjects, mut units) = (vec![], vec![], vec![]);
+        for round in 0..ROUNDS {
+            let (subject, unit) = if round % 2 == 0 {
+                let subject = time(&self.subject, steps);
+                (subject, time(&self.unit, steps))
+            } else {
+                let unit = time(&self.unit, steps);
+                (time(&self.subject, steps), unit)
+            };
+            ratios.push(subject / unit);
+            subjects.push(subject * 1e9 / steps as f64);
+            units.push(unit * 1e9 / steps as f64);
+        }
+        for sample in [&mut ratios, &mut subjects, &mut units] {
+            sample.sort_by(f64::total_cmp);
+        }
+        Ratio {
+            median: ratios[ROUNDS / 2],
+            quartiles: [ratios[ROUNDS / 4], ratios[3 * ROUNDS / 4]],
+            nanoseconds: [subjects[ROUNDS / 2], units[ROUNDS / 2]],
+        }
+    }
+}
+
+fn steps_of_a_batch(run: &Run) -> u64 {
+    let mut steps = 64;
+    loop {
+        let seconds = time(run, steps);
+        if seconds > 0.1 * BATCH.as_secs_f64() {
+            return (steps as f64 * BATCH.as_secs_f64() / seconds) as u64;
+        }
+        steps *= 2;
+    }
+}
+
+fn time(run: &Run, steps: u64) -> f64 {
+    let start = Instant::now();
+    black_box(run(black_box(steps)));
+    start.elapsed().as_secs_f64()
+}

@@ -1,0 +1,252 @@
+//! What a step costs: each generated stepper beside an expert's hand-written one.
+//!
+//! `cargo bench -p geoint-tests --bench step` prints the table of ratios, then criterion's absolute figures, a step each.
+//! `RATIOS=only` leaves the second part out.
+
+mod by_hand;
+mod paired;
+mod systems;
+
+use criterion::Criterion;
+use geoint_runtime::array::Array;
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Coordinates, Method};
+use nalgebra::Vector3;
+use paired::{Pair, Ratio, Run};
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Steps after which generated and hand-written trajectories are compared, and how far they may be apart.
+const COMPARED: (u64, f64) = (1000, 1e-12);
+
+fn main() {
+    let by_hand: Vec<Pair> =
+        [pendulum(), kepler(), henon_heiles(), outer_solar_system(), double_pendulum()].into_iter().flatten().collect();
+    for pair in &by_hand {
+        let (steps, bound) = COMPARED;
+        let difference = pair.difference(steps);
+        assert!(difference <= bound, "{}: generated and hand-written differ by {difference:.1e}", pair.name);
+    }
+    let discrete = discrete_gradients();
+
+    // A test run only wants to know whether this runs.
+    if !std::env::args().any(|arg| arg == "--test" || arg == "--list") {
+        table("generated / hand-written", &by_hand);
+        table("discrete gradient / Verlet", &discrete);
+    }
+    if std::env::var("RATIOS").is_ok_and(|value| value == "only") {
+        return;
+    }
+    let mut criterion = Criterion::default()
+        .sample_size(20)
+        .warm_up_time(Duration::from_millis(200))
+        .measurement_time(Duration::from_millis(800))
+        .without_plots()
+        .configure_from_args();
+    for pair in &by_hand {
+        absolute(&mut criterion, &format!("{}, generated", pair.name), &pair.subject);
+        absolute(&mut criterion, &format!("{}, by hand", pair.name), &pair.unit);
+    }
+    for pair in &discrete {
+        absolute(&mut criterion, &pair.name, &pair.subject);
+    }
+    criterion.final_summary();
+}
+
+fn table(title: &str, pairs: &[Pair]) {
+    println!("\n{title:<40} ratio  quartiles       ns/step");
+    for pair in pairs {
+        let Ratio { median, quartiles: [low, high], nanoseconds: [subject, unit] } = pair.ratio();
+        println!("{:<40} {median:.3}  {low:.3} … {high:.3}  {subject:.1} / {unit:.1}", pair.name);
+    }
+}
+
+/// One step as criterion's unit.
+fn absolute(criterion: &mut Criterion, name: &str, run: &Run) {
+    criterion.bench_function(name, |bencher| {
+        bencher.iter_custom(|steps| {
+            let start = Instant::now();
+            black_box(run(steps));
+            start.elapsed()
+        });
+    });
+}
+
+// ---------------------------------------------------------------------------------------------------------- problems
+
+const PENDULUM: (f64, f64) = (2.0, 0.0);
+const KEPLER: [f64; 4] = [0.4, 0.0, 0.0, 2.6];
+const HENON_HEILES: [f64; 4] = [0.1, 0.2, 0.3, 0.1];
+
+fn pendulum_system() -> systems::Pendulum {
+    black_box(systems::Pendulum { m: 1.3, l: 0.7, g: 9.81 })
+}
+
+fn kepler_system() -> systems::Kepler {
+    black_box(systems::Kepler { m: 1.3, mu: 1.0 })
+}
+
+fn henon_heiles_system() -> systems::HenonHeiles {
+    black_box(systems::HenonHeiles { lambda: 0.9 })
+}
+
+fn pendulum() -> Vec<Pair> {
+    let (h, start) = (0.01, State::new(PENDULUM.0, PENDULUM.1));
+    let hand = || {
+        let systems::Pendulum { m, l, g } = pendulum_system();
+        black_box(by_hand::pendulum::Pendulum { m, l, g })
+    };
+    let flat = |(q, p)| vec![q, p];
+    vec![
+        Pair {
+            name: "pendulum, StormerVerlet".into(),
+            subject: generated(pendulum_system(), StormerVerlet, h, start),
+            unit: Box::new(move |n| flat(hand().verlet(black_box(h), n, PENDULUM))),
+        },
+        Pair {
+            name: "pendulum, BlanesMoan4".into(),
+            subject: generated(pendulum_system(), BlanesMoan4, h, start),
+            unit: Box::new(move |n| flat(hand().blanes_moan_4(black_box(h), n, PENDULUM))),
+        },
+    ]
+}
+
+fn kepler() -> Vec<Pair> {
+    let (h, start) = (0.01, plane(KEPLER));
+    let hand = || {
+        let systems::Kepler { m, mu } = kepler_system();
+        black_box(by_hand::kepler::Kepler { m, mu })
+    };
+    vec![
+        Pair {
+            name: "Kepler, StormerVerlet".into(),
+            subject: generated(kepler_system(), StormerVerlet, h, start),
+            unit: Box::new(move |n| hand().verlet(black_box(h), n, KEPLER).to_vec()),
+        },
+        Pair {
+            name: "Kepler, BlanesMoan4".into(),
+            subject: generated(kepler_system(), BlanesMoan4, h, start),
+            unit: Box::new(move |n| hand().blanes_moan_4(black_box(h), n, KEPLER).to_vec()),
+        },
+    ]
+}
+
+fn henon_heiles() -> Vec<Pair> {
+    let (h, start) = (0.05, plane(HENON_HEILES));
+    let hand = || black_box(by_hand::henon_heiles::HenonHeiles { lambda: henon_heiles_system().lambda });
+    vec![
+        Pair {
+            name: "Hénon–Heiles, StormerVerlet".into(),
+            subject: generated(henon_heiles_system(), StormerVerlet, h, start),
+            unit: Box::new(move |n| hand().verlet(black_box(h), n, HENON_HEILES).to_vec()),
+        },
+        Pair {
+            name: "Hénon–Heiles, BlanesMoan4".into(),
+            subject: generated(henon_heiles_system(), BlanesMoan4, h, start),
+            unit: Box::new(move |n| hand().blanes_moan_4(black_box(h), n, HENON_HEILES).to_vec()),
+        },
+    ]
+}
+
+/// Astronomical units, days and solar masses, the inner planets added to the Sun: E. Hairer, C. Lubich & G. Wanner,
+/// *Geometric Numerical Integration*, I.2.4.
+fn outer_solar_system() -> Vec<Pair> {
+    let m = [
+        1.000_005_976_82,
+        0.000_954_786_104_043,
+        0.000_285_583_733_151,
+        0.000_043_727_316_454_6,
+        0.000_051_775_913_844_9,
+        1.0 / 1.3e8,
+    ];
+    let g = 2.959_122_082_86e-4;
+    let q = [
+        [0.0, 0.0, 0.0],
+        [-3.502_365_3, -3.816_984_7, -1.550_796_3],
+        [9.075_531_4, -3.045_835_3, -1.648_370_8],
+        [8.310_142_0, -16.290_108_6, -7.252_127_8],
+        [11.470_766_6, -25.729_482_9, -10.816_945_6],
+        [-15.538_735_7, -25.222_559_4, -3.190_238_2],
+    ];
+    let v = [
+        [0.0, 0.0, 0.0],
+        [0.005_654_29, -0.004_124_90, -0.001_905_89],
+        [0.001_683_18, 0.004_835_25, 0.001_924_62],
+        [0.003_541_78, 0.001_371_02, 0.000_550_29],
+        [0.002_889_30, 0.001_145_27, 0.000_396_77],
+        [0.002_767_25, -0.001_707_02, -0.001_365_04],
+    ];
+    let p: [[f64; 3]; 6] = std::array::from_fn(|i| v[i].map(|v| m[i] * v));
+    let system = || black_box(systems::OuterSolarSystem { m, g });
+    let hand = move || black_box(by_hand::outer_solar_system::OuterSolarSystem { m, g });
+    let start = State::new(q.map(Vector3::from), p.map(Vector3::from));
+    let flat = |(q, p): ([[f64; 3]; 6], [[f64; 3]; 6])| [q, p].as_flattened().as_flattened().to_vec();
+    let h = 50.0;
+    vec![
+        Pair {
+            name: "outer solar system, StormerVerlet".into(),
+            subject: generated(system(), StormerVerlet, h, start),
+            unit: Box::new(move |n| flat(hand().verlet(black_box(h), n, (q, p)))),
+        },
+        Pair {
+            name: "outer solar system, BlanesMoanSrkn14a".into(),
+            subject: generated(system(), BlanesMoanSrkn14a, h, start),
+            unit: Box::new(move |n| flat(hand().srkn_14a(black_box(h), n, (q, p)))),
+        },
+    ]
+}
+
+fn double_pendulum() -> Vec<Pair> {
+    let (m, l, g, h) = ([1.3, 0.7], [0.9, 1.1], 9.81, 0.01);
+    // Regular motion: trajectories of a chaotic one part, however equal the programs are.
+    let start = [0.5, 0.9, 0.0, 0.0];
+    let hand = move || black_box(by_hand::double_pendulum::DoublePendulum { m, l, g });
+    vec![Pair {
+        name: "double pendulum, ImplicitMidpoint".into(),
+        subject: generated(black_box(systems::DoublePendulum { m, l, g }), ImplicitMidpoint, h, plane(start)),
+        unit: Box::new(move |n| hand().implicit_midpoint(black_box(h), n, start).to_vec()),
+    }]
+}
+
+/// What exact energy costs: one Newton solve against one force.
+fn discrete_gradients() -> Vec<Pair> {
+    let method = DiscreteGradient::default();
+    let pendulum = State::new(PENDULUM.0, PENDULUM.1);
+    vec![
+        Pair {
+            name: "pendulum, DiscreteGradient".into(),
+            subject: generated(pendulum_system(), method, 0.01, pendulum),
+            unit: generated(pendulum_system(), StormerVerlet, 0.01, pendulum),
+        },
+        Pair {
+            name: "Kepler, DiscreteGradient".into(),
+            subject: generated(kepler_system(), method, 0.01, plane(KEPLER)),
+            unit: generated(kepler_system(), StormerVerlet, 0.01, plane(KEPLER)),
+        },
+        Pair {
+            name: "Hénon–Heiles, DiscreteGradient".into(),
+            subject: generated(henon_heiles_system(), method, 0.05, plane(HENON_HEILES)),
+            unit: generated(henon_heiles_system(), StormerVerlet, 0.05, plane(HENON_HEILES)),
+        },
+    ]
+}
+
+/// A state from (q₀, q₁, p₀, p₁).
+fn plane([q0, q1, p0, p1]: [f64; 4]) -> State<[f64; 2]> {
+    State::new([q0, q1], [p0, p1])
+}
+
+/// The generated stepper, parameters and step size hidden from the optimiser.
+fn generated<S, M>(system: S, method: M, h: f64, start: State<S::Coordinates>) -> Run
+where
+    S: Hamiltonian + 'static,
+    S::Coordinates: 'static,
+    M: Method<S, f64> + 'static,
+{
+    Box::new(move |n| {
+        let mut sim = black_box(system).integrator(method, black_box(h), start);
+        sim.advance(n).expect("a regular problem");
+        let State { q, p, .. } = sim.state();
+        [q, p].iter().flat_map(|x| x.into_array().as_slice().to_vec()).collect()
+    })
+}

@@ -1,0 +1,47 @@
+//! The energies whose generated steps are timed.
+
+use geoint_runtime::hamiltonian;
+use nalgebra::Vector3;
+
+/// Planar pendulum.
+#[hamiltonian]
+pub(crate) fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+    p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+}
+
+/// A body around a fixed centre.
+#[hamiltonian]
+pub(crate) fn kepler(q: [f64; 2], p: [f64; 2], m: f64, mu: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - mu * m / (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+/// Hénon & Heiles' galaxy.
+#[hamiltonian]
+pub(crate) fn henon_heiles(q: [f64; 2], p: [f64; 2], lambda: f64) -> f64 {
+    let [x, y] = q;
+    (p[0] * p[0] + p[1] * p[1] + x * x + y * y) / 2.0 + lambda * (x * x * y - y * y * y / 3.0)
+}
+
+/// Sun, Jupiter, Saturn, Uranus, Neptune, Pluto.
+#[hamiltonian]
+pub(crate) fn outer_solar_system(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
+    let mut energy = 0.0;
+    for i in 0..6 {
+        energy += p[i].norm_squared() / (2.0 * m[i]);
+        for j in 0..i {
+            energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+        }
+    }
+    energy
+}
+
+/// Two pendulums, the second hanging from the first; angles from the vertical.
+#[hamiltonian]
+pub(crate) fn double_pendulum(q: [f64; 2], p: [f64; 2], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
+    let total = m[0] + m[1];
+    let (sin, cos) = (q[0] - q[1]).sin_cos();
+    let kinetic = (m[1] * l[1] * l[1] * p[0] * p[0] + total * l[0] * l[0] * p[1] * p[1]
+        - 2.0 * m[1] * l[0] * l[1] * p[0] * p[1] * cos)
+        / (2.0 * m[1] * l[0] * l[0] * l[1] * l[1] * (m[0] + m[1] * sin * sin));
+    kinetic - total * g * l[0] * q[0].cos() - m[1] * g * l[1] * q[1].cos()
+}
