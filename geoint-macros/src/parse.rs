@@ -109,14 +109,19 @@ struct Options {
     requirements: Vec<(Requirement, Span)>,
 }
 
-const OPTIONS: &str = "the arguments are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
+const OPTIONS: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
                        `crate = path` and `require(separable, quadratic_kinetic)`";
 
 impl Parse for Options {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
         let mut options = Options::default();
+        let mut given: Vec<Ident> = vec![];
         while !input.is_empty() {
             let key = input.call(Ident::parse_any)?;
+            if key != "require" && given.contains(&key) {
+                return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
+            }
+            given.push(key.clone());
             match key.to_string().as_str() {
                 "require" => {
                     let inner;
@@ -125,7 +130,10 @@ impl Parse for Options {
                         let requirement = match name.to_string().as_str() {
                             "separable" => Requirement::Separable,
                             "quadratic_kinetic" => Requirement::QuadraticKinetic,
-                            _ => return Err(syn::Error::new_spanned(name, OPTIONS)),
+                            _ => {
+                                let message = "what can be required is `separable` and `quadratic_kinetic`";
+                                return Err(syn::Error::new_spanned(name, message));
+                            }
                         };
                         options.requirements.push((requirement, name.span()));
                     }
@@ -159,6 +167,8 @@ pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
     let options = Options::parse.parse2(args)?;
     let mut errors = Diagnostics::default();
     plain_function(&item, &mut errors);
+    // What follows from a parameter of the signature is not a mistake of its own.
+    let mut errors = errors.or(Diagnostics::default())?;
     let float = returned_float(&item, &mut errors);
     let arguments = arguments(&item, &options, &float, &mut errors);
     let coordinates = coordinates(&item, &options, &arguments, &mut errors);
@@ -222,7 +232,7 @@ fn float_type(ty: &Type) -> Option<Ident> {
 
 fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagnostics) -> Vec<(Role, Argument)> {
     let renamed = |role: Role| options.roles.iter().find(|(r, _)| *r == role).map(|(_, name)| name);
-    let roles = [(Role::Position, "q"), (Role::Momentum, "p"), (Role::Time, "t")];
+    let mut refused: Vec<String> = vec![];
     let mut arguments: Vec<(Role, Argument)> = vec![];
     for input in &item.sig.inputs {
         let FnArg::Typed(typed) = input else { continue };
@@ -231,21 +241,36 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
             continue;
         };
         let name = &pattern.ident;
-        let role_of = |(role, default): &(Role, &str)| renamed(*role).map_or(name == default, |other| name == other);
-        let role = roles.iter().find(|role| role_of(role)).map_or(Role::Parameter, |(role, _)| *role);
-        if let Some((shadowed, default)) = roles.iter().find(|(_, default)| name == default)
-            && role != *shadowed
-            && let Some(other) = renamed(*shadowed)
-        {
-            errors.at(name, format!("`{default}` is taken by `{other}`, so that no other argument can have that name"));
-        }
+        let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
+        let by_name = DEFAULTS.iter().find(|(_, default, _)| name == default);
+        let role = match (explicit, by_name) {
+            (Some(role), _) => role,
+            (None, Some((default, letter, _))) => match renamed(*default) {
+                Some(other) if exists(item, other) => {
+                    errors.at(
+                        name,
+                        format!("`{letter}` is `{other}` here, so that no other argument can have that name"),
+                    );
+                    continue;
+                }
+                _ => *default,
+            },
+            (None, None) => Role::Parameter,
+        };
         match shape(&typed.ty, float) {
             Ok(shape) if role == Role::Time && !shape.extents.is_empty() => {
                 errors
                     .at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
             }
             Ok(shape) => arguments.push((role, Argument { name: name.clone(), ty: (*typed.ty).clone(), shape })),
-            Err(error) => errors.extend(error),
+            // One message a type: q and p share theirs.
+            Err(error) => {
+                let ty = typed.ty.to_token_stream().to_string();
+                if !refused.contains(&ty) {
+                    refused.push(ty);
+                    errors.extend(error);
+                }
+            }
         }
     }
     for (i, (role, name)) in options.roles.iter().enumerate() {
@@ -255,13 +280,30 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
                 _ => format!("`{name}` cannot be both positions and momenta"),
             };
             errors.at(name, message);
-        } else if !item.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if names(&typed.pat, name))) {
+        } else if !exists(item, name) {
             errors.at(name, format!("the function has no argument `{name}`"));
-        } else if *role != Role::Time && name == "t" && renamed(Role::Time).is_none() {
-            errors.at(name, "`t` is time and cannot be a coordinate: rename it, or name another argument with `t = …`");
+        } else if let Some((_, letter, what)) = DEFAULTS.iter().find(|(r, letter, _)| {
+            // The name says one thing and the attribute another.
+            r != role && name == letter && renamed(*r).is_none()
+        }) {
+            let message = match letter {
+                &"t" => {
+                    "`t` is time and cannot be a coordinate: rename it, or name another argument with `t = …`".into()
+                }
+                _ => format!("`{name}` is the name of {what}: say which argument that is with `{letter} = …`"),
+            };
+            errors.at(name, message);
         }
     }
     arguments
+}
+
+/// Who an argument is by its name alone.
+const DEFAULTS: [(Role, &str, &str); 3] =
+    [(Role::Position, "q", "the positions"), (Role::Momentum, "p", "the momenta"), (Role::Time, "t", "time")];
+
+fn exists(item: &ItemFn, name: &Ident) -> bool {
+    item.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if names(&typed.pat, name)))
 }
 
 fn names(pattern: &Pat, name: &Ident) -> bool {
@@ -279,8 +321,7 @@ fn coordinates(
         let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
         // A wrong name in the attribute, or a wrong type, has been reported.
         let named = options.roles.iter().any(|(r, _)| *r == role);
-        let written =
-            item.sig.inputs.iter().any(|i| matches!(i, FnArg::Typed(t) if names(&t.pat, &format_ident!("{default}"))));
+        let written = exists(item, &format_ident!("{default}"));
         if found.is_none() && !named && !written {
             errors.at(
                 &item.sig.ident,
@@ -299,15 +340,22 @@ fn coordinates(
                 "`{}` must have the type of `{}`, `{}`: each position has its momentum",
                 p.name,
                 q.name,
-                q.ty.to_token_stream()
+                plain(&q.ty)
             ),
         );
     }
     Some(q)
 }
 
+/// A type as one writes it.
+fn plain(ty: &Type) -> String {
+    ty.to_token_stream().to_string().replace(" < ", "<").replace(" >", ">").replace(" :: ", "::").replace(" ,", ",")
+}
+
 const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalgebra such as `Vector3<f64>` or \
                      `SVector<f64, 4>`, and arrays of them";
+
+const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
 /// The shape of a type.
 fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
@@ -336,6 +384,11 @@ fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
             }
             match vector(path, float)? {
                 Some(extent) => Ok(Shape { extents: vec![extent], vector: true }),
+                None if INTEGERS.iter().any(|integer| path.path.is_ident(integer)) => refuse(
+                    ty,
+                    "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
+                        .into(),
+                ),
                 None => refuse(ty, format!("an argument may be {TYPES}")),
             }
         }

@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::scope::{Found, Item, Scopes};
+use super::scope::{Around, Found, Item, Scopes};
 use super::statement::simple_name;
 use super::value::{Callable, Value};
 use super::{Lowering, constants};
@@ -29,6 +29,7 @@ impl Lowering {
             Expr::Paren(inner) => self.expr(&inner.expr),
             Expr::Group(inner) => self.expr(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expr(&inner.expr),
+            Expr::Reference(inner) => self.refuse(inner, super::statement::THROUGH_REFERENCE),
             Expr::Unary(unary) => {
                 let value = self.expr(&unary.expr);
                 match (&unary.op, value) {
@@ -87,7 +88,7 @@ impl Lowering {
             }
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method_call(call),
-            Expr::Macro(call) => self.refuse(call, format!("the macro cannot see into other macros; {EXPRESSIONS}")),
+            Expr::Macro(call) => self.refuse(call, other_macro(&call.mac)),
             Expr::Return(e) => self.refuse(e, "an energy has one exit: make the value the last expression"),
             Expr::While(e) => self.refuse(&e.while_token, "`while` has no derivative; use `for` over a range"),
             Expr::Loop(e) => self.refuse(&e.loop_token, "`loop` has no derivative; use `for` over a range"),
@@ -125,7 +126,7 @@ impl Lowering {
         {
             return left;
         }
-        let before = self.scopes.close();
+        let before = self.scopes.close(Around::Branch);
         let right = self.expr(&binary.right);
         self.scopes.open(before);
         self.arithmetic(binary, &binary.op, left, right)
@@ -302,7 +303,7 @@ impl Lowering {
         let Some((_, otherwise)) = &branch.else_branch else {
             // What the branch would do is to assign; that message is the better one.
             let said = self.errors.len();
-            let before = self.scopes.close();
+            let before = self.scopes.close(Around::Branch);
             self.block(&branch.then_branch);
             self.scopes.open(before);
             if self.errors.len() == said {
@@ -310,7 +311,7 @@ impl Lowering {
             }
             return Value::Poison;
         };
-        let before = self.scopes.close();
+        let before = self.scopes.close(Around::Branch);
         let first = self.block(&branch.then_branch);
         let second = self.expr(otherwise);
         self.scopes.open(before);
@@ -421,7 +422,10 @@ impl Lowering {
         };
         let high = if matches!(range.limits, RangeLimits::Closed(_)) { high.saturating_add(1) } else { high };
         if high.saturating_sub(low) > 100_000 {
-            return self.refuse(range, "this range is too long: loops are unrolled");
+            return self.refuse(
+                range,
+                "this range is too long: loops are unrolled, and rustc could not compile that in good time",
+            );
         }
         self.evaluations += (high - low).max(0) as usize;
         Value::iterator((low..high).map(Value::Integer))
@@ -503,7 +507,7 @@ impl Lowering {
         let before = std::mem::replace(&mut self.scopes, sees.clone());
         self.calls.push(callable.clone());
         // What is captured may be read, not assigned to.
-        self.scopes.close();
+        self.scopes.close(Around::Function);
         self.scopes.enter();
         for (pattern, argument) in callable.parameters.iter().zip(arguments) {
             self.bind(pattern, argument);
@@ -572,6 +576,12 @@ impl Lowering {
             ),
         }
     }
+}
+
+/// Says that a macro inside the body is not understood.
+pub(super) fn other_macro(call: &syn::Macro) -> String {
+    let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
+    format!("this attribute cannot see into `{name}!`: check arguments where the function is called; {EXPRESSIONS}")
 }
 
 /// The length of a vector type of nalgebra that has its length in its name.

@@ -9,8 +9,8 @@ use std::rc::Rc;
 #[derive(Clone)]
 pub(super) struct Scopes {
     levels: Vec<Rc<Level>>,
-    /// Variables of levels below this one may not be assigned to: they belong to what is around a branch or closure.
-    closed_below: usize,
+    /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
+    closed_below: (usize, Around),
     /// Accumulators of the loops around, with the level above which the loop's own variables live.
     accumulators: Vec<(Rc<HashSet<String>>, usize)>,
 }
@@ -40,14 +40,21 @@ pub(super) enum Found {
 
 impl Default for Scopes {
     fn default() -> Self {
-        Scopes { levels: vec![Rc::default()], closed_below: 0, accumulators: vec![] }
+        Scopes { levels: vec![Rc::default()], closed_below: (0, Around::Function), accumulators: vec![] }
     }
+}
+
+/// What has variables of its own, and may not assign to others.
+#[derive(Clone, Copy)]
+pub(super) enum Around {
+    Branch,
+    Function,
 }
 
 /// Why a variable cannot be added to.
 pub(super) enum Refused {
     Unknown,
-    Outside,
+    Outside(Around),
 }
 
 impl Scopes {
@@ -103,18 +110,19 @@ impl Scopes {
     /// A variable to add to.
     pub(super) fn accumulator(&mut self, name: &str) -> Result<&mut Value, Refused> {
         let level = self.level_of_variable(name).ok_or(Refused::Unknown)?;
-        if level < self.closed_below {
-            return Err(Refused::Outside);
+        let (outside, around) = self.closed_below;
+        if level < outside {
+            return Err(Refused::Outside(around));
         }
         Rc::make_mut(&mut self.levels[level]).variables.get_mut(name).ok_or(Refused::Unknown)
     }
 
     /// From here on outer variables may be read but not assigned to; returns what [`Scopes::open`] needs.
-    pub(super) fn close(&mut self) -> usize {
-        std::mem::replace(&mut self.closed_below, self.levels.len())
+    pub(super) fn close(&mut self, around: Around) -> (usize, Around) {
+        std::mem::replace(&mut self.closed_below, (self.levels.len(), around))
     }
 
-    pub(super) fn open(&mut self, before: usize) {
+    pub(super) fn open(&mut self, before: (usize, Around)) {
         self.closed_below = before;
     }
 

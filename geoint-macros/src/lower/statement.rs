@@ -1,7 +1,7 @@
 //! Blocks, `let`, items, loops and accumulation.
 
 use super::constants::imported;
-use super::scope::{self, Refused, Scopes};
+use super::scope::{self, Around, Refused, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
 use super::{Lowering, MAX_NODES};
 use crate::ir::Number;
@@ -13,6 +13,9 @@ use syn::visit::Visit;
 use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, Item, Pat, PatIdent, Stmt};
 
 const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for` with `+=`, and a last expression";
+
+pub(super) const THROUGH_REFERENCE: &str =
+    "what is changed through a reference is not followed: bind a new variable with `let`";
 
 impl Lowering {
     pub(super) fn block(&mut self, block: &Block) -> Value {
@@ -88,7 +91,7 @@ impl Lowering {
                     self.bind(&local.pat, value);
                     Value::unit()
                 }
-                Some(_) => self.refuse_names(local, "`let … else` has no derivative; use `if` as an expression"),
+                Some(_) => self.refuse_names(local, "`let … else` is not supported; use `if … else` as an expression"),
                 None => self.refuse_names(local, "give the variable its value here: `let name = …;`"),
             },
             Stmt::Item(Item::Fn(_) | Item::Const(_)) => Value::unit(),
@@ -104,7 +107,7 @@ impl Lowering {
                 // A statement that was refused may have been the value: `return x;`.
                 if semicolon.is_some() && !matches!(value, Value::Poison) { Value::unit() } else { value }
             }
-            Stmt::Macro(call) => self.refuse(call, format!("the macro cannot see into other macros; {STATEMENTS}")),
+            Stmt::Macro(call) => self.refuse(call, super::expr::other_macro(&call.mac)),
         }
     }
 
@@ -112,10 +115,7 @@ impl Lowering {
     pub(super) fn bind(&mut self, pattern: &Pat, value: Value) {
         match (pattern, value) {
             (Pat::Ident(PatIdent { by_ref: Some(_), mutability: Some(_), .. }), _) => {
-                self.refuse(
-                    pattern,
-                    "what is changed through a reference is not followed: bind a new variable with `let`",
-                );
+                self.refuse(pattern, THROUGH_REFERENCE);
                 self.poison_names(pattern);
             }
             (Pat::Ident(ident), value) if ident.subpat.is_none() => self.scopes.bind(&ident.ident, value),
@@ -204,7 +204,7 @@ impl Lowering {
         let accumulator = match self.scopes.accumulator(&name) {
             Ok(value) => value.clone(),
             Err(Refused::Unknown) => return self.expr(&expr.left),
-            Err(Refused::Outside) => return self.refuse(expr, assignment_outside(&name)),
+            Err(Refused::Outside(around)) => return self.refuse(expr, assignment_outside(&name, around)),
         };
         let op = match expr.op {
             BinOp::AddAssign(_) => BinOp::Add(Default::default()),
@@ -226,8 +226,14 @@ impl Lowering {
         if let Ok(Value::Poison) = variable {
             return Value::Poison;
         }
-        if matches!(variable, Err(Refused::Outside)) || self.scopes.is_accumulating(&name) {
-            return self.refuse(assignment, assignment_outside(&name));
+        if let Err(Refused::Outside(around)) = variable {
+            return self.refuse(assignment, assignment_outside(&name, around));
+        }
+        if self.scopes.is_accumulating(&name) {
+            return self.refuse(
+                assignment,
+                format!("`{name}` is a variable outside of this loop, which may only add to it: `{name} += …`"),
+            );
         }
         self.refuse(
             assignment,
@@ -236,11 +242,16 @@ impl Lowering {
     }
 }
 
-fn assignment_outside(name: &str) -> String {
-    format!(
-        "`{name}` is a variable outside of this loop, branch or closure: make the branch an expression, as in \
-         `{name} += if … {{ … }} else {{ 0.0 }}`; a loop may only add with `{name} += …`"
-    )
+fn assignment_outside(name: &str, around: Around) -> String {
+    match around {
+        Around::Branch => format!(
+            "`{name}` is a variable outside of this branch: make the branch a value, as in \
+             `{name} += if … {{ … }} else {{ 0.0 }}`"
+        ),
+        Around::Function => format!(
+            "`{name}` is a variable outside of this function: return the value, and add that with `{name} += …`"
+        ),
+    }
 }
 
 pub(super) fn simple_name(expr: &Expr) -> Option<String> {
@@ -258,7 +269,7 @@ fn accumulated(body: &Block) -> HashSet<String> {
     struct Targets(HashSet<String>);
     impl Visit<'_> for Targets {
         fn visit_expr_binary(&mut self, expr: &ExprBinary) {
-            if let (BinOp::AddAssign(_) | BinOp::SubAssign(_), Some(name)) = (&expr.op, simple_name(&expr.left)) {
+            if let (true, Some(name)) = (is_assignment(&expr.op), simple_name(&expr.left)) {
                 self.0.insert(name);
             }
             syn::visit::visit_expr_binary(self, expr);
@@ -271,4 +282,9 @@ fn accumulated(body: &Block) -> HashSet<String> {
     let mut targets = Targets(HashSet::new());
     targets.visit_block(body);
     targets.0
+}
+
+fn is_assignment(op: &BinOp) -> bool {
+    use BinOp::{AddAssign, DivAssign, MulAssign, RemAssign, SubAssign};
+    matches!(op, AddAssign(_) | SubAssign(_) | MulAssign(_) | DivAssign(_) | RemAssign(_))
 }

@@ -39,7 +39,7 @@ impl Visit<'_> for Unseen<'_> {
         let harmless = |segment: &syn::PathSegment| HARMLESS.iter().any(|name| segment.ident == name);
         if !attribute.path().segments.first().is_some_and(harmless) {
             let name = attribute.path().to_token_stream();
-            let message = format!("`{name}` may change this code after it has been differentiated: leave it out");
+            let message = format!("`{name}` may change or remove this after it was differentiated: leave it out");
             self.errors.at(attribute, message);
         }
     }

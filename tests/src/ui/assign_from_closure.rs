@@ -1,0 +1,13 @@
+use geoint_runtime::prelude::*;
+
+#[hamiltonian]
+fn energy(q: f64, p: f64) -> f64 {
+    let mut e = p * p;
+    let mut add = |x: f64| e += x;
+    add(q);
+    e
+}
+
+fn main() {
+    println!("{}", energy(0.5, 1.0));
+}

@@ -1,0 +1,19 @@
+//! The runtime may have another name, or be re-exported.
+mod physics {
+    pub mod engine {
+        pub use geoint_runtime::*;
+    }
+}
+
+use physics::engine::{Hamiltonian as _, ImplicitMidpoint, State};
+
+#[physics::engine::hamiltonian(crate = crate::physics::engine)]
+fn oscillator(q: f64, p: f64, k: f64) -> f64 {
+    0.5 * p * p + 0.5 * k * q * q
+}
+
+fn main() {
+    let mut sim = Oscillator { k: 2.0 }.integrator(ImplicitMidpoint, 0.01, State::new(1.0, 0.0));
+    sim.advance(10).unwrap();
+    assert!((sim.energy() - oscillator(1.0, 0.0, 2.0)).abs() < 1e-13);
+}

@@ -1,0 +1,15 @@
+//! A system without parameters is a unit struct for every scalar.
+use geoint_runtime::prelude::*;
+
+#[hamiltonian]
+fn kepler(q: [f64; 2], p: [f64; 2]) -> f64 {
+    0.5 * (p[0] * p[0] + p[1] * p[1]) - 1.0 / q[0].hypot(q[1])
+}
+
+fn main() {
+    let mut sim = Kepler.integrator(Yoshida4.of(StormerVerlet), 0.01, State::new([1.0_f64, 0.0], [0.0, 1.0]));
+    sim.advance(100).unwrap();
+    assert!((sim.energy() + 0.5).abs() < 1e-8);
+    let mut short = Kepler.integrator(StormerVerlet, 0.01_f32, State::new([1.0_f32, 0.0], [0.0, 1.0]));
+    short.advance(100).unwrap();
+}
