@@ -84,6 +84,7 @@ fn short_numbers() {
     let long = Pendulum { m: 1.3_f32, l: 0.7, g: 9.81 };
     let mut a = short.integrator(StormerVerlet, 0.01, State::new(1.1, 0.4));
     let mut b = long.integrator(StormerVerlet, 0.01, State::new(1.1_f32, 0.4));
-    (a.advance(1000).unwrap(), b.advance(1000).unwrap());
+    a.advance(1000).unwrap();
+    b.advance(1000).unwrap();
     assert_eq!(a.state(), b.state());
 }

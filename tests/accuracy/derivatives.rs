@@ -36,8 +36,14 @@ pub(crate) fn gradient<S: Hamiltonian<R>, R: Real>(system: &S, t: f64, q: &[R], 
 }
 
 /// H and ∇H at a point.
-pub(crate) fn check_gradient<S, D>(plain: &S, dual: &D, written: &dyn Fn(&[f64], &[f64]) -> f64, t: f64, q: &[f64], p: &[f64])
-where
+pub(crate) fn check_gradient<S, D>(
+    plain: &S,
+    dual: &D,
+    written: &dyn Fn(&[f64], &[f64]) -> f64,
+    t: f64,
+    q: &[f64],
+    p: &[f64],
+) where
     S: Hamiltonian<f64>,
     D: Hamiltonian<Dual>,
 {
@@ -65,7 +71,13 @@ where
 }
 
 /// The field of collocation and its Jacobian at a point.
-pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(plain: &S, dual: &D, t: f64, q: &[f64], p: &[f64]) {
+pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
+    plain: &S,
+    dual: &D,
+    t: f64,
+    q: &[f64],
+    p: &[f64],
+) {
     let n = q.len();
     let prepared = Collocation::prepare(plain);
     let (y, velocity, _) = S::start(&prepared, &array(q), &array(p));
@@ -85,7 +97,8 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(plain: &S, 
     let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian);
     for column in 0..S::Unknown::LEN {
         // Along the unit vector, or M⁻¹ times that.
-        let (mut unit, mut along): (D::Unknown, D::Unknown) = (D::Unknown::zero(), array(&seeded(y.as_slice(), usize::MAX)));
+        let (mut unit, mut along): (D::Unknown, D::Unknown) =
+            (D::Unknown::zero(), array(&seeded(y.as_slice(), usize::MAX)));
         unit.as_mut_slice()[column] = 1.0.into();
         D::add(&prepared, Dual::variable(0.0), &unit, &mut along);
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
@@ -117,8 +130,10 @@ where
         let increment: Vec<f64> = noise.take(S::Increment::LEN).map(|x| size * x).collect();
         let (mut residual, mut jacobian) = (S::Increment::zero(), S::Increment::fill(S::Increment::zero()));
         S::residual(&prepared, &start, &array(&increment), &mut residual, &mut jacobian);
-        let rows: Vec<f64> =
-            S::Increment::entries::<S::Increment>(&mut jacobian).iter().flat_map(|row| row.as_slice().to_vec()).collect();
+        let rows: Vec<f64> = S::Increment::entries::<S::Increment>(&mut jacobian)
+            .iter()
+            .flat_map(|row| row.as_slice().to_vec())
+            .collect();
         (increment, rows)
     };
     let (increment, rows) = at(0.1, noise);
@@ -194,6 +209,7 @@ fn every_discrete_gradient() {
 #[test]
 #[should_panic(expected = "∇H")]
 fn a_wrong_derivative_is_seen() {
-    let (plain, dual) = (Pendulum::system::<f64>(), Pendulum { m: 1.3.into(), l: 0.7.into(), g: Dual::from(9.81 * (1.0 + 1e-7)) });
+    let (plain, dual) =
+        (Pendulum::system::<f64>(), Pendulum { m: 1.3.into(), l: 0.7.into(), g: Dual::from(9.81 * (1.0 + 1e-7)) });
     check_gradient(&plain, &dual, &|q, p| Pendulum::written(0.0, q, p), 0.0, &[1.0], &[0.3]);
 }

@@ -1,5 +1,7 @@
 //! Every function and every form of the language: the generated energy is the user's, its derivatives are right.
 
+#![allow(clippy::eq_op, reason = "what cancels is part of the language")]
+
 use crate::derivatives::{assert_near, check_field, check_gradient, gradient};
 use geoint_runtime::system::Collocation;
 use geoint_runtime::{Hamiltonian, Real, hamiltonian};
@@ -173,7 +175,9 @@ fn fixed<const N: usize>(x: &[f64]) -> [f64; N] {
 #[test]
 fn items_and_bindings_agree() {
     let k = [1.3, 0.6];
-    check(ItemsAndBindings { k }, ItemsAndBindings { k: dual(k) }, 3, &|q, p| items_and_bindings(fixed(q), fixed(p), k));
+    check(ItemsAndBindings { k }, ItemsAndBindings { k: dual(k) }, 3, &|q, p| {
+        items_and_bindings(fixed(q), fixed(p), k)
+    });
 }
 
 #[test]

@@ -102,7 +102,13 @@ fn splittings_meet_their_conditions() {
                 c += weight;
             }
         }
-        let sums = [("Σa", c, 1.0), ("Σb", b, 1.0), ("Σbc", kicks_c, 0.5), ("Σbc²", kicks_cc, 1.0 / 3.0), ("ΣaB²", drifts_bb, 1.0 / 3.0)];
+        let sums = [
+            ("Σa", c, 1.0),
+            ("Σb", b, 1.0),
+            ("Σbc", kicks_c, 0.5),
+            ("Σbc²", kicks_cc, 1.0 / 3.0),
+            ("ΣaB²", drifts_bb, 1.0 / 3.0),
+        ];
         for (what, sum, expected) in sums {
             assert!((sum - expected).abs() < 2e-15, "{name}: {what} − {expected} = {:.1e}", sum - expected);
         }

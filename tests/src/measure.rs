@@ -77,16 +77,24 @@ const ROUNDED: f64 = 1e-14;
 
 /// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
 ///
-/// `errors` belong to [`STEPS`]. Even in double-double an error does not fall to zero, because tables are rounded to
-/// `f64`: what is left with the smallest step shows how far that reaches.
-pub fn observed_order(errors: &[f64]) -> f64 {
+/// `error` takes one of [`STEPS`]. Even in double-double an error does not fall to zero, because tables are rounded to
+/// `f64`: where it no longer falls as any order would have it shows how far that reaches.
+pub fn observed_order(mut error: impl FnMut(u64) -> f64) -> f64 {
+    let mut errors: Vec<f64> = vec![];
+    let half = |n: u64| STEPS.iter().position(|m| 2 * m == n);
+    for n in STEPS {
+        let now = error(n);
+        errors.push(now);
+        if now < ROUNDED && half(n).is_some_and(|i| errors[i] < 2.5 * now) {
+            break;
+        }
+    }
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
     let floor = if least < ROUNDED { 25.0 * least } else { 0.0 };
     let mut order = f64::NAN;
-    for (steps, error) in STEPS.iter().zip(errors) {
-        let twice = STEPS.iter().position(|n| *n == 2 * steps).and_then(|i| errors.get(i));
-        if let Some(next) = twice.filter(|next| **next > floor && *error < CEILING) {
-            order = (error / next).log2();
+    for (n, now) in STEPS.into_iter().zip(&errors) {
+        if let Some(before) = half(n).map(|i| errors[i]).filter(|before| *now > floor && *before < CEILING) {
+            order = (before / now).log2();
         }
     }
     order

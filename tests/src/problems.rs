@@ -46,7 +46,8 @@ pub fn quartic_chain(q: [f64; 2], p: [f64; 2], w: [f64; 2], k: [f64; 3]) -> f64 
 #[hamiltonian]
 pub fn double_pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
     let (sin, cos) = (q[0] - q[1]).sin_cos();
-    let kinetic = (m2 * l2 * l2 * p[0] * p[0] + (m1 + m2) * l1 * l1 * p[1] * p[1] - 2.0 * m2 * l1 * l2 * p[0] * p[1] * cos)
+    let kinetic = (m2 * l2 * l2 * p[0] * p[0] + (m1 + m2) * l1 * l1 * p[1] * p[1]
+        - 2.0 * m2 * l1 * l2 * p[0] * p[1] * cos)
         / (2.0 * m2 * l1 * l1 * l2 * l2 * (m1 + m2 * sin * sin));
     kinetic - (m1 + m2) * g * l1 * q[0].cos() - m2 * g * l2 * q[1].cos()
 }

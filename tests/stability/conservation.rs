@@ -61,7 +61,10 @@ fn discrete_gradient_has_no_drift_in_a_million_steps() {
     let points = errors::<Pendulum, _>(DiscreteGradient, 0.1, 100, 10_000);
     let Line { slope, uncertainty } = regression(&points);
     let reach = slope * points.last().unwrap().0;
-    println!("pendulum: largest {:.1e}, drift over the run {reach:.1e} ± {uncertainty:.1e} a unit of time", largest(&points));
+    println!(
+        "pendulum: largest {:.1e}, drift over the run {reach:.1e} ± {uncertainty:.1e} a unit of time",
+        largest(&points)
+    );
     assert!(largest(&points) <= 1e-12, "{:.1e}", largest(&points));
     // Rounding walks at random, √n steps of about u: a drift of one unit in 2⁵³ a step would reach 1e-10.
     assert!(reach.abs() <= 5e-13, "{reach:.1e}");

@@ -33,7 +33,8 @@ impl Visitor<Pendulum, f64> for BadSteps {
         let good = sim.state();
         for h in [0.0, -0.0, f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             sim.set_step_size(h);
-            let expected = |error: StepError| matches!(error, StepError::InvalidStepSize { h: seen } if seen == h || h.is_nan());
+            let expected =
+                |error: StepError| matches!(error, StepError::InvalidStepSize { h: seen } if seen == h || h.is_nan());
             assert!(expected(sim.step().unwrap_err()), "{name}: {h}");
             assert!(expected(sim.advance(3).unwrap_err()), "{name}: {h}");
             assert_eq!((sim.state().q, sim.state().p), (good.q, good.p), "{name}: {h}");
@@ -81,7 +82,13 @@ fn states_that_are_not_finite() {
 
 /// After an error at some step of a long `advance`, the state is that of the step before, bit for bit, as single steps
 /// find it, and a smaller step goes on from there.
-fn stops_at_the_last_good_state<S, M>(name: &str, system: S, method: M, h: f64, start: State<S::Coordinates>) -> StepError
+fn stops_at_the_last_good_state<S, M>(
+    name: &str,
+    system: S,
+    method: M,
+    h: f64,
+    start: State<S::Coordinates>,
+) -> StepError
 where
     S: Hamiltonian<f64>,
     M: Method<S, f64>,
@@ -203,7 +210,10 @@ fn overflow_on_the_way() {
 fn messages_say_why() {
     let mut sim = Rim { m: 1.4 }.integrator(StormerVerlet, 0.1, State::new(0.2, 2.0));
     let message = sim.advance(100).unwrap_err().to_string();
-    assert!(message.contains("t = 0.") && message.contains("`sqrt` of a negative number") && message.contains("q²"), "{message}");
+    assert!(
+        message.contains("t = 0.") && message.contains("`sqrt` of a negative number") && message.contains("q²"),
+        "{message}"
+    );
     let error: Box<dyn std::error::Error> = Box::new(StepError::InvalidStepSize { h: 0.0 });
     assert!(error.to_string().contains("step size"));
 }
