@@ -2,7 +2,7 @@
 
 use crate::array::Array;
 use crate::error::StepError;
-use crate::method::{Clock, DomainWatch, Method};
+use crate::method::{Clock, DomainWatch, Method, Probe};
 use crate::real::Real;
 use crate::state::{Coordinates, State};
 use crate::system::Hamiltonian;
@@ -65,7 +65,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
             let steps = left.min(STEPS_BETWEEN_LOOKS);
             let (mut q, mut p) = (self.q, self.p);
             let outcome = M::advance(&self.prepared, &self.clock(), steps, &mut q, &mut p);
-            if outcome.is_ok() && q.is_finite() && p.is_finite() {
+            if outcome.is_ok() && self.is_good(steps, &q, &p) {
                 self.accept(steps, q, p);
             } else {
                 self.creep(steps)?;
@@ -81,11 +81,14 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
         for _ in 0..steps {
             let (mut q, mut p) = (self.q, self.p);
             let mut watch = DomainWatch { system: &self.system, found: None };
-            let start = self.clock().at(0);
-            let outcome = M::step(&self.prepared, start, &mut q, &mut p, &mut watch);
-            let t = real(start);
+            let outcome = M::step(&self.prepared, self.time(), &mut q, &mut p, &mut watch);
+            if outcome.is_ok() && self.is_good(1, &q, &p) {
+                self.accept(1, q, p);
+                continue;
+            }
+            watch.visit(self.clock().at(1), &q, &p);
+            let t = real(self.time());
             match (outcome, watch.found) {
-                (Ok(()), _) if q.is_finite() && p.is_finite() => self.accept(1, q, p),
                 (_, Some(what)) => return Err(StepError::OutsideDomain { t, what }),
                 (Ok(()), None) => return Err(StepError::NonFinite { t }),
                 (Err(e), None) => {
@@ -108,7 +111,19 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
         if !(self.t0.magnitude() < f64::INFINITY && self.q.is_finite() && self.p.is_finite()) {
             return Err(StepError::NonFiniteState { t: real(self.time()) });
         }
+        // Later states are good because the steps that led to them were.
+        if self.steps == 0
+            && let Some(what) = self.system.outside_domain(self.t0, &self.q, &self.p)
+        {
+            return Err(StepError::OutsideDomain { t: real(self.t0), what });
+        }
         Ok(())
+    }
+
+    /// Whether a state is finite, and the energy defined there.
+    #[inline(always)]
+    fn is_good(&self, steps: u64, q: &S::Array, p: &S::Array) -> bool {
+        q.is_finite() && p.is_finite() && self.system.outside_domain(self.clock().at(steps), q, p).is_none()
     }
 
     #[inline(always)]
@@ -138,7 +153,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
 
     /// `t0 + n·h`.
     pub fn time(&self) -> R {
-        self.clock().at(0)
+        // Without steps even an unusable step size leaves time alone.
+        if self.n == 0 { self.t0 } else { self.clock().at(0) }
     }
 
     /// The state now.
@@ -170,10 +186,14 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     ///
     /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away.
     pub fn until(&mut self, t: R) -> Samples<'_, S, M, R> {
-        // A whole number of steps may come out a few roundings short.
-        let steps = real((t - self.time()) / self.h) * (1.0 + 8.0 * f64::EPSILON);
+        // Counted from t₀, as time is. A whole number of steps may come out a few roundings short.
+        let (from, h) = (real(self.t0), real(self.h));
+        let total = (real(t) - from) / h;
+        let rounding = 4.0 * R::epsilon() * (total.abs() + (real(t).abs() + from.abs()) / h.abs());
+        let left = ((total + rounding) as u64).saturating_sub(self.n);
         // An unusable step size gets one attempt, to report it.
-        Samples { sim: self, stride: 1, left: if steps.is_nan() { 1 } else { steps as u64 } }
+        let usable = h != 0.0 && h.is_finite();
+        Samples { sim: self, stride: 1, left: if usable { left } else { 1 } }
     }
 
     /// The state after every `k` steps, without end. `k` = 0 counts as 1.

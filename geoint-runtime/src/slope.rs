@@ -74,12 +74,18 @@ pub fn exp_derivative<R: Real>(a: R, b: R) -> R {
     b.exp() * phi2
 }
 
+/// 1/x of a positive number; NaN of any other, which has no logarithm.
+#[inline(always)]
+pub fn recip_positive<R: Real>(x: R) -> R {
+    R::from_f64(if x.any_below(f64::MIN_POSITIVE) { f64::NAN } else { 1.0 }) / x
+}
+
 /// ln[a, b] = log1p((M − m)/m)/(M − m), m the smaller and M the larger argument.
 #[inline(always)]
 pub fn ln<R: Real>(a: R, b: R) -> R {
     let m = a.min(b);
     let t = (b - a).abs() / m;
-    quotient(t.ln_1p(), t) / m
+    quotient(t.ln_1p(), t) * recip_positive(m)
 }
 
 /// ∂ ln[a, b]/∂b.

@@ -53,8 +53,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         g.mul(minus, plus)
     };
     let inverse_sqrt = |g: &mut Graph, x: Id| g.pow(x, Ratio { numerator: -1, denominator: 2 });
+    // Where a logarithm is not defined 1/x still is: a step would go through the wall and nobody would know.
+    let recip_positive = |g: &mut Graph, x: Id| g.call(Function::RecipPositive, &[x]);
     let logarithm = |g: &mut Graph, base: f64| {
-        let reciprocal = g.recip(x);
+        let reciprocal = recip_positive(g, x);
         g.scale(Number::float(1.0 / base), reciprocal)
     };
     match function {
@@ -106,15 +108,15 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         }
         Function::Atanh => {
             let circle = circle(g, x);
-            vec![g.recip(circle)]
+            vec![recip_positive(g, circle)]
         }
         Function::Exp => vec![value],
         Function::Exp2 => vec![g.scale(Number::float(std::f64::consts::LN_2), value)],
         Function::ExpM1 => vec![g.call(Function::Exp, &[x])],
-        Function::Ln => vec![g.recip(x)],
+        Function::Ln => vec![recip_positive(g, x)],
         Function::Ln1p => {
             let sum = g.add(one, x);
-            vec![g.recip(sum)]
+            vec![recip_positive(g, sum)]
         }
         Function::Log2 => vec![logarithm(g, std::f64::consts::LN_2)],
         Function::Log10 => vec![logarithm(g, std::f64::consts::LN_10)],
@@ -143,6 +145,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.select(first, one, zero), g.select(first, zero, one)]
         }
         Function::Signum => vec![g.zero()],
+        Function::RecipPositive => {
+            let square = square(g, value);
+            vec![g.neg(square)]
+        }
         Function::Sinc => vec![g.call(Function::SincDerivative, &[x])],
         // f[a, b] = f[b, a].
         Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, x, y),
