@@ -12,15 +12,13 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
     for k in 0..n {
-        let mut pivot = k;
+        // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so that
+        // a small matrix stays in registers.
         for i in k + 1..n {
-            if rows[i].as_slice()[k].magnitude() > rows[pivot].as_slice()[k].magnitude() {
-                pivot = i;
+            if rows[i].as_slice()[k].magnitude() > rows[k].as_slice()[k].magnitude() {
+                rows.swap(k, i);
+                b.swap(k, i);
             }
-        }
-        if pivot != k {
-            rows.swap(k, pivot);
-            b.swap(k, pivot);
         }
         let (upper, lower) = rows.split_at_mut(k + 1);
         let top = upper[k].as_slice();

@@ -1,14 +1,15 @@
 //! The cost of one program in units of another, on a machine that others use as well.
 //!
-//! Both run in turns, in batches of two milliseconds that take the same number of steps; each pair of batches gives a
+//! Both run in turns, in batches of the same number of steps, which are over before the scheduler of a
+//! busy machine is likely to step in; each pair of batches gives a
 //! ratio, and the median of the ratios does not see what hits a minority of the batches. Which of the two goes first
 //! alternates, so that a drift of the clock frequency cancels.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-const ROUNDS: usize = 301;
-const BATCH: Duration = Duration::from_millis(2);
+const ROUNDS: usize = 1501;
+const BATCH: Duration = Duration::from_micros(300);
 
 /// So many steps from a fixed start; what comes out.
 pub(crate) type Run = Box<dyn Fn(u64) -> Vec<f64>>;

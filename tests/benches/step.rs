@@ -9,8 +9,9 @@ mod systems;
 
 use criterion::Criterion;
 use geoint_runtime::array::Array;
+use geoint_runtime::method::Method;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Coordinates, Method};
+use geoint_runtime::state::Coordinates;
 use nalgebra::Vector3;
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;
@@ -54,8 +55,10 @@ fn main() {
 }
 
 fn table(title: &str, pairs: &[Pair]) {
+    // As for criterion, the first argument that is not an option selects by name.
+    let selected = std::env::args().skip(1).find(|arg| !arg.starts_with('-')).unwrap_or_default();
     println!("\n{title:<40} ratio  quartiles       ns/step");
-    for pair in pairs {
+    for pair in pairs.iter().filter(|pair| pair.name.contains(&selected)) {
         let Ratio { median, quartiles: [low, high], nanoseconds: [subject, unit] } = pair.ratio();
         println!("{:<40} {median:.3}  {low:.3} … {high:.3}  {subject:.1} / {unit:.1}", pair.name);
     }
@@ -210,7 +213,7 @@ fn double_pendulum() -> Vec<Pair> {
 
 /// What exact energy costs: one Newton solve against one force.
 fn discrete_gradients() -> Vec<Pair> {
-    let method = DiscreteGradient::default();
+    let method = DiscreteGradient;
     let pendulum = State::new(PENDULUM.0, PENDULUM.1);
     vec![
         Pair {
