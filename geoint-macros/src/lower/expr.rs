@@ -15,7 +15,12 @@ const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - *
 impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
+        if self.depth >= super::MAX_DEPTH {
+            return self.refuse(expr, "this is nested too deeply: bind parts of it with `let`");
+        }
+        self.depth += 1;
         let value = self.evaluate(expr);
+        self.depth -= 1;
         if let Value::Real(id) = value {
             self.written(id, expr);
         }
