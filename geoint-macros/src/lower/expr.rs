@@ -21,10 +21,10 @@ impl Lowering {
         self.depth += 1;
         let value = self.evaluate(expr);
         self.depth -= 1;
-        if let Value::Real(id) = value {
-            self.written(id, expr);
+        match value {
+            Value::Real(id) => self.written(id, expr),
+            other => other,
         }
-        value
     }
 
     fn evaluate(&mut self, expr: &Expr) -> Value {
@@ -117,7 +117,7 @@ impl Lowering {
             let right = self.expr(&operation.right);
             value = self.arithmetic(operation, &operation.op, value, right);
             if let Value::Real(id) = value {
-                self.written(id, operation);
+                value = self.written(id, operation);
             }
         }
         value

@@ -136,7 +136,7 @@ impl Lowering {
     }
 
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
-    fn written(&mut self, id: Id, syntax: &impl ToTokens) {
+    fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Value {
         if let Entry::Vacant(place) = self.places.entry(id) {
             let mut tokens = syntax.to_token_stream().into_iter();
             if let Some(first) = tokens.next() {
@@ -147,8 +147,9 @@ impl Lowering {
         let new: Vec<Id> = self.graph.ids().skip(self.finite).collect();
         self.finite += new.len();
         if !new.iter().all(|id| self.is_finite(*id)) {
-            self.refuse(syntax, "this is not a finite number, whatever the state is");
+            return self.refuse(syntax, "this is not a finite number, whatever the state is");
         }
+        Value::Real(id)
     }
 
     /// Whether the constants that a node is made of are finite. (What is finite has become one number.)

@@ -10,10 +10,10 @@ use quote::quote;
 /// What holds for all input.
 fn holds(args: TokenStream, item: TokenStream) {
     let emitted = expand::hamiltonian(args, item.clone());
-    if syn::parse2::<syn::Item>(item.clone()).is_ok() {
-        if let Err(error) = syn::parse2::<syn::File>(emitted.clone()) {
-            panic!("{error}: {emitted}");
-        }
+    if syn::parse2::<syn::Item>(item.clone()).is_ok()
+        && let Err(error) = syn::parse2::<syn::File>(emitted.clone())
+    {
+        panic!("{error}: {emitted}");
     }
     let same = emitted.into_iter().zip(item.clone()).all(|(out, input)| out.to_string() == input.to_string());
     assert!(same, "the function does not come first: {item}");
@@ -375,7 +375,8 @@ fn said(body: String) -> String {
     let run = move || {
         let item = tokens(&format!("fn energy(q: f64, p: f64) -> f64 {{ {body} }}")).expect("tokens");
         holds(quote!(), item.clone());
-        let energy = parse::energy(quote!(), syn::parse2(item).expect("a function")).ok().expect("a signature");
+        let energy = parse::energy(quote!(), syn::parse2(item).expect("a function"));
+        let energy = energy.unwrap_or_else(|errors| panic!("{:?}", errors.messages()));
         lower::body(&energy).err().map_or_else(String::new, |errors| errors.messages().join("; "))
     };
     std::thread::Builder::new().stack_size(8 << 20).spawn(run).expect("a thread").join().expect("no panic")
