@@ -15,11 +15,16 @@ const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - *
 impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
-        let value = self.evaluate(expr);
-        if let Value::Real(id) = value {
-            self.written(id, expr);
+        if self.depth >= super::MAX_DEPTH {
+            return self.refuse(expr, "this is nested too deeply: bind parts of it with `let`");
         }
-        value
+        self.depth += 1;
+        let value = self.evaluate(expr);
+        self.depth -= 1;
+        match value {
+            Value::Real(id) => self.written(id, expr),
+            other => other,
+        }
     }
 
     fn evaluate(&mut self, expr: &Expr) -> Value {
@@ -112,7 +117,7 @@ impl Lowering {
             let right = self.expr(&operation.right);
             value = self.arithmetic(operation, &operation.op, value, right);
             if let Value::Real(id) = value {
-                self.written(id, operation);
+                value = self.written(id, operation);
             }
         }
         value

@@ -12,7 +12,7 @@ mod unseen;
 mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::{Argument, Energy};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -43,6 +43,9 @@ const MAX_NODES: usize = 20_000;
 /// Evaluations, to stop loops that do nothing but run.
 const MAX_EVALUATIONS: usize = 500_000;
 
+/// Expressions inside expressions, within a fraction of the stack of rustc.
+const MAX_DEPTH: usize = 200;
+
 /// Lowers the body of an energy.
 pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut unseen = Diagnostics::default();
@@ -56,6 +59,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         constants: vec![],
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
         evaluations: 0,
+        depth: 0,
+        finite: 0,
         calls: vec![],
         float: energy.float.to_string(),
     };
@@ -80,6 +85,10 @@ struct Lowering {
     /// The number of scalar parameters.
     parameters: u32,
     evaluations: usize,
+    /// Expressions inside expressions, calls included.
+    depth: usize,
+    /// The number of nodes that have been found to be finite.
+    finite: usize,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
@@ -126,8 +135,8 @@ impl Lowering {
         self.graph.symbol(Symbol::Parameter(self.parameters + index as u32))
     }
 
-    /// Remembers where a node was written first.
-    fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Id {
+    /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
+    fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Value {
         if let Entry::Vacant(place) = self.places.entry(id) {
             let mut tokens = syntax.to_token_stream().into_iter();
             if let Some(first) = tokens.next() {
@@ -135,6 +144,25 @@ impl Lowering {
                 place.insert((first.span(), last));
             }
         }
-        id
+        let new: Vec<Id> = self.graph.ids().skip(self.finite).collect();
+        self.finite += new.len();
+        if !new.iter().all(|id| self.is_finite(*id)) {
+            return self.refuse(syntax, "this is not a finite number, whatever the state is");
+        }
+        Value::Real(id)
+    }
+
+    /// Whether the constants that a node is made of are finite. (What is finite has become one number.)
+    fn is_finite(&self, id: Id) -> bool {
+        let number = |id: &Id| self.graph.as_number(*id).is_some();
+        match self.graph.node(id) {
+            Node::Number(x) => x.to_f64().is_finite(),
+            Node::Linear(constant, terms) => {
+                terms.iter().map(|(c, _)| c).chain([constant]).all(|c| c.to_f64().is_finite())
+            }
+            Node::Power(base, _) => !number(base),
+            Node::Call(_, args) => !args.iter().all(number),
+            _ => true,
+        }
     }
 }

@@ -727,3 +727,12 @@ fn code_that_others_may_change_is_refused() {
         c
     });
 }
+
+#[test]
+fn constants_that_are_no_numbers_are_refused() {
+    refuses!("not a finite number", |q, p, t, a| { q[0] / 0.0 });
+    refuses!("not a finite number", |q, p, t, a| { (1.0 / 0.0) / 2.0 });
+    refuses!("not a finite number", |q, p, t, a| { 1e300 * 1e300 * q[0] });
+    refuses!("not a finite number", |q, p, t, a| { q[0] + (-2.0_f64).sqrt() });
+    refuses!("not a finite number", |q, p, t, a| { q[0] + (2.0_f64 - 3.0).ln() });
+}

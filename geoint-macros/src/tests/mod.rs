@@ -1,6 +1,7 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
 mod cost;
+mod fuzz;
 mod derivatives;
 mod schedules;
 mod meaning;
