@@ -92,11 +92,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 (_, Some(what)) => return Err(StepError::OutsideDomain { t, what }),
                 (Ok(()), None) => return Err(StepError::NonFinite { t }),
                 (Err(e), None) => {
-                    return Err(StepError::NotConverged {
-                        t,
-                        iterations: e.iterations,
-                        correction: e.correction,
-                    });
+                    return Err(StepError::NotConverged { t, iterations: e.iterations, correction: e.correction });
                 }
             }
         }

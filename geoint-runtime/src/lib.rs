@@ -94,7 +94,7 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method, PositionVerlet, State, StepError,
-        StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method, PositionVerlet,
+        State, StepError, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

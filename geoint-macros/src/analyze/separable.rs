@@ -1,7 +1,7 @@
 //! H = T(p, t) + V(q, t)? The parts, or the term that couples.
 
-use super::dependence::Dependence;
 use super::degree;
+use super::dependence::Dependence;
 use crate::ir::{Graph, Id, Node, Symbol};
 
 /// The kinetic and the potential part, or a term that reads both q and p.

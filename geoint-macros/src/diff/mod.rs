@@ -19,7 +19,8 @@ pub(crate) struct Gradient {
 
 /// ∇ of `root` by one reverse sweep.
 pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
-    let Ok(entries) = sweep::reverse(graph, root, &mut |graph, id| Ok::<_, std::convert::Infallible>(rules::rule(graph, id)));
+    let Ok(entries) =
+        sweep::reverse(graph, root, &mut |graph, id| Ok::<_, std::convert::Infallible>(rules::rule(graph, id)));
     collect(graph, &entries, degrees)
 }
 

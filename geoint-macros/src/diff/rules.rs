@@ -24,9 +24,7 @@ pub(super) fn rule(graph: &mut Graph, id: Id) -> Rule {
         Node::Linear(_, terms) => terms.into_iter().map(|(c, term)| (term, graph.number(c))).collect(),
         Node::Product(factors) => {
             let others = |k: usize| factors.iter().enumerate().filter(move |(i, _)| *i != k).map(|(_, id)| *id);
-            (0..factors.len())
-                .map(|k| (factors[k], graph.product(&others(k).collect::<Vec<_>>())))
-                .collect()
+            (0..factors.len()).map(|k| (factors[k], graph.product(&others(k).collect::<Vec<_>>()))).collect()
         }
         Node::Power(base, exponent) => {
             // The exponent is small, so that it can be lowered by one.

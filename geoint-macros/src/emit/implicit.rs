@@ -108,7 +108,12 @@ pub(super) fn discrete_gradient(
 }
 
 /// An implementation that no scalar satisfies, whose message names the term that has no slope.
-pub(super) fn missing_discrete_gradient(context: &Context<'_>, graph: &Graph, missing: MissingSlope, bounds: &TokenStream) -> TokenStream {
+pub(super) fn missing_discrete_gradient(
+    context: &Context<'_>,
+    graph: &Graph,
+    missing: MissingSlope,
+    bounds: &TokenStream,
+) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, "DividedDifferencesOf", missing.0, NO_SLOPE);
     let never = quote!(::core::convert::Infallible);

@@ -19,7 +19,12 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Everything that is emitted beside the user's function.
-pub(crate) fn items(context: &Context<'_>, graph: &mut Graph, structure: &Structure, derivatives: &Derivatives) -> TokenStream {
+pub(crate) fn items(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    structure: &Structure,
+    derivatives: &Derivatives,
+) -> TokenStream {
     let bounds = system::bounds(graph, structure.energy);
     let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
     let (discrete, discrete_cost) = match &derivatives.tree {

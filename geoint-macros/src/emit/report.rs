@@ -67,7 +67,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
                 Some(term) => writeln!(text, "- T is not quadratic in {p}: {}", printer.excerpt(term))?,
             }
         }
-        Split::Coupled(term) => writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?,
+        Split::Coupled(term) => {
+            writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
+        }
     }
     match structure.degree {
         Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,
@@ -82,7 +84,8 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
-            let indices: String = energy.coordinates.shape.indices(*i as usize).iter().map(|i| format!("[{i}]")).collect();
+            let indices: String =
+                energy.coordinates.shape.indices(*i as usize).iter().map(|i| format!("[{i}]")).collect();
             format!("{name}{indices}")
         };
         indices.iter().map(one).collect::<Vec<_>>().join(", ")

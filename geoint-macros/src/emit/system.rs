@@ -24,7 +24,8 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
-    let derives = quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    let derives =
+        quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
     if fields.is_empty() {
         quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name;)
     } else {
@@ -71,12 +72,9 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
 
 /// What kernels ask of their scalar: comparisons only if the energy has branches.
 pub(super) fn bounds(graph: &Graph, energy: Id) -> TokenStream {
-    let compares = |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(&[energy]).iter().any(compares) {
-        quote!(Real + ::core::cmp::PartialOrd)
-    } else {
-        quote!(Real)
-    }
+    let compares =
+        |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
+    if graph.reachable(&[energy]).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
 }
 
 pub(super) fn hamiltonian(
@@ -151,7 +149,9 @@ fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
                 let (test, message) = match (exponent.is_integer(), exponent.numerator < 0) {
                     (true, false) => continue,
                     (true, true) => (zero.clone(), format!("division by zero: {term}")),
-                    (false, true) => (not_positive.clone(), format!("division by the root of a number that is not positive: {term}")),
+                    (false, true) => {
+                        (not_positive.clone(), format!("division by the root of a number that is not positive: {term}"))
+                    }
                     (false, false) => (quote!(.any_below(0.0)), format!("`sqrt` of a negative number: {term}")),
                 };
                 checks.push(Check { argument: *base, test, message });
@@ -193,4 +193,3 @@ fn unconditional(graph: &Graph, root: Id) -> Vec<Id> {
     all.sort();
     all
 }
-

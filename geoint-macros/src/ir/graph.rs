@@ -4,11 +4,11 @@
 //! once, and emitted once. Constructors fold constants, zeros, ones and signs, and merge equal terms and powers. They
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
+use super::hash::HashMap;
 use super::number::{Number, Ratio};
 use super::op::{Function, Parity, Relation, Symbol};
 use super::table::Table;
 use std::cell::RefCell;
-use super::hash::HashMap;
 
 /// A node of a [`Graph`]; operands have smaller numbers than what is built of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -59,8 +59,12 @@ impl<F: Fn(Symbol) -> String> Printer<'_, F> {
                 };
                 (format!("{} {sign} {}", self.formula(*a), self.formula(*b)), Level::Sum)
             }
-            Node::And(a, b) => (format!("{} and {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum),
-            Node::Or(a, b) => (format!("{} or {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum),
+            Node::And(a, b) => {
+                (format!("{} and {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum)
+            }
+            Node::Or(a, b) => {
+                (format!("{} or {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum)
+            }
             Node::Not(a) => (format!("not {}", self.print(*a, Level::Atom)), Level::Product),
             Node::Truth(value) => (value.to_string(), Level::Atom),
         };
@@ -143,7 +147,10 @@ impl<F: Fn(Symbol) -> String> Printer<'_, F> {
 }
 
 fn superscript(n: i64) -> String {
-    n.to_string().chars().map(|c| c.to_digit(10).and_then(|d| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(d as usize)).unwrap_or(c)).collect()
+    n.to_string()
+        .chars()
+        .map(|c| c.to_digit(10).and_then(|d| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(d as usize)).unwrap_or(c))
+        .collect()
 }
 
 fn number(value: Number) -> String {

@@ -42,7 +42,12 @@ pub(crate) enum Statement {
     /// Sine and cosine of one argument.
     SinCos(Register, Register, Operand),
     /// Values that depend on a condition; each branch computes what only it needs.
-    If { registers: Vec<Register>, condition: Operand, first: Block, second: Block },
+    If {
+        registers: Vec<Register>,
+        condition: Operand,
+        first: Block,
+        second: Block,
+    },
 }
 
 /// Statements and what comes of them.
@@ -108,7 +113,9 @@ impl Block {
         let one = |arithmetic, divisions, calls| Operations { arithmetic, divisions, calls };
         let cost = |statement: &Statement| match statement {
             Statement::Let(_, instruction) => match instruction {
-                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Mul(..) | Instruction::Neg(_) => one(1, 0, 0),
+                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Mul(..) | Instruction::Neg(_) => {
+                    one(1, 0, 0)
+                }
                 Instruction::MulAdd(..) => one(2, 0, 0),
                 Instruction::Div(..) | Instruction::Sqrt(_) => one(0, 1, 0),
                 Instruction::Call(..) => one(0, 0, 1),

@@ -75,7 +75,16 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             graph.node(id).for_each_child(&mut count);
         }
         roots.iter().copied().for_each(count);
-        let mut lowering = Lowering { graph, levels, slots, level, uses, scopes: vec![], ready: vec![], reciprocals: HashMap::default() };
+        let mut lowering = Lowering {
+            graph,
+            levels,
+            slots,
+            level,
+            uses,
+            scopes: vec![],
+            ready: vec![],
+            reciprocals: HashMap::default(),
+        };
         lowering.find_reciprocals(roots);
         lowering.block(roots)
     }
@@ -292,7 +301,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let mut below = vec![];
         for id in now {
             match *self.graph.node(id) {
-                Node::Power(base, exponent) if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
+                Node::Power(base, exponent)
+                    if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
                 {
                     below.push(self.positive_power(base, exponent));
                 }
@@ -356,11 +366,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             return self.repeated(reciprocal, if halves && exponent.is_integer() { 2 * n } else { n });
         }
         let power = self.positive_power(base, exponent);
-        if exponent.numerator < 0 {
-            self.emit(Instruction::Div(Operand::Constant(Number::ONE), power))
-        } else {
-            power
-        }
+        if exponent.numerator < 0 { self.emit(Instruction::Div(Operand::Constant(Number::ONE), power)) } else { power }
     }
 
     /// base to the magnitude of an exponent, by squaring, with one square root for halves.

@@ -123,7 +123,8 @@ fn the_discrete_gradient_satisfies_the_discrete_chain_rule() {
         let change = eval(graph, lowered.energy, &at(1.0)) - eval(graph, lowered.energy, &at(0.0));
         assert!((along - change).abs() < 1e-12 * (1.0 + change.abs()), "{along} {change}");
 
-        let still = |symbol: Symbol| if matches!(symbol, Symbol::Dq(_) | Symbol::Dp(_)) { 0.0 } else { at(0.0)(symbol) };
+        let still =
+            |symbol: Symbol| if matches!(symbol, Symbol::Dq(_) | Symbol::Dp(_)) { 0.0 } else { at(0.0)(symbol) };
         for (slope, derivative) in roots.iter().zip(gradient.q.iter().chain(&gradient.p)) {
             let (slope, derivative) = (eval(graph, *slope, &still), eval(graph, *derivative, &still));
             assert!((slope - derivative).abs() < 1e-12 * (1.0 + derivative.abs()));

@@ -46,7 +46,10 @@ fn separable_but_not_quadratic() {
         (quote! { fn f(q: f64, p: f64) -> f64 { p * p / 2.0 + p.powi(4) + q } }, "p0⁴"),
         (quote! { fn f(q: f64, p: f64) -> f64 { (1.0 + p * p).sqrt() + q } }, "√(p0² + 1)"),
         (quote! { fn f(q: f64, p: f64, t: f64) -> f64 { p * p * t + q } }, "p0²·t"),
-        (quote! { fn f(q: f64, p: f64) -> f64 { q + if p > 0.0 { p * p } else { p } } }, "if 0 < p0 { p0² } else { p0 }"),
+        (
+            quote! { fn f(q: f64, p: f64) -> f64 { q + if p > 0.0 { p * p } else { p } } },
+            "if 0 < p0 { p0² } else { p0 }",
+        ),
     ];
     for (item, term) in energies {
         let (structure, witness) = structure(item);
