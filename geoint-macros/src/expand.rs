@@ -7,6 +7,10 @@ use quote::{ToTokens, quote};
 
 /// The user's function, and all that is made from it; with messages in place of that if something is wrong.
 pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
+    if let Err(errors) = parse::nesting(&item) {
+        let errors = errors.into_tokens();
+        return quote!(#item #errors);
+    }
     match syn::parse2::<syn::ItemFn>(item.clone()) {
         // The function comes first and unchanged, so that rustc and editors see it whatever happens.
         Ok(function) => {
@@ -27,8 +31,8 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 
 fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
     let energy = parse::energy(args, item)?; // who is q, p, t
-    let lower::Lowered { mut graph, energy: root, places, constants } = lower::body(&energy)?; // Rust to graph
-    let context = emit::Context { energy: &energy, constants: &constants };
+    let lower::Lowered { mut graph, energy: root, places, partial, constants } = lower::body(&energy)?; // Rust to graph
+    let context = emit::Context { energy: &energy, constants: &constants, partial: &partial };
     let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
     check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());

@@ -100,6 +100,27 @@ impl Energy {
     }
 }
 
+/// Groups inside groups, within a fraction of the stack of rustc.
+const MAX_NESTING: usize = 256;
+
+/// Refuses what could not be parsed without overflowing the stack.
+pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
+    let mut level: Vec<TokenStream> = vec![item.clone()];
+    for _ in 0..MAX_NESTING {
+        let groups = level.into_iter().flatten().filter_map(|tree| match tree {
+            TokenTree::Group(group) => Some(group.stream()),
+            _ => None,
+        });
+        level = groups.collect();
+        if level.is_empty() {
+            return Ok(());
+        }
+    }
+    let mut errors = Diagnostics::default();
+    errors.at(&level.into_iter().flatten().next(), "this is nested too deeply: give parts of it a name with `let`");
+    Err(errors)
+}
+
 /// The arguments of the attribute.
 #[derive(Default)]
 struct Options {
@@ -173,6 +194,9 @@ pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
     let arguments = arguments(&item, &options, &float, &mut errors);
     let coordinates = coordinates(&item, &options, &arguments, &mut errors);
     let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
+    if name == "R" {
+        errors.at(&name, "`R` is the scalar of generated code; give the struct another name: `name = …`");
+    }
     let runtime = options.runtime.map_or_else(|| quote!(::geoint_runtime), ToTokens::into_token_stream);
     if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");

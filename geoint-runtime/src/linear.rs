@@ -22,7 +22,8 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
         }
         let (upper, lower) = rows.split_at_mut(k + 1);
         let top = upper[k].as_slice();
-        if !(top[k].magnitude() > 0.0) {
+        let pivot = top[k].magnitude();
+        if pivot == 0.0 || pivot.is_nan() {
             return false;
         }
         let reciprocal = A::Real::from_f64(1.0) / top[k];

@@ -46,7 +46,7 @@ pub(crate) fn solve<A: Array>(
         if next <= rounding || (shrunk > 0.25 && correction <= STAGNATION) {
             return Ok(x);
         }
-        if !(correction < f64::INFINITY) {
+        if !correction.is_finite() {
             return Err(NotConverged { iterations, correction });
         }
         before = correction;
@@ -70,7 +70,7 @@ fn relative<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
         let change = delta.as_slice()[i].magnitude();
         let ratio = change / size(i).max(1e-6 * largest);
         // Not `max`: that would lose a NaN. Nothing to correct is no correction, even of zero.
-        if change != 0.0 && !(ratio <= correction) {
+        if change != 0.0 && (ratio > correction || ratio.is_nan()) {
             correction = ratio;
         }
     }

@@ -39,7 +39,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // Twelfth order: what is left of its error is rounding.
     let truth = samples(Gauss::<6>, 0.02)?;
-    let conserving = DiscreteGradient::default();
+    let conserving = DiscreteGradient;
     let runs = [
         run("ExplicitEuler", ExplicitEuler, 0.001, &truth)?,
         run("ImplicitMidpoint", ImplicitMidpoint, 0.01, &truth)?,

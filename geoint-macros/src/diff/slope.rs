@@ -6,8 +6,7 @@
 
 use super::rules::Rule;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-use std::collections::HashMap;
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 
 /// A term that has no divided difference yet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,7 +17,8 @@ type Replace = fn(&mut Graph, Symbol) -> Option<Id>;
 /// Divided differences between (q, p) and (q + dq, p + dp).
 pub(super) struct Slopes {
     end: Substitution<Replace>,
-    increments: HashMap<Id, Option<Id>>,
+    affine_increments: HashMap<Id, Option<Id>>,
+    increments: HashMap<Id, Id>,
 }
 
 impl Default for Slopes {
@@ -28,7 +28,7 @@ impl Default for Slopes {
             let start = graph.symbol(symbol);
             Some(graph.add(start, increment))
         };
-        Slopes { end: Substitution::new(end), increments: HashMap::new() }
+        Slopes { end: Substitution::new(end), affine_increments: HashMap::default(), increments: HashMap::default() }
     }
 }
 
@@ -122,7 +122,7 @@ impl Slopes {
 
     /// end − start, from the increments of the coordinates: never a difference of two values.
     fn increment(&mut self, graph: &mut Graph, id: Id) -> Result<Id, MissingSlope> {
-        if let Some(increment) = self.affine_increment(graph, id) {
+        if let Some(increment) = self.affine_increment(graph, id).or_else(|| self.increments.get(&id).copied()) {
             return Ok(increment);
         }
         let Rule::Chain(slopes) = self.rule(graph, id)? else { return Err(MissingSlope(id)) };
@@ -131,12 +131,14 @@ impl Slopes {
             let increment = self.increment(graph, operand)?;
             parts.push(graph.mul(slope, increment));
         }
-        Ok(graph.sum(&parts))
+        let increment = graph.sum(&parts);
+        self.increments.insert(id, increment);
+        Ok(increment)
     }
 
     /// The increment of a node that is affine in the coordinates; it does not depend on where the step starts.
     fn affine_increment(&mut self, graph: &mut Graph, id: Id) -> Option<Id> {
-        if let Some(known) = self.increments.get(&id) {
+        if let Some(known) = self.affine_increments.get(&id) {
             return *known;
         }
         let increment = match graph.node(id).clone() {
@@ -153,7 +155,7 @@ impl Slopes {
                 constant.then(|| graph.zero())
             }
         };
-        self.increments.insert(id, increment);
+        self.affine_increments.insert(id, increment);
         increment
     }
 }

@@ -12,6 +12,8 @@ pub(crate) struct Context<'a> {
     pub(crate) energy: &'a Energy,
     /// Constants that live outside the function.
     pub(crate) constants: &'a [TokenStream],
+    /// What must be defined wherever the energy is.
+    pub(crate) partial: &'a [Id],
 }
 
 /// `base[i][j]…`

@@ -174,7 +174,15 @@ impl Writer<'_> {
             if value < 0.0 {
                 writer.punct("-");
             }
-            writer.tokens.push(Literal::f64_unsuffixed(value.abs()).into());
+            // Coefficients may overflow in a derivative; the step will say so.
+            match value.abs() {
+                magnitude if magnitude.is_finite() => writer.tokens.push(Literal::f64_unsuffixed(magnitude).into()),
+                magnitude => {
+                    writer.word("f64");
+                    writer.punct("::");
+                    writer.word(if magnitude.is_nan() { "NAN" } else { "INFINITY" });
+                }
+            }
         });
         self.group(Delimiter::Parenthesis, literal);
     }

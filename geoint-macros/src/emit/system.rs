@@ -142,7 +142,7 @@ fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
     let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
     let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));
     let mut checks = vec![];
-    for id in unconditional(graph, energy) {
+    for id in unconditional(graph, energy, context.partial) {
         match graph.node(id) {
             Node::Power(base, exponent) => {
                 let term = printer.excerpt(*base);
@@ -178,9 +178,9 @@ fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
     checks
 }
 
-/// Nodes that are computed whatever the conditions are.
-fn unconditional(graph: &Graph, root: Id) -> Vec<Id> {
-    let (mut seen, mut open) = (HashSet::new(), vec![root]);
+/// The root, and more nodes, with all that is computed for them whatever the conditions are.
+fn unconditional(graph: &Graph, root: Id, more: &[Id]) -> Vec<Id> {
+    let (mut seen, mut open) = (HashSet::new(), [&[root], more].concat());
     while let Some(id) = open.pop() {
         if seen.insert(id) {
             match graph.node(id) {

@@ -6,7 +6,7 @@
 
 use super::hash::HashMap;
 use super::number::{Number, Ratio};
-use super::op::{Function, Parity, Relation, Symbol};
+use super::op::{Domain, Function, Parity, Relation, Symbol};
 use super::table::Table;
 use std::cell::RefCell;
 
@@ -116,6 +116,15 @@ impl Graph {
         }
         found.sort_unstable();
         found
+    }
+
+    /// Whether a node is not defined for some values of its operands.
+    pub(crate) fn is_partial(&self, id: Id) -> bool {
+        match self.node(id) {
+            Node::Power(_, exponent) => !exponent.is_integer() || exponent.numerator < 0,
+            Node::Call(function, _) => function.entry().domain != Domain::Everywhere,
+            _ => false,
+        }
     }
 
     fn intern(&mut self, node: Node) -> Id {
@@ -254,11 +263,15 @@ impl Graph {
 
     /// Bases and exponents of a product, however nested.
     pub(crate) fn factors(&self, id: Id) -> Vec<(Id, Ratio)> {
-        match self.node(id) {
-            Node::Product(ids) => ids.iter().flat_map(|id| self.factors(*id)).collect(),
-            Node::Power(base, exponent) => vec![(*base, *exponent)],
-            _ => vec![(id, Ratio::ONE)],
+        let (mut factors, mut open) = (vec![], vec![id]);
+        while let Some(id) = open.pop() {
+            match self.node(id) {
+                Node::Product(ids) => open.extend(ids),
+                Node::Power(base, exponent) => factors.push((*base, *exponent)),
+                _ => factors.push((id, Ratio::ONE)),
+            }
         }
+        factors
     }
 
     /// a·b. Stays nested as it was written (a product that others use as well is computed once), unless some base

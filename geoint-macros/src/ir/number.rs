@@ -86,7 +86,7 @@ impl Number {
         let value: f64 = text.parse().ok()?;
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-        let power = exponent.parse::<i32>().ok()? - i32::try_from(fraction.len()).ok()?;
+        let power = exponent.parse::<i32>().ok()?.checked_sub(i32::try_from(fraction.len()).ok()?)?;
         let exact = || {
             let digits: i128 = format!("{whole}{fraction}").parse().ok()?;
             let scale = 10_i128.checked_pow(power.unsigned_abs())?;

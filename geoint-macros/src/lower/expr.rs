@@ -22,7 +22,7 @@ impl Lowering {
         let value = self.evaluate(expr);
         self.depth -= 1;
         match value {
-            Value::Real(id) => self.written(id, expr),
+            Value::Real(id) => self.written(id, expr, || super::place(expr)),
             other => other,
         }
     }
@@ -112,12 +112,18 @@ impl Lowering {
             operations.push(inner);
             first = &inner.left;
         }
+        let factors = operations.iter().filter(|operation| matches!(operation.op, BinOp::Mul(_) | BinOp::Div(_)));
+        if factors.count() > super::MAX_DEPTH {
+            return self.refuse(outermost, format!("a product has {} factors at most", super::MAX_DEPTH));
+        }
+        // A long sum is not looked at from its beginning for every term.
+        let (start, _) = super::place(first);
         let mut value = self.expr(first);
         for operation in operations.into_iter().rev() {
             let right = self.expr(&operation.right);
             value = self.arithmetic(operation, &operation.op, value, right);
             if let Value::Real(id) = value {
-                value = self.written(id, operation);
+                value = self.written(id, operation, || (start, super::place(&operation.right).1));
             }
         }
         value
@@ -131,9 +137,9 @@ impl Lowering {
         {
             return left;
         }
-        let before = self.scopes.close(Around::Branch);
+        let before = self.enter_branch();
         let right = self.expr(&binary.right);
-        self.scopes.open(before);
+        self.leave_branch(before);
         self.arithmetic(binary, &binary.op, left, right)
     }
 
@@ -308,18 +314,18 @@ impl Lowering {
         let Some((_, otherwise)) = &branch.else_branch else {
             // What the branch would do is to assign; that message is the better one.
             let said = self.errors.len();
-            let before = self.scopes.close(Around::Branch);
+            let before = self.enter_branch();
             self.block(&branch.then_branch);
-            self.scopes.open(before);
+            self.leave_branch(before);
             if self.errors.len() == said {
                 self.refuse(&branch.if_token, "give this `if` an `else`: it must have a value on both sides");
             }
             return Value::Poison;
         };
-        let before = self.scopes.close(Around::Branch);
+        let before = self.enter_branch();
         let first = self.block(&branch.then_branch);
         let second = self.expr(otherwise);
-        self.scopes.open(before);
+        self.leave_branch(before);
         self.select(branch, condition, first, second)
     }
 

@@ -16,9 +16,8 @@ use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::{Argument, Energy};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
-use scope::Scopes;
+use scope::{Around, Scopes};
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 use std::fmt::Display;
 use std::rc::Rc;
 use value::{Callable, Value};
@@ -30,6 +29,8 @@ pub(crate) struct Lowered {
     pub(crate) energy: Id,
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
+    /// Nodes that are not defined everywhere and are computed whatever the conditions are, simplified away or not.
+    pub(crate) partial: Vec<Id>,
     /// Constants that live outside the function: symbols `Parameter(n)` after those of the parameters.
     pub(crate) constants: Vec<TokenStream>,
 }
@@ -37,8 +38,15 @@ pub(crate) struct Lowered {
 /// The first and the last token of a term.
 pub(crate) type Place = (Span, Span);
 
+/// The place of a piece of syntax.
+fn place(syntax: &impl ToTokens) -> Place {
+    let mut tokens = syntax.to_token_stream().into_iter();
+    let first = tokens.next().map_or_else(Span::call_site, |first| first.span());
+    (first, tokens.last().map_or(first, |last| last.span()))
+}
+
 /// Unrolled bodies beyond this size would take rustc seconds.
-const MAX_NODES: usize = 20_000;
+const MAX_NODES: usize = 5_000;
 
 /// Evaluations, to stop loops that do nothing but run.
 const MAX_EVALUATIONS: usize = 500_000;
@@ -61,6 +69,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         evaluations: 0,
         depth: 0,
         finite: 0,
+        branches: 0,
+        partial: vec![],
         calls: vec![],
         float: energy.float.to_string(),
     };
@@ -71,8 +81,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     }
     let value = lowering.block(&energy.item.block);
     let root = lowering.real(&energy.item.block, value);
-    let Lowering { graph, errors, places, constants, .. } = lowering;
-    errors.or(Lowered { graph, energy: root, places, constants })
+    let Lowering { graph, errors, places, partial, constants, .. } = lowering;
+    errors.or(Lowered { graph, energy: root, places, partial, constants })
 }
 
 /// The evaluator.
@@ -89,6 +99,9 @@ struct Lowering {
     depth: usize,
     /// The number of nodes that have been found to be finite.
     finite: usize,
+    /// Branches around what is being evaluated.
+    branches: usize,
+    partial: Vec<Id>,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
@@ -136,20 +149,28 @@ impl Lowering {
     }
 
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
-    fn written(&mut self, id: Id, syntax: &impl ToTokens) -> Value {
-        if let Entry::Vacant(place) = self.places.entry(id) {
-            let mut tokens = syntax.to_token_stream().into_iter();
-            if let Some(first) = tokens.next() {
-                let last = tokens.last().map_or(first.span(), |last| last.span());
-                place.insert((first.span(), last));
-            }
-        }
+    fn written(&mut self, id: Id, syntax: &impl ToTokens, place: impl FnOnce() -> Place) -> Value {
+        self.places.entry(id).or_insert_with(place);
         let new: Vec<Id> = self.graph.ids().skip(self.finite).collect();
         self.finite += new.len();
+        if self.branches == 0 {
+            self.partial.extend(new.iter().filter(|id| self.graph.is_partial(**id)));
+        }
         if !new.iter().all(|id| self.is_finite(*id)) {
             return self.refuse(syntax, "this is not a finite number, whatever the state is");
         }
         Value::Real(id)
+    }
+
+    /// Enters a side of a branch; returns what [`Self::leave_branch`] needs.
+    fn enter_branch(&mut self) -> (usize, Around) {
+        self.branches += 1;
+        self.scopes.close(Around::Branch)
+    }
+
+    fn leave_branch(&mut self, before: (usize, Around)) {
+        self.branches -= 1;
+        self.scopes.open(before);
     }
 
     /// Whether the constants that a node is made of are finite. (What is finite has become one number.)

@@ -21,7 +21,9 @@ impl<F: Fn(Symbol) -> usize> Levels<F> {
         for id in graph.unknown(id, &self.known) {
             let level = match graph.node(id) {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
-                node => node.children().iter().filter_map(|child| self.known[*child]).max(),
+                Node::Number(_) | Node::Truth(_) => None,
+                // What is made of constants but is not one, like 1/0, is known first.
+                node => Some(node.children().iter().filter_map(|child| self.known[*child]).max().unwrap_or(0)),
             };
             self.known.insert(id, level);
         }
@@ -124,8 +126,9 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Truth(value) => return Operand::Truth(*value),
             _ => {}
         }
+        // Slots hold numbers; a condition is decided again where it is needed.
         match self.levels.of(self.graph, id) {
-            Some(level) if level < self.level => return self.slot(level, id),
+            Some(level) if level < self.level && !self.is_condition(id) => return self.slot(level, id),
             _ => {}
         }
         if let Node::Symbol(symbol) = self.graph.node(id) {
@@ -141,6 +144,10 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         self.scopes[home].values.insert(id, operand);
         self.scopes.extend(inner);
         operand
+    }
+
+    fn is_condition(&self, id: Id) -> bool {
+        matches!(self.graph.node(id), Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_))
     }
 
     fn known(&self, id: Id) -> Option<Operand> {
