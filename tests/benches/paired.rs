@@ -1,9 +1,8 @@
 //! The cost of one program in units of another, on a machine that others use as well.
 //!
-//! Both run in turns, in batches of the same number of steps, which are over before the scheduler of a
-//! busy machine is likely to step in; each pair of batches gives a
-//! ratio, and the median of the ratios does not see what hits a minority of the batches. Which of the two goes first
-//! alternates, so that a drift of the clock frequency cancels.
+//! Both run in turns, in batches of the same number of steps that are over before the scheduler of a busy machine is
+//! likely to step in. Each pair of batches gives a ratio, and the median of the ratios does not see what hits a minority of
+//! the batches. Which of the two goes first alternates, so that a drift of the clock frequency cancels.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -137,17 +137,33 @@ fn kepler() -> Vec<Pair> {
 fn henon_heiles() -> Vec<Pair> {
     let (h, start) = (0.05, plane(HENON_HEILES));
     let hand = || black_box(by_hand::henon_heiles::HenonHeiles { lambda: henon_heiles_system().lambda });
+    let verlet = |name: &str, unit| Pair {
+        name: name.into(),
+        subject: generated(henon_heiles_system(), StormerVerlet, h, start),
+        unit,
+    };
+    let blanes_moan_4 = |name: &str, unit| Pair {
+        name: name.into(),
+        subject: generated(henon_heiles_system(), BlanesMoan4, h, start),
+        unit,
+    };
     vec![
-        Pair {
-            name: "Hénon–Heiles, StormerVerlet".into(),
-            subject: generated(henon_heiles_system(), StormerVerlet, h, start),
-            unit: Box::new(move |n| hand().verlet(black_box(h), n, HENON_HEILES).to_vec()),
-        },
-        Pair {
-            name: "Hénon–Heiles, BlanesMoan4".into(),
-            subject: generated(henon_heiles_system(), BlanesMoan4, h, start),
-            unit: Box::new(move |n| hand().blanes_moan_4(black_box(h), n, HENON_HEILES).to_vec()),
-        },
+        verlet(
+            "Hénon–Heiles, StormerVerlet",
+            Box::new(move |n| hand().verlet::<false>(black_box(h), n, HENON_HEILES).to_vec()),
+        ),
+        verlet(
+            "Hénon–Heiles, StormerVerlet, by terms",
+            Box::new(move |n| hand().verlet::<true>(black_box(h), n, HENON_HEILES).to_vec()),
+        ),
+        blanes_moan_4(
+            "Hénon–Heiles, BlanesMoan4",
+            Box::new(move |n| hand().blanes_moan_4::<false>(black_box(h), n, HENON_HEILES).to_vec()),
+        ),
+        blanes_moan_4(
+            "Hénon–Heiles, BlanesMoan4, by terms",
+            Box::new(move |n| hand().blanes_moan_4::<true>(black_box(h), n, HENON_HEILES).to_vec()),
+        ),
     ]
 }
 

@@ -72,7 +72,7 @@ impl Constants {
             }
             let correction = relative(&delta, &x, &z);
             let shrunk = if iteration == 1 { correction.sqrt() } else { correction / before };
-            if correction * shrunk * shrunk <= f64::EPSILON / 16.0 || (shrunk > 0.25 && correction <= 1e-9) {
+            if correction * shrunk * shrunk <= f64::EPSILON / 1024.0 || (shrunk > 0.25 && correction <= 1e-9) {
                 break;
             }
             assert!(correction < f64::INFINITY, "no convergence");

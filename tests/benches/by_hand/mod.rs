@@ -1,8 +1,7 @@
 //! What an expert writes for one system and one method: the other side of every ratio.
 //!
 //! Kicks of neighbouring steps are merged, h and parameters are folded into constants before the loop, positions and
-//! momenta are locals. A momentum is rounded once a kick: what is added to it is summed first, as everyone does who cares
-//! about rounding over many steps. Only the fractions of the splitting tables are taken from the runtime; nothing else is.
+//! momenta are locals. Only the fractions of the splitting tables are taken from the runtime; nothing else is.
 
 pub(crate) mod double_pendulum;
 pub(crate) mod henon_heiles;
