@@ -142,7 +142,18 @@ pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structur
     let (q, p) = (symbols(Symbol::Q, degrees), symbols(Symbol::P, degrees));
     if structure.quadratic_parts().is_none() {
         let (unknowns, f) = ([q, p].concat(), [gradient.p.clone(), force].concat());
-        let jacobian = jacobian(graph, &f, &unknowns);
+        let mut jacobian = jacobian(graph, &f, &unknowns);
+        // J∇²H, and ∇²H is symmetric: of two equal derivatives, which may be written differently, one is computed.
+        let n = degrees as usize;
+        for i in 0..n {
+            for j in 0..n {
+                jacobian[i][j] = graph.neg(jacobian[n + j][n + i]);
+                if i < j {
+                    jacobian[i][n + j] = jacobian[j][n + i];
+                    jacobian[n + i][j] = jacobian[n + j][i];
+                }
+            }
+        }
         return Field { unknowns, f, jacobian, second_order: None };
     }
     let inverse_mass = jacobian(graph, &gradient.p, &p);
