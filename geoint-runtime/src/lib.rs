@@ -14,7 +14,7 @@
 //! }
 //!
 //! let system = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
-//! let mut sim = system.integrator(DiscreteGradient::default(), 0.01, State::new(2.0, 0.0));
+//! let mut sim = system.integrator(DiscreteGradient, 0.01, State::new(2.0, 0.0));
 //! let start = sim.energy();
 //! sim.advance(100_000)?;
 //! assert!((sim.energy() - start).abs() < 2e-12);

@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         explicit("BceRkn17_8", BceRkn17_8, 17, &bar)?,
         explicit("KahanLi8_17a.of(StormerVerlet)", KahanLi8_17a.of(StormerVerlet), 17, &bar)?,
         implicit("Gauss::<4>", Gauss::<4>, 500, &bar)?,
-        implicit("DiscreteGradient", DiscreteGradient::default(), 2_000, &bar)?,
+        implicit("DiscreteGradient", DiscreteGradient, 2_000, &bar)?,
     ];
     bar.finish_and_clear();
     let [euler, verlet, .., order_8, _, _, conserving] = &runs;

@@ -12,7 +12,7 @@ fn main() -> Result<(), StepError> {
     println!("{}", Pendulum::REPORT);
 
     let system = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
-    let mut sim = system.integrator(DiscreteGradient::default(), 0.01, State::new(2.0, 0.0));
+    let mut sim = system.integrator(DiscreteGradient, 0.01, State::new(2.0, 0.0));
     let start = sim.energy();
     sim.advance(100_000)?;
     println!("relative energy error {:.1e}", (sim.energy() - start) / start);

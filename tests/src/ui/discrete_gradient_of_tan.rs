@@ -6,5 +6,5 @@ fn tangent(q: f64, p: f64) -> f64 {
 }
 
 fn main() {
-    let _ = Tangent.integrator(DiscreteGradient::default(), 0.01, State::new(0.5, 1.0));
+    let _ = Tangent.integrator(DiscreteGradient, 0.01, State::new(0.5, 1.0));
 }

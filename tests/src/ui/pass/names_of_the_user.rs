@@ -21,6 +21,6 @@ fn main() {
     let state = geoint_runtime::State::new(0.5, 0.25);
     let energy = oscillator(0.5, 0.25, 1.0, 2.0, 1.0, 0.1, 0.2, 0.3, 0.4);
     assert!((system.energy(&state) - energy).abs() < 1e-14);
-    system.integrator(DiscreteGradient::default(), 0.01, state).advance(10).unwrap();
+    system.integrator(DiscreteGradient, 0.01, state).advance(10).unwrap();
     system.integrator(StormerVerlet, 0.01, state).advance(10).unwrap();
 }
