@@ -17,18 +17,25 @@ pub(crate) fn routine(
     input: &dyn Fn(Symbol) -> TokenStream,
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
-    let mut writer =
-        Writer { input, inputs: HashMap::default(), words: HashMap::default(), registers: vec![], tokens: vec![] };
+    let mut writer = Writer {
+        input,
+        names: HashMap::default(),
+        given: vec![],
+        words: HashMap::default(),
+        registers: vec![],
+        tokens: vec![],
+    };
     let results = writer.block(block);
-    let mut tokens: TokenStream = writer.tokens.into_iter().collect();
+    let mut tokens: TokenStream = writer.given.into_iter().chain(writer.tokens).collect();
     tokens.extend(finish(results));
     tokens
 }
 
 struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
-    /// What symbols are called, as far as asked.
-    inputs: HashMap<Symbol, Vec<TokenTree>>,
+    /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
+    names: HashMap<Operand, Ident>,
+    given: Vec<TokenTree>,
     /// Names are made once.
     words: HashMap<&'static str, Ident>,
     registers: Vec<Ident>,
@@ -148,20 +155,47 @@ impl Writer<'_> {
 
     fn operand(&mut self, operand: &Operand) {
         match operand {
-            Operand::Constant(value) => self.constant(*value),
             Operand::Truth(value) => self.word(if *value { "true" } else { "false" }),
-            Operand::Input(symbol) => {
-                let input = self.input;
-                let tokens = self.inputs.entry(*symbol).or_insert_with(|| input(*symbol).into_iter().collect());
-                self.tokens.extend(tokens.iter().cloned());
-            }
-            Operand::Slot(level, index) => {
-                self.word(SLOTS[*level]);
-                let index = TokenTree::Literal(Literal::usize_unsuffixed(*index));
-                self.group(Delimiter::Bracket, index.into());
-            }
             Operand::Register(register) => self.register(*register),
+            Operand::Input(Symbol::T) => self.word("t"),
+            Operand::Input(Symbol::H) => self.word("h"),
+            Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
+                if !self.names.contains_key(operand) {
+                    self.give(*operand);
+                }
+                self.tokens.push(self.names[operand].clone().into());
+            }
         }
+    }
+
+    /// Names something that the routine is given: `let name = value;` before all statements.
+    fn give(&mut self, operand: Operand) {
+        let name = match operand {
+            Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
+            Operand::Input(Symbol::P(i)) => format_ident!("p{i}"),
+            Operand::Input(Symbol::Parameter(i)) => format_ident!("a{i}"),
+            Operand::Input(Symbol::Dq(i)) => format_ident!("dq{i}"),
+            Operand::Input(Symbol::Dp(i)) => format_ident!("dp{i}"),
+            // Not `p0`, as momenta are called.
+            Operand::Slot(level, i) => format_ident!("{}_{i}", SLOTS[level]),
+            _ => format_ident!("k{}", self.names.len()),
+        };
+        self.names.insert(operand, name.clone());
+        let outside = std::mem::take(&mut self.tokens);
+        self.word("let");
+        self.tokens.push(name.into());
+        self.punct("=");
+        match operand {
+            Operand::Input(symbol) => self.tokens.extend((self.input)(symbol)),
+            Operand::Slot(level, index) => {
+                self.word(SLOTS[level]);
+                self.group(Delimiter::Bracket, TokenTree::Literal(Literal::usize_unsuffixed(index)).into());
+            }
+            Operand::Constant(value) => self.constant(value),
+            Operand::Truth(_) | Operand::Register(_) => {}
+        }
+        self.punct(";");
+        self.given.extend(std::mem::replace(&mut self.tokens, outside));
     }
 
     /// A constant of the scalar type.

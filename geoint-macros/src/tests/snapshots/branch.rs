@@ -85,18 +85,22 @@ const _: () = {
         type Array = [R; 1];
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
-            let v0 = p[0] * p[0];
-            let v1 = R::from_f64(1.0) + v0;
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(0.0);
+            let q0 = q[0];
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
             let v2 = v1.sqrt();
-            let v3 = R::from_f64(0.0) < q[0];
+            let v3 = k2 < q0;
             let (v8,) = if v3 {
-                let v4 = q[0] * q[0];
+                let v4 = q0 * q0;
                 let v5 = v4 * v4;
                 let v6 = t.cos();
                 let v7 = v5 * v6;
                 (v7,)
             } else {
-                (R::from_f64(0.0),)
+                (k2,)
             };
             let v9 = v2 + v8;
             v9
@@ -110,21 +114,26 @@ const _: () = {
             dq: &mut [R; 1],
             dp: &mut [R; 1],
         ) {
-            let v0 = R::from_f64(0.0) < q[0];
+            let k0 = R::from_f64(0.0);
+            let q0 = q[0];
+            let k2 = R::from_f64(4.0);
+            let p0 = p[0];
+            let k4 = R::from_f64(1.0);
+            let v0 = k0 < q0;
             let (v6,) = if v0 {
                 let v1 = t.cos();
-                let v2 = q[0] * q[0];
-                let v3 = v2 * q[0];
-                let v4 = R::from_f64(4.0) * v1;
+                let v2 = q0 * q0;
+                let v3 = v2 * q0;
+                let v4 = k2 * v1;
                 let v5 = v4 * v3;
                 (v5,)
             } else {
-                (R::from_f64(0.0),)
+                (k0,)
             };
-            let v7 = p[0] * p[0];
-            let v8 = R::from_f64(1.0) + v7;
+            let v7 = p0 * p0;
+            let v8 = k4 + v7;
             let v9 = v8.sqrt();
-            let v10 = p[0] / v9;
+            let v10 = p0 / v9;
             dq[0] = v6;
             dp[0] = v10;
         }
@@ -134,8 +143,10 @@ const _: () = {
             q: &[R; 1],
             p: &[R; 1],
         ) -> ::core::option::Option<&'static str> {
-            let v0 = p[0] * p[0];
-            let v1 = R::from_f64(1.0) + v0;
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
             if v1.any_below(0.0) {
                 return ::core::option::Option::Some(
                     "`sqrt` of a negative number: p² + 1",
@@ -158,28 +169,37 @@ const _: () = {
         }
         #[inline(always)]
         fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
-            let v0 = R::from_f64(0.0) < q[0];
+            let k0 = R::from_f64(0.0);
+            let q0 = q[0];
+            let k2 = R::from_f64(4.0);
+            let prepared_0 = prepared[0];
+            let p0 = p[0];
+            let v0 = k0 < q0;
             let (v6,) = if v0 {
                 let v1 = t.cos();
-                let v2 = q[0] * q[0];
-                let v3 = v2 * q[0];
-                let v4 = R::from_f64(4.0) * v1;
+                let v2 = q0 * q0;
+                let v3 = v2 * q0;
+                let v4 = k2 * v1;
                 let v5 = v4 * v3;
                 (v5,)
             } else {
-                (R::from_f64(0.0),)
+                (k0,)
             };
-            let v7 = prepared[0].multiply_add(v6, p[0]);
+            let v7 = prepared_0.multiply_add(v6, p0);
             p[0] = v7;
         }
         #[inline(always)]
         fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
-            let v0 = p[0] * p[0];
-            let v1 = R::from_f64(1.0) + v0;
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let prepared_0 = prepared[0];
+            let q0 = q[0];
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
             let v2 = v1.sqrt();
-            let v3 = prepared[0] * p[0];
+            let v3 = prepared_0 * p0;
             let v4 = v3 / v2;
-            let v5 = q[0] + v4;
+            let v5 = q0 + v4;
             q[0] = v5;
         }
     }
@@ -258,23 +278,29 @@ const _: () = {
             f: &mut [[R; 1]; 2],
             jacobian: &mut Square<[[R; 1]; 2]>,
         ) {
-            let v0 = y[1][0] * y[1][0];
-            let v1 = R::from_f64(1.0) + v0;
+            let p0 = y[1][0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(0.0);
+            let q0 = y[0][0];
+            let k4 = R::from_f64(4.0);
+            let k5 = R::from_f64(12.0);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
             let v2 = v1.sqrt();
-            let v3 = R::from_f64(1.0) / v2;
-            let v4 = y[1][0] * v3;
-            let v5 = R::from_f64(0.0) < y[0][0];
+            let v3 = k1 / v2;
+            let v4 = p0 * v3;
+            let v5 = k2 < q0;
             let (v13, v14) = if v5 {
                 let v6 = t.cos();
-                let v7 = y[0][0] * y[0][0];
-                let v8 = v7 * y[0][0];
-                let v9 = R::from_f64(4.0) * v6;
+                let v7 = q0 * q0;
+                let v8 = v7 * q0;
+                let v9 = k4 * v6;
                 let v10 = v9 * v8;
-                let v11 = R::from_f64(12.0) * v6;
+                let v11 = k5 * v6;
                 let v12 = v11 * v7;
                 (v10, v12)
             } else {
-                (R::from_f64(0.0), R::from_f64(0.0))
+                (k2, k2)
             };
             let v15 = -v13;
             let v16 = v3 * v3;
@@ -284,10 +310,10 @@ const _: () = {
             let v20 = -v14;
             f[0][0] = v4;
             f[1][0] = v15;
-            jacobian[0][0][0][0] = R::from_f64(0.0);
+            jacobian[0][0][0][0] = k2;
             jacobian[0][0][1][0] = v19;
             jacobian[1][0][0][0] = v20;
-            jacobian[1][0][1][0] = R::from_f64(0.0);
+            jacobian[1][0][1][0] = k2;
         }
         #[inline(always)]
         fn add(prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {

@@ -82,10 +82,15 @@ const _: () = {
         type Array = [R; 2];
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2]) -> R {
-            let v0 = q[0] * q[0];
-            let v1 = R::from_f64(1.0) + v0;
-            let v2 = p[0] * p[0];
-            let v3 = q[1] * p[1];
+            let q0 = q[0];
+            let k1 = R::from_f64(1.0);
+            let p0 = p[0];
+            let q1 = q[1];
+            let p1 = p[1];
+            let v0 = q0 * q0;
+            let v1 = k1 + v0;
+            let v2 = p0 * p0;
+            let v3 = q1 * p1;
             let v4 = v1.multiply_add(v2, v3);
             v4
         }
@@ -98,17 +103,23 @@ const _: () = {
             dq: &mut [R; 2],
             dp: &mut [R; 2],
         ) {
-            let v0 = p[0] * p[0];
-            let v1 = R::from_f64(2.0) * q[0];
+            let p0 = p[0];
+            let k1 = R::from_f64(2.0);
+            let q0 = q[0];
+            let k3 = R::from_f64(1.0);
+            let p1 = p[1];
+            let q1 = q[1];
+            let v0 = p0 * p0;
+            let v1 = k1 * q0;
             let v2 = v1 * v0;
-            let v3 = q[0] * q[0];
-            let v4 = R::from_f64(1.0) + v3;
-            let v5 = R::from_f64(2.0) * p[0];
+            let v3 = q0 * q0;
+            let v4 = k3 + v3;
+            let v5 = k1 * p0;
             let v6 = v5 * v4;
             dq[0] = v2;
-            dq[1] = p[1];
+            dq[1] = p1;
             dp[0] = v6;
-            dp[1] = q[1];
+            dp[1] = q1;
         }
         fn outside_domain(
             &self,
@@ -147,12 +158,16 @@ const _: () = {
         type Start = [R; 8];
         #[inline]
         fn prepare(&self, h: R) -> [R; 8] {
-            let v0 = R::from_f64(0.5) * h;
+            let k0 = R::from_f64(0.5);
+            let k1 = R::from_f64(-0.5);
+            let k2 = R::from_f64(1.0);
+            let k3 = R::from_f64(2.0);
+            let v0 = k0 * h;
             let v1 = -v0;
             let v2 = -h;
-            let v3 = R::from_f64(-0.5).multiply_add(h, R::from_f64(1.0));
-            let v4 = R::from_f64(0.5).multiply_add(h, R::from_f64(1.0));
-            let v5 = R::from_f64(2.0) * h;
+            let v3 = k1.multiply_add(h, k2);
+            let v4 = k0.multiply_add(h, k2);
+            let v5 = k3 * h;
             let v6 = -v5;
             [v1, v2, v0, h, v3, v4, v5, v6]
         }
@@ -163,32 +178,44 @@ const _: () = {
             q: &[R; 2],
             p: &[R; 2],
         ) -> ([R; 8], [[R; 2]; 2]) {
-            let v0 = p[0] * p[0];
-            let v1 = prepared[1] * q[0];
-            let v2 = v1.multiply_add(v0, p[0]);
-            let v3 = q[0] * q[0];
-            let v4 = R::from_f64(1.0) + v3;
-            let v5 = prepared[3] * p[0];
-            let v6 = v5.multiply_add(v4, q[0]);
+            let p0 = p[0];
+            let prepared_1 = prepared[1];
+            let q0 = q[0];
+            let k3 = R::from_f64(1.0);
+            let prepared_3 = prepared[3];
+            let prepared_6 = prepared[6];
+            let prepared_2 = prepared[2];
+            let q1 = q[1];
+            let prepared_7 = prepared[7];
+            let prepared_0 = prepared[0];
+            let p1 = p[1];
+            let k11 = R::from_f64(2.0);
+            let v0 = p0 * p0;
+            let v1 = prepared_1 * q0;
+            let v2 = v1.multiply_add(v0, p0);
+            let v3 = q0 * q0;
+            let v4 = k3 + v3;
+            let v5 = prepared_3 * p0;
+            let v6 = v5.multiply_add(v4, q0);
             let v7 = v6 * v6;
-            let v8 = R::from_f64(1.0) + v7;
-            let v9 = prepared[6] * v2;
+            let v8 = k3 + v7;
+            let v9 = prepared_6 * v2;
             let v10 = v9 * v8;
-            let v11 = prepared[2].multiply_add(q[1], q[1]);
-            let v12 = prepared[3] * v11;
+            let v11 = prepared_2.multiply_add(q1, q1);
+            let v12 = prepared_3 * v11;
             let v13 = v2 * v2;
-            let v14 = prepared[7] * v6;
+            let v14 = prepared_7 * v6;
             let v15 = v14 * v13;
-            let v16 = prepared[0].multiply_add(p[1], p[1]);
-            let v17 = prepared[1] * v16;
-            let v18 = R::from_f64(2.0) * p[0];
-            let v19 = R::from_f64(2.0) * q[0];
+            let v16 = prepared_0.multiply_add(p1, p1);
+            let v17 = prepared_1 * v16;
+            let v18 = k11 * p0;
+            let v19 = k11 * q0;
             let mut guess = <[[R; 2]; 2] as Array>::zero();
             guess[0][0] = v10;
             guess[0][1] = v12;
             guess[1][0] = v15;
             guess[1][1] = v17;
-            ([v4, q[0], v18, q[1], v0, p[0], v19, p[1]], guess)
+            ([v4, q0, v18, q1, v0, p0, v19, p1], guess)
         }
         #[inline(always)]
         fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
@@ -202,47 +229,68 @@ const _: () = {
             residual: &mut [[R; 2]; 2],
             jacobian: &mut Square<[[R; 2]; 2]>,
         ) {
-            let v0 = start[1] + increment[0][0];
+            let start_1 = start[1];
+            let dq0 = increment[0][0];
+            let k2 = R::from_f64(1.0);
+            let start_0 = start[0];
+            let start_2 = start[2];
+            let dp0 = increment[1][0];
+            let prepared_0 = prepared[0];
+            let k7 = R::from_f64(0.5);
+            let dq1 = increment[0][1];
+            let start_3 = start[3];
+            let prepared_1 = prepared[1];
+            let start_5 = start[5];
+            let start_4 = start[4];
+            let start_6 = start[6];
+            let prepared_2 = prepared[2];
+            let dp1 = increment[1][1];
+            let start_7 = start[7];
+            let prepared_3 = prepared[3];
+            let k18 = R::from_f64(0.0);
+            let prepared_4 = prepared[4];
+            let prepared_5 = prepared[5];
+            let v0 = start_1 + dq0;
             let v1 = v0 * v0;
-            let v2 = R::from_f64(1.0) + v1;
-            let v3 = start[0] + v2;
-            let v4 = start[2] + increment[1][0];
-            let v5 = prepared[0] * v3;
-            let v6 = v5.multiply_add(v4, increment[0][0]);
-            let v7 = R::from_f64(0.5).multiply_add(increment[0][1], start[3]);
-            let v8 = prepared[1].multiply_add(v7, increment[0][1]);
-            let v9 = start[5] + increment[1][0];
+            let v2 = k2 + v1;
+            let v3 = start_0 + v2;
+            let v4 = start_2 + dp0;
+            let v5 = prepared_0 * v3;
+            let v6 = v5.multiply_add(v4, dq0);
+            let v7 = k7.multiply_add(dq1, start_3);
+            let v8 = prepared_1.multiply_add(v7, dq1);
+            let v9 = start_5 + dp0;
             let v10 = v9 * v9;
-            let v11 = start[4] + v10;
-            let v12 = start[6] + increment[0][0];
-            let v13 = prepared[2] * v11;
-            let v14 = v13.multiply_add(v12, increment[1][0]);
-            let v15 = R::from_f64(0.5).multiply_add(increment[1][1], start[7]);
-            let v16 = prepared[3].multiply_add(v15, increment[1][1]);
-            let v17 = prepared[1] * v0;
-            let v18 = v17.multiply_add(v4, R::from_f64(1.0));
-            let v19 = prepared[3] * v9;
-            let v20 = v19.multiply_add(v12, R::from_f64(1.0));
+            let v11 = start_4 + v10;
+            let v12 = start_6 + dq0;
+            let v13 = prepared_2 * v11;
+            let v14 = v13.multiply_add(v12, dp0);
+            let v15 = k7.multiply_add(dp1, start_7);
+            let v16 = prepared_3.multiply_add(v15, dp1);
+            let v17 = prepared_1 * v0;
+            let v18 = v17.multiply_add(v4, k2);
+            let v19 = prepared_3 * v9;
+            let v20 = v19.multiply_add(v12, k2);
             residual[0][0] = v6;
             residual[0][1] = v8;
             residual[1][0] = v14;
             residual[1][1] = v16;
             jacobian[0][0][0][0] = v18;
-            jacobian[0][0][0][1] = R::from_f64(0.0);
+            jacobian[0][0][0][1] = k18;
             jacobian[0][0][1][0] = v5;
-            jacobian[0][0][1][1] = R::from_f64(0.0);
-            jacobian[0][1][0][0] = R::from_f64(0.0);
-            jacobian[0][1][0][1] = prepared[4];
-            jacobian[0][1][1][0] = R::from_f64(0.0);
-            jacobian[0][1][1][1] = R::from_f64(0.0);
+            jacobian[0][0][1][1] = k18;
+            jacobian[0][1][0][0] = k18;
+            jacobian[0][1][0][1] = prepared_4;
+            jacobian[0][1][1][0] = k18;
+            jacobian[0][1][1][1] = k18;
             jacobian[1][0][0][0] = v13;
-            jacobian[1][0][0][1] = R::from_f64(0.0);
+            jacobian[1][0][0][1] = k18;
             jacobian[1][0][1][0] = v20;
-            jacobian[1][0][1][1] = R::from_f64(0.0);
-            jacobian[1][1][0][0] = R::from_f64(0.0);
-            jacobian[1][1][0][1] = R::from_f64(0.0);
-            jacobian[1][1][1][0] = R::from_f64(0.0);
-            jacobian[1][1][1][1] = prepared[5];
+            jacobian[1][0][1][1] = k18;
+            jacobian[1][1][0][0] = k18;
+            jacobian[1][1][0][1] = k18;
+            jacobian[1][1][1][0] = k18;
+            jacobian[1][1][1][1] = prepared_5;
         }
         #[inline(always)]
         fn finish(
@@ -282,41 +330,50 @@ const _: () = {
             f: &mut [[R; 2]; 2],
             jacobian: &mut Square<[[R; 2]; 2]>,
         ) {
-            let v0 = y[0][0] * y[0][0];
-            let v1 = R::from_f64(1.0) + v0;
-            let v2 = R::from_f64(2.0) * y[1][0];
+            let q0 = y[0][0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(2.0);
+            let p0 = y[1][0];
+            let p1 = y[1][1];
+            let k5 = R::from_f64(4.0);
+            let q1 = y[0][1];
+            let k7 = R::from_f64(0.0);
+            let k8 = R::from_f64(-1.0);
+            let v0 = q0 * q0;
+            let v1 = k1 + v0;
+            let v2 = k2 * p0;
             let v3 = v2 * v1;
-            let v4 = y[1][0] * y[1][0];
-            let v5 = R::from_f64(2.0) * y[0][0];
+            let v4 = p0 * p0;
+            let v5 = k2 * q0;
             let v6 = v5 * v4;
             let v7 = -v6;
-            let v8 = -y[1][1];
-            let v9 = R::from_f64(4.0) * y[0][0];
-            let v10 = v9 * y[1][0];
-            let v11 = R::from_f64(2.0) * v1;
-            let v12 = R::from_f64(2.0) * v4;
+            let v8 = -p1;
+            let v9 = k5 * q0;
+            let v10 = v9 * p0;
+            let v11 = k2 * v1;
+            let v12 = k2 * v4;
             let v13 = -v12;
             let v14 = -v10;
             f[0][0] = v3;
-            f[0][1] = y[0][1];
+            f[0][1] = q1;
             f[1][0] = v7;
             f[1][1] = v8;
             jacobian[0][0][0][0] = v10;
-            jacobian[0][0][0][1] = R::from_f64(0.0);
+            jacobian[0][0][0][1] = k7;
             jacobian[0][0][1][0] = v11;
-            jacobian[0][0][1][1] = R::from_f64(0.0);
-            jacobian[0][1][0][0] = R::from_f64(0.0);
-            jacobian[0][1][0][1] = R::from_f64(1.0);
-            jacobian[0][1][1][0] = R::from_f64(0.0);
-            jacobian[0][1][1][1] = R::from_f64(0.0);
+            jacobian[0][0][1][1] = k7;
+            jacobian[0][1][0][0] = k7;
+            jacobian[0][1][0][1] = k1;
+            jacobian[0][1][1][0] = k7;
+            jacobian[0][1][1][1] = k7;
             jacobian[1][0][0][0] = v13;
-            jacobian[1][0][0][1] = R::from_f64(0.0);
+            jacobian[1][0][0][1] = k7;
             jacobian[1][0][1][0] = v14;
-            jacobian[1][0][1][1] = R::from_f64(0.0);
-            jacobian[1][1][0][0] = R::from_f64(0.0);
-            jacobian[1][1][0][1] = R::from_f64(0.0);
-            jacobian[1][1][1][0] = R::from_f64(0.0);
-            jacobian[1][1][1][1] = R::from_f64(-1.0);
+            jacobian[1][0][1][1] = k7;
+            jacobian[1][1][0][0] = k7;
+            jacobian[1][1][0][1] = k7;
+            jacobian[1][1][1][0] = k7;
+            jacobian[1][1][1][1] = k8;
         }
         #[inline(always)]
         fn add(prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {

@@ -95,14 +95,20 @@ const _: () = {
         type Array = [R; 1];
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
-            let v0 = p[0] * p[0];
-            let v1 = self.l * self.l;
-            let v2 = self.m * v1;
-            let v3 = R::from_f64(0.5) * v0;
+            let p0 = p[0];
+            let a1 = self.l;
+            let a0 = self.m;
+            let k3 = R::from_f64(0.5);
+            let q0 = q[0];
+            let a2 = self.g;
+            let v0 = p0 * p0;
+            let v1 = a1 * a1;
+            let v2 = a0 * v1;
+            let v3 = k3 * v0;
             let v4 = v3 / v2;
-            let v5 = q[0].cos();
-            let v6 = self.l * self.m;
-            let v7 = v6 * self.g;
+            let v5 = q0.cos();
+            let v6 = a1 * a0;
+            let v7 = v6 * a2;
             let v8 = -v7;
             let v9 = v8.multiply_add(v5, v4);
             v9
@@ -116,13 +122,18 @@ const _: () = {
             dq: &mut [R; 1],
             dp: &mut [R; 1],
         ) {
-            let v0 = q[0].sin();
-            let v1 = self.l * self.m;
-            let v2 = v1 * self.g;
+            let q0 = q[0];
+            let a1 = self.l;
+            let a0 = self.m;
+            let a2 = self.g;
+            let p0 = p[0];
+            let v0 = q0.sin();
+            let v1 = a1 * a0;
+            let v2 = v1 * a2;
             let v3 = v2 * v0;
-            let v4 = self.l * self.l;
-            let v5 = self.m * v4;
-            let v6 = p[0] / v5;
+            let v4 = a1 * a1;
+            let v5 = a0 * v4;
+            let v6 = p0 / v5;
             dq[0] = v3;
             dp[0] = v6;
         }
@@ -132,8 +143,10 @@ const _: () = {
             q: &[R; 1],
             p: &[R; 1],
         ) -> ::core::option::Option<&'static str> {
-            let v0 = self.l * self.l;
-            let v1 = self.m * v0;
+            let a1 = self.l;
+            let a0 = self.m;
+            let v0 = a1 * a1;
+            let v1 = a0 * v0;
             if v1.abs().any_below(f64::MIN_POSITIVE) {
                 return ::core::option::Option::Some("division by zero: m·l²");
             }
@@ -145,28 +158,39 @@ const _: () = {
         type Drift = [R; 1];
         #[inline]
         fn prepare_kick(&self, h: R) -> [R; 1] {
-            let v0 = h * self.g;
-            let v1 = v0 * self.m;
-            let v2 = v1 * self.l;
+            let a2 = self.g;
+            let a0 = self.m;
+            let a1 = self.l;
+            let v0 = h * a2;
+            let v1 = v0 * a0;
+            let v2 = v1 * a1;
             let v3 = -v2;
             [v3]
         }
         #[inline]
         fn prepare_drift(&self, h: R) -> [R; 1] {
-            let v0 = self.l * self.l;
-            let v1 = self.m * v0;
+            let a1 = self.l;
+            let a0 = self.m;
+            let v0 = a1 * a1;
+            let v1 = a0 * v0;
             let v2 = h / v1;
             [v2]
         }
         #[inline(always)]
         fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
-            let v0 = q[0].sin();
-            let v1 = prepared[0].multiply_add(v0, p[0]);
+            let q0 = q[0];
+            let prepared_0 = prepared[0];
+            let p0 = p[0];
+            let v0 = q0.sin();
+            let v1 = prepared_0.multiply_add(v0, p0);
             p[0] = v1;
         }
         #[inline(always)]
         fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
-            let v0 = prepared[0].multiply_add(p[0], q[0]);
+            let prepared_0 = prepared[0];
+            let p0 = p[0];
+            let q0 = q[0];
+            let v0 = prepared_0.multiply_add(p0, q0);
             q[0] = v0;
         }
     }
@@ -177,17 +201,22 @@ const _: () = {
         type Start = [R; 2];
         #[inline]
         fn prepare(&self, h: R) -> [R; 4] {
-            let v0 = self.g * self.m;
-            let v1 = v0 * self.l;
+            let a2 = self.g;
+            let a0 = self.m;
+            let a1 = self.l;
+            let k3 = R::from_f64(1.0);
+            let k4 = R::from_f64(0.5);
+            let v0 = a2 * a0;
+            let v1 = v0 * a1;
             let v2 = h * v1;
             let v3 = h * h;
-            let v4 = self.l * self.l;
-            let v5 = self.m * v4;
-            let v6 = R::from_f64(1.0) / v5;
-            let v7 = R::from_f64(0.5) * v3;
+            let v4 = a1 * a1;
+            let v5 = a0 * v4;
+            let v6 = k3 / v5;
+            let v7 = k4 * v3;
             let v8 = v7 * v6;
             let v9 = v8 * v1;
-            let v10 = R::from_f64(0.5) * v6;
+            let v10 = k4 * v6;
             let v11 = v10 * h;
             let v12 = v1 * h;
             let v13 = -v12;
@@ -195,13 +224,18 @@ const _: () = {
         }
         #[inline(always)]
         fn start(prepared: &[R; 4], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
-            let v0 = prepared[2].multiply_add(p[0], q[0]);
+            let prepared_2 = prepared[2];
+            let p0 = p[0];
+            let q0 = q[0];
+            let prepared_3 = prepared[3];
+            let k4 = R::from_f64(2.0);
+            let v0 = prepared_2.multiply_add(p0, q0);
             let v1 = v0.sin();
-            let v2 = prepared[3] * v1;
-            let v3 = R::from_f64(2.0) * p[0];
+            let v2 = prepared_3 * v1;
+            let v3 = k4 * p0;
             let mut guess = <[R; 1] as Array>::zero();
             guess[0] = v2;
-            ([q[0], v3], guess)
+            ([q0, v3], guess)
         }
         #[inline(always)]
         fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
@@ -215,21 +249,31 @@ const _: () = {
             residual: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let v0 = start[1] + increment[0];
-            let v1 = prepared[2] * v0;
+            let start_1 = start[1];
+            let dp0 = increment[0];
+            let prepared_2 = prepared[2];
+            let v0 = start_1 + dp0;
+            let v1 = prepared_2 * v0;
             let dq0 = v1;
-            let v0 = R::from_f64(0.5) * dq0;
+            let k0 = R::from_f64(0.5);
+            let dq0 = dq0;
+            let start_0 = start[0];
+            let prepared_0 = prepared[0];
+            let dp0 = increment[0];
+            let prepared_1 = prepared[1];
+            let k6 = R::from_f64(1.0);
+            let v0 = k0 * dq0;
             let v1 = slope::sinc(v0);
-            let v2 = R::from_f64(0.5).multiply_add(dq0, start[0]);
+            let v2 = k0.multiply_add(dq0, start_0);
             let (v3, v4) = v2.sin_cos();
-            let v5 = prepared[0] * v1;
-            let v6 = v5.multiply_add(v3, increment[0]);
+            let v5 = prepared_0 * v1;
+            let v6 = v5.multiply_add(v3, dp0);
             let v7 = slope::sinc_derivative(v0);
-            let v8 = R::from_f64(0.5) * v3;
-            let v9 = R::from_f64(0.5) * v1;
+            let v8 = k0 * v3;
+            let v9 = k0 * v1;
             let v10 = v8 * v7;
             let v11 = v9.multiply_add(v4, v10);
-            let v12 = prepared[1].multiply_add(v11, R::from_f64(1.0));
+            let v12 = prepared_1.multiply_add(v11, k6);
             residual[0] = v6;
             jacobian[0][0] = v12;
         }
@@ -241,8 +285,11 @@ const _: () = {
             q: &mut [R; 1],
             p: &mut [R; 1],
         ) {
-            let v0 = start[1] + increment[0];
-            let v1 = prepared[2] * v0;
+            let start_1 = start[1];
+            let dp0 = increment[0];
+            let prepared_2 = prepared[2];
+            let v0 = start_1 + dp0;
+            let v1 = prepared_2 * v0;
             let dq0 = v1;
             q[0] += dq0;
             p[0] += increment[0];
@@ -254,12 +301,16 @@ const _: () = {
         const DERIVATIVE: usize = 2;
         #[inline]
         fn prepare(&self) -> [R; 3] {
-            let v0 = self.l * self.m;
-            let v1 = v0 * self.g;
+            let a1 = self.l;
+            let a0 = self.m;
+            let a2 = self.g;
+            let k3 = R::from_f64(1.0);
+            let v0 = a1 * a0;
+            let v1 = v0 * a2;
             let v2 = -v1;
-            let v3 = self.l * self.l;
-            let v4 = self.m * v3;
-            let v5 = R::from_f64(1.0) / v4;
+            let v3 = a1 * a1;
+            let v4 = a0 * v3;
+            let v5 = k3 / v4;
             let v6 = v5 * v1;
             let v7 = -v6;
             [v2, v7, v5]
@@ -267,7 +318,9 @@ const _: () = {
         #[inline(always)]
         fn start(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1], [R; 1]) {
             let mut velocity = <[R; 1] as Array>::zero();
-            let v0 = prepared[2] * p[0];
+            let prepared_2 = prepared[2];
+            let p0 = p[0];
+            let v0 = prepared_2 * p0;
             velocity[0] = v0;
             (*q, velocity, *p)
         }
@@ -279,15 +332,20 @@ const _: () = {
             f: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let (v0, v1) = y[0].sin_cos();
-            let v2 = prepared[0] * v0;
-            let v3 = prepared[1] * v1;
+            let q0 = y[0];
+            let prepared_0 = prepared[0];
+            let prepared_1 = prepared[1];
+            let (v0, v1) = q0.sin_cos();
+            let v2 = prepared_0 * v0;
+            let v3 = prepared_1 * v1;
             f[0] = v2;
             jacobian[0][0] = v3;
         }
         #[inline(always)]
         fn add(prepared: &[R; 3], w: R, f: &[R; 1], y: &mut [R; 1]) {
-            let v0 = prepared[2] * f[0];
+            let prepared_2 = prepared[2];
+            let p0 = f[0];
+            let v0 = prepared_2 * p0;
             y[0] = w.multiply_add(v0, y[0]);
         }
         #[inline(always)]
