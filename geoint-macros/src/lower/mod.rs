@@ -3,6 +3,9 @@
 //! Integers, ranges, loops, closures and arrays are evaluated while lowering; what is left is arithmetic on numbers.
 //! This is the last stage that sees syntax: it hands on a table from nodes to the places at which they were written.
 
+mod arithmetic;
+mod branch;
+mod call;
 mod constants;
 mod expr;
 mod method;

@@ -1,0 +1,106 @@
+//! Calls: of closures and nested functions, which are inlined, and of the few others that are known.
+
+use super::Lowering;
+use super::scope::{Around, Scopes};
+use super::statement::simple_name;
+use super::value::{Callable, Value};
+use crate::ir::Number;
+use quote::ToTokens;
+use std::rc::Rc;
+use syn::Expr;
+
+impl Lowering {
+    /// Calls a closure or nested function.
+    pub(super) fn apply(
+        &mut self,
+        syntax: &impl ToTokens,
+        (callable, sees): (&Rc<Callable>, &Scopes),
+        arguments: Vec<Value>,
+    ) -> Value {
+        if callable.parameters.len() != arguments.len() {
+            let n = callable.parameters.len();
+            return self.refuse(syntax, format!("this takes {n} arguments"));
+        }
+        if self.calls.iter().any(|other| Rc::ptr_eq(other, callable)) {
+            let name = callable.name.as_deref().unwrap_or("this closure");
+            return self
+                .refuse(syntax, format!("`{name}` calls itself: nested functions are inlined and cannot recur"));
+        }
+        let before = std::mem::replace(&mut self.scopes, sees.clone());
+        self.calls.push(callable.clone());
+        // What is captured may be read, not assigned to.
+        self.scopes.close(Around::Function);
+        self.scopes.enter();
+        for (pattern, argument) in callable.parameters.iter().zip(arguments) {
+            self.bind(pattern, argument);
+        }
+        let value = self.expr(&callable.body);
+        self.calls.pop();
+        self.scopes = before;
+        value
+    }
+
+    pub(super) fn call(&mut self, call: &syn::ExprCall) -> Value {
+        if let Some(name) = simple_name(&call.func)
+            && let Some(found) = self.named(&call.func, &name)
+        {
+            let arguments = call.args.iter().map(|argument| self.expr(argument)).collect();
+            return match found {
+                Value::Callable(callable, sees) => self.apply(&call.func, (&callable, &sees), arguments),
+                Value::Poison => Value::Poison,
+                other => self.refuse(&call.func, format!("only functions can be called; this is {}", other.kind())),
+            };
+        }
+        let Expr::Path(path) = &*call.func else {
+            return self.refuse(&call.func, "only nested functions and closures can be called");
+        };
+        let segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
+        let (owner, function) = match &segments[..] {
+            [.., owner, function] => (owner.as_str(), function.as_str()),
+            _ => ("", ""),
+        };
+        match (owner, function) {
+            ("f64" | "f32", _) if segments.len() == 2 && owner != self.float => {
+                let message = format!("all numbers of an energy have one type, here `{}`", self.float);
+                self.refuse(&call.func, message)
+            }
+            ("f64" | "f32", "from") if segments.len() == 2 && arguments.len() == 1 => {
+                match arguments.into_iter().next() {
+                    Some(Value::Integer(n)) => Value::Real(self.graph.number(Number::float(n as f64))),
+                    Some(Value::Opaque(path)) => Value::Real(self.constant(path)),
+                    value => value.unwrap_or(Value::Poison),
+                }
+            }
+            ("f64" | "f32", method) if segments.len() == 2 && !arguments.is_empty() => {
+                let mut arguments = arguments.into_iter();
+                let receiver = arguments.next().unwrap_or(Value::Poison);
+                let id = self.real(call, receiver);
+                self.method_of_real(&call.func, method, id, arguments.collect())
+            }
+            (owner, "new") if vector_length(owner) == Some(arguments.len()) => {
+                Value::Vector(arguments.into_iter().map(|value| self.real(call, value)).collect())
+            }
+            (owner, "zeros") if arguments.is_empty() && vector_length(owner).is_some() => {
+                let zero = self.graph.zero();
+                Value::Vector(vec![zero; vector_length(owner).unwrap_or_default()])
+            }
+            (owner, "from") if (owner == "SVector" || vector_length(owner).is_some()) && arguments.len() == 1 => {
+                let items = match arguments.into_iter().next() {
+                    Some(Value::List(items)) => items,
+                    _ => return self.refuse(call, "a vector is made from an array"),
+                };
+                Value::Vector(items.iter().map(|value| self.real(call, value.clone())).collect())
+            }
+            _ => self.refuse(
+                &call.func,
+                "the macro cannot see into functions outside of the energy: make this a nested `fn` or a closure",
+            ),
+        }
+    }
+}
+
+/// The length of a vector type of nalgebra that has its length in its name.
+fn vector_length(name: &str) -> Option<usize> {
+    name.strip_prefix("Vector")?.parse().ok().filter(|n| (1..=6).contains(n))
+}
