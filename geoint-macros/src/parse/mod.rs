@@ -1,13 +1,20 @@
 //! Arguments and signature: who is q, p and t, who is a parameter, in which shape.
 
+mod options;
+mod shape;
+
+pub(crate) use options::Requirement;
+pub(crate) use shape::{Shape, over_scalar};
+
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::Symbol;
+use options::Options;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
+use shape::{float_type, plain, shape};
 use syn::ext::IdentExt;
-use syn::parse::{Parse, ParseStream, Parser};
-use syn::punctuated::Punctuated;
-use syn::{Expr, ExprLit, FnArg, GenericArgument, ItemFn, Lit, Pat, PathArguments, ReturnType, Token, Type};
+use syn::parse::{Parse, Parser};
+use syn::{FnArg, ItemFn, Pat, ReturnType, Type};
 
 /// An annotated function, understood up to its body.
 pub(crate) struct Energy {
@@ -40,40 +47,6 @@ pub(crate) struct Argument {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     pub(crate) shape: Shape,
-}
-
-/// Extents from outside in; none for a scalar.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Shape {
-    pub(crate) extents: Vec<usize>,
-    /// Whether the innermost level is a vector of nalgebra.
-    pub(crate) vector: bool,
-}
-
-/// A property that the user asks the macro to prove.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Requirement {
-    Separable,
-    QuadraticKinetic,
-}
-
-impl Shape {
-    /// The number of scalars.
-    pub(crate) fn len(&self) -> usize {
-        self.extents.iter().product()
-    }
-
-    /// The indices of the `i`-th scalar, from outside in.
-    pub(crate) fn indices(&self, i: usize) -> Vec<usize> {
-        let mut rest = i;
-        let mut indices = vec![];
-        for extent in self.extents.iter().rev() {
-            indices.push(rest % extent);
-            rest /= extent;
-        }
-        indices.reverse();
-        indices
-    }
 }
 
 impl Energy {
@@ -119,68 +92,6 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     let mut errors = Diagnostics::default();
     errors.at(&level.into_iter().flatten().next(), "this is nested too deeply: give parts of it a name with `let`");
     Err(errors)
-}
-
-/// The arguments of the attribute.
-#[derive(Default)]
-struct Options {
-    name: Option<Ident>,
-    runtime: Option<syn::Path>,
-    roles: Vec<(Role, Ident)>,
-    requirements: Vec<(Requirement, Span)>,
-}
-
-const OPTIONS: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                       `crate = path` and `require(separable, quadratic_kinetic)`";
-
-impl Parse for Options {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
-        let mut options = Options::default();
-        let mut given: Vec<Ident> = vec![];
-        while !input.is_empty() {
-            let key = input.call(Ident::parse_any)?;
-            if key != "require" && given.contains(&key) {
-                return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
-            }
-            given.push(key.clone());
-            match key.to_string().as_str() {
-                "require" => {
-                    let inner;
-                    syn::parenthesized!(inner in input);
-                    for name in Punctuated::<Ident, Token![,]>::parse_terminated(&inner)? {
-                        let requirement = match name.to_string().as_str() {
-                            "separable" => Requirement::Separable,
-                            "quadratic_kinetic" => Requirement::QuadraticKinetic,
-                            _ => {
-                                let message = "what can be required is `separable` and `quadratic_kinetic`";
-                                return Err(syn::Error::new_spanned(name, message));
-                            }
-                        };
-                        options.requirements.push((requirement, name.span()));
-                    }
-                }
-                "crate" => {
-                    input.parse::<Token![=]>()?;
-                    options.runtime = Some(input.parse()?);
-                }
-                name @ ("name" | "q" | "p" | "t") => {
-                    input.parse::<Token![=]>()?;
-                    let value: Ident = input.parse()?;
-                    match name {
-                        "name" => options.name = Some(value),
-                        "q" => options.roles.push((Role::Position, value)),
-                        "p" => options.roles.push((Role::Momentum, value)),
-                        _ => options.roles.push((Role::Time, value)),
-                    }
-                }
-                _ => return Err(syn::Error::new_spanned(key, OPTIONS)),
-            }
-            if !input.is_empty() {
-                input.parse::<Token![,]>()?;
-            }
-        }
-        Ok(options)
-    }
 }
 
 /// Reads the attribute's arguments and the signature.
@@ -248,12 +159,6 @@ fn returned_float(item: &ItemFn, errors: &mut Diagnostics) -> Ident {
     format_ident!("f64")
 }
 
-fn float_type(ty: &Type) -> Option<Ident> {
-    let Type::Path(path) = ty else { return None };
-    let ident = path.path.get_ident()?;
-    (ident == "f64" || ident == "f32").then(|| ident.clone())
-}
-
 fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagnostics) -> Vec<(Role, Argument)> {
     let renamed = |role: Role| options.roles.iter().find(|(r, _)| *r == role).map(|(_, name)| name);
     let mut refused: Vec<String> = vec![];
@@ -266,7 +171,7 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
         };
         let name = &pattern.ident;
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
-        let by_name = DEFAULTS.iter().find(|(_, default, _)| name == default);
+        let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
         let role = match (explicit, by_name) {
             (Some(role), _) => role,
             (None, Some((default, letter, _))) => match renamed(*default) {
@@ -326,6 +231,11 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
 const DEFAULTS: [(Role, &str, &str); 3] =
     [(Role::Position, "q", "the positions"), (Role::Momentum, "p", "the momenta"), (Role::Time, "t", "time")];
 
+/// Whether an argument has a name, or that name as an argument that is not used.
+fn is_called(name: &Ident, default: &str) -> bool {
+    name == default || name.to_string().strip_prefix('_') == Some(default)
+}
+
 fn exists(item: &ItemFn, name: &Ident) -> bool {
     item.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if names(&typed.pat, name)))
 }
@@ -345,7 +255,7 @@ fn coordinates(
         let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
         // A wrong name in the attribute, or a wrong type, has been reported.
         let named = options.roles.iter().any(|(r, _)| *r == role);
-        let written = exists(item, &format_ident!("{default}"));
+        let written = exists(item, &format_ident!("{default}")) || exists(item, &format_ident!("_{default}"));
         if found.is_none() && !named && !written {
             errors.at(
                 &item.sig.ident,
@@ -371,85 +281,6 @@ fn coordinates(
     Some(q)
 }
 
-/// A type as one writes it.
-fn plain(ty: &Type) -> String {
-    ty.to_token_stream().to_string().replace(" < ", "<").replace(" >", ">").replace(" :: ", "::").replace(" ,", ",")
-}
-
-const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalgebra such as `Vector3<f64>` or \
-                     `SVector<f64, 4>`, and arrays of them";
-
-const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
-
-/// The shape of a type.
-fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
-    let refuse =
-        |syntax: &dyn ToTokens, message: String| Err(syn::Error::new_spanned(syntax.to_token_stream(), message));
-    match ty {
-        Type::Paren(inner) => shape(&inner.elem, float),
-        Type::Group(inner) => shape(&inner.elem, float),
-        Type::Array(array) => {
-            let Some(extent) = length(&array.len) else {
-                return refuse(&array.len, "a length is a number for now, such as `[f64; 3]`".into());
-            };
-            let mut inner = shape(&array.elem, float)?;
-            inner.extents.insert(0, extent);
-            if inner.extents.len() > 2 {
-                return refuse(ty, format!("arrays may be nested twice at most; an argument may be {TYPES}"));
-            }
-            Ok(inner)
-        }
-        Type::Path(path) => {
-            if let Some(other) = float_type(ty) {
-                if other != *float {
-                    return refuse(ty, format!("all numbers of an energy have one type, here `{float}`"));
-                }
-                return Ok(Shape { extents: vec![], vector: false });
-            }
-            match vector(path, float)? {
-                Some(extent) => Ok(Shape { extents: vec![extent], vector: true }),
-                None if INTEGERS.iter().any(|integer| path.path.is_ident(integer)) => refuse(
-                    ty,
-                    "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
-                        .into(),
-                ),
-                None => refuse(ty, format!("an argument may be {TYPES}")),
-            }
-        }
-        Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
-        _ => refuse(ty, format!("an argument may be {TYPES}")),
-    }
-}
-
-/// The length of a vector of nalgebra.
-fn vector(path: &syn::TypePath, float: &Ident) -> syn::Result<Option<usize>> {
-    let Some(last) = path.path.segments.last() else { return Ok(None) };
-    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return Ok(None) };
-    let name = last.ident.to_string();
-    let mut arguments = arguments.args.iter();
-    match arguments.next() {
-        Some(GenericArgument::Type(ty)) if float_type(ty).as_ref() == Some(float) => {}
-        _ => return Ok(None),
-    }
-    let fixed = name.strip_prefix("Vector").and_then(|n| n.parse().ok()).filter(|n| (1..=6).contains(n));
-    match (fixed, name.as_str(), arguments.next()) {
-        (Some(n), _, None) => Ok(Some(n)),
-        (None, "SVector", Some(GenericArgument::Const(n))) => Ok(length(n)),
-        (None, "SVector", Some(n)) => {
-            Err(syn::Error::new_spanned(n, "a length is a number for now, such as `SVector<f64, 4>`"))
-        }
-        _ => Ok(None),
-    }
-}
-
-fn length(expr: &Expr) -> Option<usize> {
-    match expr {
-        Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => n.base10_parse().ok().filter(|n| (1..=1000).contains(n)),
-        Expr::Group(group) => length(&group.expr),
-        _ => None,
-    }
-}
-
 /// `henon_heiles` → `HenonHeiles`.
 fn camel_case(name: &Ident) -> Ident {
     let text = name.unraw().to_string();
@@ -464,24 +295,4 @@ fn camel_case(name: &Ident) -> Ident {
         Some(first) if first.is_alphabetic() && camel != "Self" => Ident::new(&camel, name.span()),
         _ => format_ident!("Energy{camel}", span = name.span()),
     }
-}
-
-/// The type with `with` in place of the float type.
-pub(crate) fn over_scalar(ty: &Type, float: &Ident, with: &Ident) -> TokenStream {
-    fn replace(tokens: TokenStream, float: &Ident, with: &Ident) -> TokenStream {
-        tokens
-            .into_iter()
-            .map(|tree| match tree {
-                TokenTree::Ident(ident) if ident == *float => TokenTree::Ident(with.clone()),
-                TokenTree::Group(group) => {
-                    let stream = replace(group.stream(), float, with);
-                    let mut replaced = proc_macro2::Group::new(group.delimiter(), stream);
-                    replaced.set_span(group.span());
-                    TokenTree::Group(replaced)
-                }
-                other => other,
-            })
-            .collect()
-    }
-    replace(ty.to_token_stream(), float, with)
 }

@@ -1,0 +1,137 @@
+//! Types and their shapes.
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::{Expr, ExprLit, GenericArgument, Lit, PathArguments, Type};
+
+/// Extents from outside in; none for a scalar.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Shape {
+    pub(crate) extents: Vec<usize>,
+    /// Whether the innermost level is a vector of nalgebra.
+    pub(crate) vector: bool,
+}
+
+impl Shape {
+    /// The number of scalars.
+    pub(crate) fn len(&self) -> usize {
+        self.extents.iter().product()
+    }
+
+    /// The indices of the `i`-th scalar, from outside in.
+    pub(crate) fn indices(&self, i: usize) -> Vec<usize> {
+        let mut rest = i;
+        let mut indices = vec![];
+        for extent in self.extents.iter().rev() {
+            indices.push(rest % extent);
+            rest /= extent;
+        }
+        indices.reverse();
+        indices
+    }
+}
+
+const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalgebra such as `Vector3<f64>` or \
+                     `SVector<f64, 4>`, and arrays of them";
+
+const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
+
+/// The shape of a type.
+pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
+    let refuse =
+        |syntax: &dyn ToTokens, message: String| Err(syn::Error::new_spanned(syntax.to_token_stream(), message));
+    match ty {
+        Type::Paren(inner) => shape(&inner.elem, float),
+        Type::Group(inner) => shape(&inner.elem, float),
+        Type::Array(array) => {
+            let Some(extent) = length(&array.len) else {
+                return refuse(&array.len, "a length is a number for now, such as `[f64; 3]`".into());
+            };
+            let mut inner = shape(&array.elem, float)?;
+            inner.extents.insert(0, extent);
+            if inner.extents.len() > 2 {
+                return refuse(ty, format!("arrays may be nested twice at most; an argument may be {TYPES}"));
+            }
+            Ok(inner)
+        }
+        Type::Path(path) => {
+            if let Some(other) = float_type(ty) {
+                if other != *float {
+                    return refuse(ty, format!("all numbers of an energy have one type, here `{float}`"));
+                }
+                return Ok(Shape { extents: vec![], vector: false });
+            }
+            match vector(path, float)? {
+                Some(extent) => Ok(Shape { extents: vec![extent], vector: true }),
+                None if INTEGERS.iter().any(|integer| path.path.is_ident(integer)) => refuse(
+                    ty,
+                    "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
+                        .into(),
+                ),
+                None => refuse(ty, format!("an argument may be {TYPES}")),
+            }
+        }
+        Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
+        _ => refuse(ty, format!("an argument may be {TYPES}")),
+    }
+}
+
+/// The length of a vector of nalgebra.
+fn vector(path: &syn::TypePath, float: &Ident) -> syn::Result<Option<usize>> {
+    let Some(last) = path.path.segments.last() else { return Ok(None) };
+    let PathArguments::AngleBracketed(arguments) = &last.arguments else { return Ok(None) };
+    let name = last.ident.to_string();
+    let mut arguments = arguments.args.iter();
+    match arguments.next() {
+        Some(GenericArgument::Type(ty)) if float_type(ty).as_ref() == Some(float) => {}
+        _ => return Ok(None),
+    }
+    let fixed = name.strip_prefix("Vector").and_then(|n| n.parse().ok()).filter(|n| (1..=6).contains(n));
+    match (fixed, name.as_str(), arguments.next()) {
+        (Some(n), _, None) => Ok(Some(n)),
+        (None, "SVector", Some(GenericArgument::Const(n))) => Ok(length(n)),
+        (None, "SVector", Some(n)) => {
+            Err(syn::Error::new_spanned(n, "a length is a number for now, such as `SVector<f64, 4>`"))
+        }
+        _ => Ok(None),
+    }
+}
+
+fn length(expr: &Expr) -> Option<usize> {
+    match expr {
+        Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => n.base10_parse().ok().filter(|n| (1..=1000).contains(n)),
+        Expr::Group(group) => length(&group.expr),
+        _ => None,
+    }
+}
+
+pub(super) fn float_type(ty: &Type) -> Option<Ident> {
+    let Type::Path(path) = ty else { return None };
+    let ident = path.path.get_ident()?;
+    (ident == "f64" || ident == "f32").then(|| ident.clone())
+}
+
+/// A type as one writes it.
+pub(super) fn plain(ty: &Type) -> String {
+    ty.to_token_stream().to_string().replace(" < ", "<").replace(" >", ">").replace(" :: ", "::").replace(" ,", ",")
+}
+
+/// The type with `with` in place of the float type.
+pub(crate) fn over_scalar(ty: &Type, float: &Ident, with: &Ident) -> TokenStream {
+    fn replace(tokens: TokenStream, float: &Ident, with: &Ident) -> TokenStream {
+        tokens
+            .into_iter()
+            .map(|tree| match tree {
+                TokenTree::Ident(ident) if ident == *float => TokenTree::Ident(with.clone()),
+                TokenTree::Group(group) => {
+                    let stream = replace(group.stream(), float, with);
+                    let mut replaced = proc_macro2::Group::new(group.delimiter(), stream);
+                    replaced.set_span(group.span());
+                    TokenTree::Group(replaced)
+                }
+                other => other,
+            })
+            .collect()
+    }
+    replace(ty.to_token_stream(), float, with)
+}
