@@ -1,12 +1,15 @@
 //! The graph of an energy: operations, interned nodes, their value, their formula. Knows no syntax and no emission.
 
+mod call;
 pub(crate) mod eval;
 pub(crate) mod graph;
 mod hash;
 pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod print;
+mod product;
 pub(crate) mod substitute;
+mod sum;
 mod table;
 
 pub(crate) use graph::{Graph, Id, Node};

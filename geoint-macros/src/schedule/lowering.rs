@@ -1,35 +1,8 @@
 //! One routine: nodes to statements.
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol, Table};
-
-/// The level of every node; constants have none.
-pub(super) struct Levels<F> {
-    of_symbol: F,
-    known: Table<Option<usize>>,
-}
-
-impl<F: Fn(Symbol) -> usize> Levels<F> {
-    pub(super) fn new(of_symbol: F) -> Self {
-        Levels { of_symbol, known: Table::default() }
-    }
-
-    fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {
-        if let Some(level) = self.known.get(id) {
-            return level;
-        }
-        for id in graph.unknown(id, &self.known) {
-            let level = match graph.node(id) {
-                Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
-                Node::Number(_) | Node::Truth(_) => None,
-                // What is made of constants but is not one, like 1/0, is known first.
-                node => Some(node.children().iter().filter_map(|child| self.known[*child]).max().unwrap_or(0)),
-            };
-            self.known.insert(id, level);
-        }
-        self.known[id]
-    }
-}
+use super::levels::Levels;
+use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
 
 /// A routine, or a branch in it, while it is being written.
 #[derive(Default)]
@@ -41,25 +14,17 @@ struct Scope {
     always: Table<()>,
 }
 
-/// A summand or factor: a sign and a value, or a product that has not been taken yet.
-#[derive(Clone, Copy)]
-struct Term {
-    negative: bool,
-    value: Operand,
-    times: Option<Operand>,
-}
-
 pub(super) struct Lowering<'a, F> {
-    graph: &'a mut Graph,
-    levels: &'a mut Levels<F>,
+    pub(super) graph: &'a mut Graph,
+    pub(super) levels: &'a mut Levels<F>,
     slots: &'a mut Vec<Vec<Id>>,
-    level: usize,
-    uses: Table<usize>,
+    pub(super) level: usize,
+    pub(super) uses: Table<usize>,
     scopes: Vec<Scope>,
     /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
     ready: Vec<u32>,
     /// Bases of which several negative powers are needed, and whether halves are among the exponents.
-    reciprocals: HashMap<Id, bool>,
+    pub(super) reciprocals: HashMap<Id, bool>,
 }
 
 impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
@@ -120,7 +85,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     // ------------------------------------------------------------------------------------------------------ values
 
     /// The value of a node, computed if it is not known yet.
-    fn operand(&mut self, id: Id) -> Operand {
+    pub(super) fn operand(&mut self, id: Id) -> Operand {
         match self.graph.node(id) {
             Node::Number(value) => return Operand::Constant(*value),
             Node::Truth(value) => return Operand::Truth(*value),
@@ -150,7 +115,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         matches!(self.graph.node(id), Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_))
     }
 
-    fn known(&self, id: Id) -> Option<Operand> {
+    pub(super) fn known(&self, id: Id) -> Option<Operand> {
         self.scopes.iter().find_map(|scope| scope.values.get(id))
     }
 
@@ -164,7 +129,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     /// The value of an instruction; equal ones are one statement.
-    fn emit(&mut self, instruction: Instruction) -> Operand {
+    pub(super) fn emit(&mut self, instruction: Instruction) -> Operand {
         if let Instruction::Neg(Operand::Constant(value)) = instruction {
             return Operand::Constant(value.neg());
         }
@@ -186,7 +151,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     /// When an operand is there.
-    fn ready(&self, operand: &Operand) -> u32 {
+    pub(super) fn ready(&self, operand: &Operand) -> u32 {
         if let Operand::Register(register) = operand { self.ready[*register] } else { 0 }
     }
 
@@ -196,10 +161,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Truth(value) => Operand::Truth(value),
             Node::Symbol(symbol) => Operand::Input(symbol),
             Node::Linear(constant, terms) => self.linear(constant, terms),
-            Node::Product(_) => {
-                let term = self.product(Number::ONE, id);
-                self.single(term)
-            }
+            Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function @ (Function::Sin | Function::Cos), args) => self.trigonometric(function, args[0]),
             Node::Call(function, args) => {
@@ -224,183 +186,6 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
                 self.emit(Instruction::Not(a))
             }
         }
-    }
-
-    // -------------------------------------------------------------------------------------------------------- sums
-
-    fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
-        // What is known earlier is added up earlier.
-        let (now, early): (Vec<_>, Vec<_>) =
-            terms.into_iter().partition(|(_, id)| self.levels.of(self.graph, *id) == Some(self.level));
-        let mut summands = vec![];
-        match early[..] {
-            [] if constant.is_zero() => {}
-            [] => summands.push(Term {
-                negative: constant.is_negative(),
-                value: Operand::Constant(if constant.is_negative() { constant.neg() } else { constant }),
-                times: None,
-            }),
-            [(Number::MINUS_ONE, id)] if constant.is_zero() => {
-                let value = self.operand(id);
-                summands.push(Term { negative: true, value, times: None });
-            }
-            _ => {
-                let sum = self.graph.linear(constant, early);
-                let value = self.operand(sum);
-                summands.push(Term { negative: false, value, times: None });
-            }
-        }
-        for (c, id) in now {
-            summands.push(self.product(c, id));
-        }
-        // What is there last is added last. Start with something that is there already and needs no sign.
-        summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
-        let start = summands
-            .iter()
-            .position(|term| !term.negative && term.times.is_none())
-            .or_else(|| summands.iter().position(|term| !term.negative))
-            .unwrap_or(0);
-        let first = summands.remove(start);
-        let mut sum = self.single(first);
-        for term in summands {
-            sum = match term {
-                Term { negative: false, value, times: None } => self.emit(Instruction::Add(sum, value)),
-                Term { negative: true, value, times: None } => self.emit(Instruction::Sub(sum, value)),
-                Term { negative, value, times: Some(other) } => {
-                    let value = if negative { self.emit(Instruction::Neg(value)) } else { value };
-                    self.emit(Instruction::MulAdd(value, other, sum))
-                }
-            };
-        }
-        sum
-    }
-
-    /// A term as one value.
-    fn single(&mut self, term: Term) -> Operand {
-        let value = match term.times {
-            Some(other) => self.emit(Instruction::Mul(term.value, other)),
-            None => term.value,
-        };
-        if term.negative { self.emit(Instruction::Neg(value)) } else { value }
-    }
-
-    // ---------------------------------------------------------------------------------------------------- products
-
-    /// c·node, its last multiplication left to be fused. What is known earlier is multiplied earlier, c with it.
-    fn product(&mut self, c: Number, id: Id) -> Term {
-        let mut factors = vec![];
-        self.flat_factors(id, true, &mut factors);
-        let (now, early): (Vec<Id>, Vec<Id>) =
-            factors.into_iter().partition(|id| self.levels.of(self.graph, *id) == Some(self.level));
-        let mut negative = false;
-        let mut above = vec![];
-        if early.is_empty() {
-            negative = c.is_negative();
-            let magnitude = if negative { c.neg() } else { c };
-            if magnitude != Number::ONE {
-                above.push(Operand::Constant(magnitude));
-            }
-        } else {
-            let prefactor = self.graph.product(&early);
-            let prefactor = self.graph.scale(c, prefactor);
-            above.push(self.operand(prefactor));
-        }
-        let mut below = vec![];
-        for id in now {
-            match *self.graph.node(id) {
-                Node::Power(base, exponent)
-                    if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
-                {
-                    below.push(self.positive_power(base, exponent));
-                }
-                _ => above.push(self.operand(id)),
-            }
-        }
-        let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
-        let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
-        let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
-        let value = match (numerator, denominator) {
-            (Some(a), Some(b)) => self.emit(Instruction::Div(a, b)),
-            (None, Some(b)) => self.emit(Instruction::Div(Operand::Constant(Number::ONE), b)),
-            (Some(a), None) => a,
-            (None, None) => Operand::Constant(Number::ONE),
-        };
-        Term { negative, value, times: last }
-    }
-
-    /// The factors of a product, taken apart where nothing else needs it as a whole.
-    fn flat_factors(&mut self, id: Id, root: bool, factors: &mut Vec<Id>) {
-        match self.graph.node(id).clone() {
-            Node::Product(ids) if root || self.is_single(id) => {
-                for id in ids {
-                    self.flat_factors(id, false, factors);
-                }
-            }
-            _ => factors.push(id),
-        }
-    }
-
-    /// Whether a node has one use and no value yet.
-    fn is_single(&self, id: Id) -> bool {
-        self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
-    }
-
-    // ------------------------------------------------------------------------------------------------------ powers
-
-    fn find_reciprocals(&mut self, roots: &[Id]) {
-        let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
-        for id in self.graph.reachable(roots) {
-            match *self.graph.node(id) {
-                Node::Power(base, exponent)
-                    if exponent.numerator < 0 && self.levels.of(self.graph, id) == Some(self.level) =>
-                {
-                    exponents.entry(base).or_default().push(exponent);
-                }
-                _ => {}
-            }
-        }
-        let several = exponents.into_iter().filter(|(_, exponents)| exponents.len() > 1);
-        self.reciprocals = several.map(|(base, all)| (base, all.iter().any(|e| !e.is_integer()))).collect();
-    }
-
-    fn power(&mut self, base: Id, exponent: Ratio) -> Operand {
-        if let (true, Some(halves)) = (exponent.numerator < 0, self.reciprocals.get(&base).copied()) {
-            // One division for all of them: 1/x or 1/√x, and products of that.
-            let x = self.operand(base);
-            let x = if halves { self.emit(Instruction::Sqrt(x)) } else { x };
-            let reciprocal = self.emit(Instruction::Div(Operand::Constant(Number::ONE), x));
-            let n = exponent.numerator.unsigned_abs();
-            return self.repeated(reciprocal, if halves && exponent.is_integer() { 2 * n } else { n });
-        }
-        let power = self.positive_power(base, exponent);
-        if exponent.numerator < 0 { self.emit(Instruction::Div(Operand::Constant(Number::ONE), power)) } else { power }
-    }
-
-    /// base to the magnitude of an exponent, by squaring, with one square root for halves.
-    fn positive_power(&mut self, base: Id, exponent: Ratio) -> Operand {
-        let x = self.operand(base);
-        let n = exponent.numerator.unsigned_abs();
-        if exponent.is_integer() {
-            return self.repeated(x, n);
-        }
-        let root = self.emit(Instruction::Sqrt(x));
-        match n / 2 {
-            0 => root,
-            whole => {
-                let power = self.repeated(x, whole);
-                self.emit(Instruction::Mul(power, root))
-            }
-        }
-    }
-
-    /// xⁿ for n ≥ 1.
-    fn repeated(&mut self, x: Operand, n: u64) -> Operand {
-        if n <= 1 {
-            return x;
-        }
-        let half = self.repeated(x, n / 2);
-        let square = self.emit(Instruction::Mul(half, half));
-        if n.is_multiple_of(2) { square } else { self.emit(Instruction::Mul(square, x)) }
     }
 
     // ------------------------------------------------------------------------------------------ functions, branches

@@ -5,12 +5,15 @@
 //! level, and later routines read it from a slot. Within a routine equal operations are one statement, and what belongs
 //! to one branch of an `if` is computed in that branch.
 
+mod arithmetic;
 mod block;
+mod levels;
 mod lowering;
 
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use block::{Block, Instruction, Operand, Operations, Register, Statement};
-use lowering::{Levels, Lowering};
+use levels::Levels;
+use lowering::Lowering;
 
 /// Statements of all routines of a kernel.
 #[derive(Debug)]

@@ -1,0 +1,79 @@
+//! Functions, selections and conditions.
+
+use super::graph::{Graph, Id, Node};
+use super::number::Number;
+use super::op::{Function, Parity, Relation};
+
+impl Graph {
+    pub(crate) fn call(&mut self, function: Function, args: &[Id]) -> Id {
+        let numbers: Option<Vec<f64>> = args.iter().map(|id| self.as_number(*id).map(Number::to_f64)).collect();
+        if let Some(value) = numbers.map(|x| (function.entry().value)(&x)).filter(|value| value.is_finite()) {
+            return self.number(Number::float(value));
+        }
+        match (function.entry().parity, args) {
+            (Parity::Odd, &[x]) if self.leads_negative(x) => {
+                let x = self.negated_sum(x);
+                let value = self.call(function, &[x]);
+                self.neg(value)
+            }
+            (Parity::Even, &[x]) if self.leads_negative(x) => {
+                let x = self.negated_sum(x);
+                self.call(function, &[x])
+            }
+            _ => self.intern(Node::Call(function, args.to_vec())),
+        }
+    }
+
+    pub(crate) fn select(&mut self, condition: Id, first: Id, second: Id) -> Id {
+        match self.node(condition) {
+            _ if first == second => first,
+            Node::Truth(true) => first,
+            Node::Truth(false) => second,
+            _ => self.intern(Node::Select(condition, first, second)),
+        }
+    }
+
+    pub(crate) fn compare(&mut self, relation: Relation, a: Id, b: Id) -> Id {
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) if x.compare(y).is_some() => self.truth(relation.holds(x.to_f64(), y.to_f64())),
+            _ => self.intern(Node::Compare(relation, a, b)),
+        }
+    }
+
+    pub(crate) fn truth(&mut self, value: bool) -> Id {
+        self.intern(Node::Truth(value))
+    }
+
+    pub(crate) fn as_truth(&self, id: Id) -> Option<bool> {
+        match self.node(id) {
+            Node::Truth(value) => Some(*value),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn and(&mut self, a: Id, b: Id) -> Id {
+        match (self.as_truth(a), self.as_truth(b)) {
+            (Some(true), _) => b,
+            (_, Some(true)) => a,
+            (Some(false), _) | (_, Some(false)) => self.truth(false),
+            _ => self.intern(Node::And(a, b)),
+        }
+    }
+
+    pub(crate) fn or(&mut self, a: Id, b: Id) -> Id {
+        match (self.as_truth(a), self.as_truth(b)) {
+            (Some(false), _) => b,
+            (_, Some(false)) => a,
+            (Some(true), _) | (_, Some(true)) => self.truth(true),
+            _ => self.intern(Node::Or(a, b)),
+        }
+    }
+
+    pub(crate) fn not(&mut self, a: Id) -> Id {
+        match *self.node(a) {
+            Node::Truth(value) => self.truth(!value),
+            Node::Not(inner) => inner,
+            _ => self.intern(Node::Not(a)),
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! Products, quotients and powers: one node for every base, never expanded.
+
+use super::graph::{Graph, Id, Node};
+use super::number::{Number, Ratio};
+
+impl Graph {
+    /// A node as coefficient·rest.
+    pub(crate) fn coefficient(&self, id: Id) -> (Number, Id) {
+        match self.node(id) {
+            Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => terms[0],
+            _ => (Number::ONE, id),
+        }
+    }
+
+    /// Bases and exponents of a product, however nested.
+    pub(crate) fn factors(&self, id: Id) -> Vec<(Id, Ratio)> {
+        let (mut factors, mut open) = (vec![], vec![id]);
+        while let Some(id) = open.pop() {
+            match self.node(id) {
+                Node::Product(ids) => open.extend(ids),
+                Node::Power(base, exponent) => factors.push((*base, *exponent)),
+                _ => factors.push((id, Ratio::ONE)),
+            }
+        }
+        factors
+    }
+
+    /// a·b. Stays nested as it was written (a product that others use as well is computed once), unless some base
+    /// meets an equal one: then powers are merged.
+    pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(c), _) => return self.scale(c, b),
+            (_, Some(c)) => return self.scale(c, a),
+            _ => {}
+        }
+        let ((ca, a), (cb, b)) = (self.coefficient(a), self.coefficient(b));
+        let (mut left, mut right) = (self.factors(a), self.factors(b));
+        // A product that is the base of the other side's power meets it as a whole.
+        if right.iter().any(|(base, _)| *base == a) {
+            left = vec![(a, Ratio::ONE)];
+        }
+        if left.iter().any(|(base, _)| *base == b) {
+            right = vec![(b, Ratio::ONE)];
+        }
+        let meets = right.iter().any(|(base, _)| left.iter().any(|(other, _)| other == base));
+        let product = if meets {
+            self.merged(left.into_iter().chain(right).collect())
+        } else {
+            let mut pair = vec![a, b];
+            pair.sort();
+            self.intern(Node::Product(pair))
+        };
+        self.scale(ca.mul(cb), product)
+    }
+
+    fn merged(&mut self, mut factors: Vec<(Id, Ratio)>) -> Id {
+        factors.sort_by_key(|(base, _)| *base);
+        let mut powers: Vec<(Id, Ratio)> = vec![];
+        for (base, exponent) in factors {
+            match powers.last_mut() {
+                Some((last, e)) if *last == base => {
+                    // Exponents are small; should their sum ever overflow, the factors stay apart.
+                    match e.add(exponent) {
+                        Some(total) => *e = total,
+                        None => powers.push((base, exponent)),
+                    }
+                }
+                _ => powers.push((base, exponent)),
+            }
+        }
+        let mut coefficient = Number::ONE;
+        let mut ids = vec![];
+        for (base, exponent) in powers {
+            let power = self.pow(base, exponent);
+            match self.as_number(power) {
+                Some(c) => coefficient = coefficient.mul(c),
+                None => ids.push(power),
+            }
+        }
+        ids.sort();
+        let product = match ids[..] {
+            [] => return self.number(coefficient),
+            [id] => id,
+            _ => self.intern(Node::Product(ids)),
+        };
+        self.scale(coefficient, product)
+    }
+
+    pub(crate) fn product(&mut self, ids: &[Id]) -> Id {
+        let one = self.integer(1);
+        ids.iter().fold(one, |product, id| self.mul(product, *id))
+    }
+
+    pub(crate) fn recip(&mut self, a: Id) -> Id {
+        self.pow(a, Ratio::integer(-1))
+    }
+
+    pub(crate) fn div(&mut self, a: Id, b: Id) -> Id {
+        let b = self.recip(b);
+        self.mul(a, b)
+    }
+
+    pub(crate) fn sqrt(&mut self, a: Id) -> Id {
+        self.pow(a, Ratio::HALF)
+    }
+
+    /// baseᵉ for an exponent that is an integer or half of one.
+    pub(crate) fn pow(&mut self, base: Id, exponent: Ratio) -> Id {
+        if exponent.numerator == 0 {
+            return self.integer(1);
+        }
+        if exponent == Ratio::ONE {
+            return base;
+        }
+        match self.node(base).clone() {
+            Node::Number(value) => {
+                if let Some(power) = value.pow(exponent) {
+                    return self.number(power);
+                }
+            }
+            // (xʳ)ᵉ = xʳᵉ unless a sign was lost on the way: √(x²) is |x|.
+            Node::Power(inner, r) if exponent.is_integer() || !r.is_integer() => {
+                if let Some(total) = r.mul(exponent).filter(|total| total.denominator <= 2) {
+                    return self.pow(inner, total);
+                }
+            }
+            Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => {
+                let (c, rest) = terms[0];
+                if exponent.is_integer()
+                    && let Some(c) = c.pow(exponent)
+                {
+                    let power = self.pow(rest, exponent);
+                    return self.scale(c, power);
+                }
+            }
+            // (b − a)² and (a − b)² are one node.
+            Node::Linear(..) if exponent.is_integer() && exponent.numerator % 2 == 0 && self.leads_negative(base) => {
+                let positive = self.negated_sum(base);
+                return self.pow(positive, exponent);
+            }
+            _ => {}
+        }
+        self.intern(Node::Power(base, exponent))
+    }
+}

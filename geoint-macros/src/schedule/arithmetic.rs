@@ -1,0 +1,197 @@
+//! Sums, products and powers as operations of two operands, in an order that keeps the processor busy.
+
+use super::block::{Instruction, Operand};
+use super::lowering::Lowering;
+use crate::ir::{HashMap, Id, Node, Number, Ratio, Symbol};
+
+/// A summand or factor: a sign and a value, or a product that has not been taken yet.
+#[derive(Clone, Copy)]
+struct Term {
+    negative: bool,
+    value: Operand,
+    times: Option<Operand>,
+}
+
+impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
+    // -------------------------------------------------------------------------------------------------------- sums
+
+    pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
+        // What is known earlier is added up earlier.
+        let (now, early): (Vec<_>, Vec<_>) =
+            terms.into_iter().partition(|(_, id)| self.levels.of(self.graph, *id) == Some(self.level));
+        let mut summands = vec![];
+        match early[..] {
+            [] if constant.is_zero() => {}
+            [] => summands.push(Term {
+                negative: constant.is_negative(),
+                value: Operand::Constant(if constant.is_negative() { constant.neg() } else { constant }),
+                times: None,
+            }),
+            [(Number::MINUS_ONE, id)] if constant.is_zero() => {
+                let value = self.operand(id);
+                summands.push(Term { negative: true, value, times: None });
+            }
+            _ => {
+                let sum = self.graph.linear(constant, early);
+                let value = self.operand(sum);
+                summands.push(Term { negative: false, value, times: None });
+            }
+        }
+        for (c, id) in now {
+            summands.push(self.summand(c, id));
+        }
+        // What is there last is added last. Start with something that is there already and needs no sign.
+        summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
+        let start = summands
+            .iter()
+            .position(|term| !term.negative && term.times.is_none())
+            .or_else(|| summands.iter().position(|term| !term.negative))
+            .unwrap_or(0);
+        let first = summands.remove(start);
+        let mut sum = self.single(first);
+        for term in summands {
+            sum = match term {
+                Term { negative: false, value, times: None } => self.emit(Instruction::Add(sum, value)),
+                Term { negative: true, value, times: None } => self.emit(Instruction::Sub(sum, value)),
+                Term { negative, value, times: Some(other) } => {
+                    let value = if negative { self.emit(Instruction::Neg(value)) } else { value };
+                    self.emit(Instruction::MulAdd(value, other, sum))
+                }
+            };
+        }
+        sum
+    }
+
+    /// A term as one value.
+    fn single(&mut self, term: Term) -> Operand {
+        let value = match term.times {
+            Some(other) => self.emit(Instruction::Mul(term.value, other)),
+            None => term.value,
+        };
+        if term.negative { self.emit(Instruction::Neg(value)) } else { value }
+    }
+
+    // ---------------------------------------------------------------------------------------------------- products
+
+    pub(super) fn product(&mut self, id: Id) -> Operand {
+        let term = self.summand(Number::ONE, id);
+        self.single(term)
+    }
+
+    /// c·node, its last multiplication left to be fused. What is known earlier is multiplied earlier, c with it.
+    fn summand(&mut self, c: Number, id: Id) -> Term {
+        let mut factors = vec![];
+        self.flat_factors(id, true, &mut factors);
+        let (now, early): (Vec<Id>, Vec<Id>) =
+            factors.into_iter().partition(|id| self.levels.of(self.graph, *id) == Some(self.level));
+        let mut negative = false;
+        let mut above = vec![];
+        if early.is_empty() {
+            negative = c.is_negative();
+            let magnitude = if negative { c.neg() } else { c };
+            if magnitude != Number::ONE {
+                above.push(Operand::Constant(magnitude));
+            }
+        } else {
+            let prefactor = self.graph.product(&early);
+            let prefactor = self.graph.scale(c, prefactor);
+            above.push(self.operand(prefactor));
+        }
+        let mut below = vec![];
+        for id in now {
+            match *self.graph.node(id) {
+                Node::Power(base, exponent)
+                    if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
+                {
+                    below.push(self.positive_power(base, exponent));
+                }
+                _ => above.push(self.operand(id)),
+            }
+        }
+        let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
+        let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
+        let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
+        let value = match (numerator, denominator) {
+            (Some(a), Some(b)) => self.emit(Instruction::Div(a, b)),
+            (None, Some(b)) => self.emit(Instruction::Div(Operand::Constant(Number::ONE), b)),
+            (Some(a), None) => a,
+            (None, None) => Operand::Constant(Number::ONE),
+        };
+        Term { negative, value, times: last }
+    }
+
+    /// The factors of a product, taken apart where nothing else needs it as a whole.
+    fn flat_factors(&mut self, id: Id, root: bool, factors: &mut Vec<Id>) {
+        match self.graph.node(id).clone() {
+            Node::Product(ids) if root || self.is_single(id) => {
+                for id in ids {
+                    self.flat_factors(id, false, factors);
+                }
+            }
+            _ => factors.push(id),
+        }
+    }
+
+    /// Whether a node has one use and no value yet.
+    fn is_single(&self, id: Id) -> bool {
+        self.uses.get(id).is_none_or(|uses| uses <= 1) && self.known(id).is_none()
+    }
+
+    // ------------------------------------------------------------------------------------------------------ powers
+
+    pub(super) fn find_reciprocals(&mut self, roots: &[Id]) {
+        let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
+        for id in self.graph.reachable(roots) {
+            match *self.graph.node(id) {
+                Node::Power(base, exponent)
+                    if exponent.numerator < 0 && self.levels.of(self.graph, id) == Some(self.level) =>
+                {
+                    exponents.entry(base).or_default().push(exponent);
+                }
+                _ => {}
+            }
+        }
+        let several = exponents.into_iter().filter(|(_, exponents)| exponents.len() > 1);
+        self.reciprocals = several.map(|(base, all)| (base, all.iter().any(|e| !e.is_integer()))).collect();
+    }
+
+    pub(super) fn power(&mut self, base: Id, exponent: Ratio) -> Operand {
+        if let (true, Some(halves)) = (exponent.numerator < 0, self.reciprocals.get(&base).copied()) {
+            // One division for all of them: 1/x or 1/√x, and products of that.
+            let x = self.operand(base);
+            let x = if halves { self.emit(Instruction::Sqrt(x)) } else { x };
+            let reciprocal = self.emit(Instruction::Div(Operand::Constant(Number::ONE), x));
+            let n = exponent.numerator.unsigned_abs();
+            return self.repeated(reciprocal, if halves && exponent.is_integer() { 2 * n } else { n });
+        }
+        let power = self.positive_power(base, exponent);
+        if exponent.numerator < 0 { self.emit(Instruction::Div(Operand::Constant(Number::ONE), power)) } else { power }
+    }
+
+    /// base to the magnitude of an exponent, by squaring, with one square root for halves.
+    fn positive_power(&mut self, base: Id, exponent: Ratio) -> Operand {
+        let x = self.operand(base);
+        let n = exponent.numerator.unsigned_abs();
+        if exponent.is_integer() {
+            return self.repeated(x, n);
+        }
+        let root = self.emit(Instruction::Sqrt(x));
+        match n / 2 {
+            0 => root,
+            whole => {
+                let power = self.repeated(x, whole);
+                self.emit(Instruction::Mul(power, root))
+            }
+        }
+    }
+
+    /// xⁿ for n ≥ 1.
+    fn repeated(&mut self, x: Operand, n: u64) -> Operand {
+        if n <= 1 {
+            return x;
+        }
+        let half = self.repeated(x, n / 2);
+        let square = self.emit(Instruction::Mul(half, half));
+        if n.is_multiple_of(2) { square } else { self.emit(Instruction::Mul(square, x)) }
+    }
+}

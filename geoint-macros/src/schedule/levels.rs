@@ -1,0 +1,31 @@
+//! When a node can be computed.
+
+use crate::ir::{Graph, Id, Node, Symbol, Table};
+
+/// The level of every node; constants have none.
+pub(super) struct Levels<F> {
+    of_symbol: F,
+    known: Table<Option<usize>>,
+}
+
+impl<F: Fn(Symbol) -> usize> Levels<F> {
+    pub(super) fn new(of_symbol: F) -> Self {
+        Levels { of_symbol, known: Table::default() }
+    }
+
+    pub(super) fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {
+        if let Some(level) = self.known.get(id) {
+            return level;
+        }
+        for id in graph.unknown(id, &self.known) {
+            let level = match graph.node(id) {
+                Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
+                Node::Number(_) | Node::Truth(_) => None,
+                // What is made of constants but is not one, like 1/0, is known first.
+                node => Some(node.children().iter().filter_map(|child| self.known[*child]).max().unwrap_or(0)),
+            };
+            self.known.insert(id, level);
+        }
+        self.known[id]
+    }
+}
