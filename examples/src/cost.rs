@@ -1,6 +1,7 @@
 //! What a run costs: time, and looks at the energy.
 
-use geoint_runtime::method::{NotConverged, Probe};
+use geoint_runtime::method::{Probe, Refusal};
+use geoint_runtime::point::{Plain, Point};
 use geoint_runtime::state::Coordinates;
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
@@ -30,12 +31,15 @@ pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
     start: State<S::Coordinates>,
     steps: u64,
 ) -> Result<u64, String> {
-    let prepared = method.prepare(&system, h);
-    let (mut q, mut p) = (start.q.into_array(), start.p.into_array());
+    let mut prepared = method.prepare(&system, h);
+    let mut x = Point::<S::Array, Plain>::new(start.q.into_array(), start.p.into_array());
     let mut looks = Looks(0);
     for n in 0..steps {
-        let outcome = M::step(&prepared, start.t + n as f64 * h, &mut q, &mut p, &mut looks);
-        outcome.map_err(|NotConverged { iterations, .. }| format!("no convergence in {iterations} iterations"))?;
+        let outcome = M::step(&mut prepared, start.t + n as f64 * h, &mut x, &mut looks);
+        outcome.map_err(|refusal| match refusal {
+            Refusal::NotConverged { iterations, .. } => format!("no convergence in {iterations} iterations"),
+            Refusal::Singular => "no unique solution".into(),
+        })?;
     }
     Ok(looks.0)
 }

@@ -10,7 +10,7 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     /// The scalar at the leaves.
     type Real: Real;
     /// The same shape with another content.
-    type Map<T: Copy>: Copy;
+    type Map<T: Copy + Debug>: Copy + Debug;
     /// The number of scalars.
     const LEN: usize;
 
@@ -19,9 +19,9 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     /// All scalars in order.
     fn as_mut_slice(&mut self) -> &mut [Self::Real];
     /// Every entry `x`.
-    fn fill<T: Copy>(x: T) -> Self::Map<T>;
+    fn fill<T: Copy + Debug>(x: T) -> Self::Map<T>;
     /// The entries of a mapped shape, in order.
-    fn entries<T: Copy>(map: &mut Self::Map<T>) -> &mut [T];
+    fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T];
     /// All zeros.
     fn zero() -> Self;
 
@@ -30,7 +30,15 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     #[doc(hidden)]
     fn flatten_mut(nested: &mut [Self]) -> &mut [Self::Real];
     #[doc(hidden)]
-    fn flatten_entries<T: Copy>(nested: &mut [Self::Map<T>]) -> &mut [T];
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T];
+
+    /// self ← self + w·x.
+    #[inline(always)]
+    fn add_scaled(&mut self, w: Self::Real, x: &Self) {
+        for (y, x) in self.as_mut_slice().iter_mut().zip(x.as_slice()) {
+            *y = w.multiply_add(*x, *y);
+        }
+    }
 
     /// Whether every entry is a finite number.
     #[inline(always)]
@@ -44,7 +52,7 @@ pub type Square<A> = <A as Array>::Map<A>;
 
 impl<R: Real> Array for R {
     type Real = R;
-    type Map<T: Copy> = T;
+    type Map<T: Copy + Debug> = T;
     const LEN: usize = 1;
 
     #[inline(always)]
@@ -56,11 +64,11 @@ impl<R: Real> Array for R {
         core::slice::from_mut(self)
     }
     #[inline(always)]
-    fn fill<T: Copy>(x: T) -> T {
+    fn fill<T: Copy + Debug>(x: T) -> T {
         x
     }
     #[inline(always)]
-    fn entries<T: Copy>(map: &mut T) -> &mut [T] {
+    fn entries<T: Copy + Debug>(map: &mut T) -> &mut [T] {
         core::slice::from_mut(map)
     }
     #[inline(always)]
@@ -76,14 +84,14 @@ impl<R: Real> Array for R {
         nested
     }
     #[inline(always)]
-    fn flatten_entries<T: Copy>(nested: &mut [T]) -> &mut [T] {
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [T]) -> &mut [T] {
         nested
     }
 }
 
 impl<A: Array, const N: usize> Array for [A; N] {
     type Real = A::Real;
-    type Map<T: Copy> = [A::Map<T>; N];
+    type Map<T: Copy + Debug> = [A::Map<T>; N];
     const LEN: usize = N * A::LEN;
 
     #[inline(always)]
@@ -95,11 +103,11 @@ impl<A: Array, const N: usize> Array for [A; N] {
         A::flatten_mut(self)
     }
     #[inline(always)]
-    fn fill<T: Copy>(x: T) -> Self::Map<T> {
+    fn fill<T: Copy + Debug>(x: T) -> Self::Map<T> {
         [A::fill(x); N]
     }
     #[inline(always)]
-    fn entries<T: Copy>(map: &mut Self::Map<T>) -> &mut [T] {
+    fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T] {
         A::flatten_entries(map)
     }
     #[inline(always)]
@@ -115,7 +123,7 @@ impl<A: Array, const N: usize> Array for [A; N] {
         A::flatten_mut(nested.as_flattened_mut())
     }
     #[inline(always)]
-    fn flatten_entries<T: Copy>(nested: &mut [Self::Map<T>]) -> &mut [T] {
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T] {
         A::flatten_entries(nested.as_flattened_mut())
     }
 }

@@ -1,6 +1,7 @@
 //! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
 
-use crate::method::{Claims, Method, NotConverged, Probe};
+use crate::method::{Claims, Method, Probe, Refusal};
+use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
 use crate::system::Hamiltonian;
@@ -94,13 +95,12 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> f
     }
 
     #[inline]
-    fn step<P: Probe<S, R>>(
-        prepared: &Self::Prepared,
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &mut Self::Prepared,
         t: R,
-        q: &mut S::Array,
-        p: &mut S::Array,
+        x: &mut Point<S::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        prepared.iter().try_for_each(|(substep, after)| M::step(substep, t + *after, q, p, probe))
+    ) -> Result<(), Refusal> {
+        prepared.iter_mut().try_for_each(|(substep, after)| M::step(substep, t + *after, x, probe))
     }
 }

@@ -1,10 +1,13 @@
 //! x₁ = x₀ + h J ∇̄H(x₀, x₁): steps that keep the energy to rounding.
 
+use crate::array::{Array, Square};
 use crate::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, NotConverged, Probe};
-use crate::newton;
-use crate::real::Real;
-use crate::system::DiscreteGradientStep;
+use crate::linear;
+use crate::method::{Claims, Method, Probe, Refusal};
+use crate::newton::Newton;
+use crate::point::{Compensated, Plain, Point, Summation};
+use crate::real::{Real, zero};
+use crate::system::DiscreteField;
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
@@ -16,34 +19,145 @@ use crate::system::DiscreteGradientStep;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DiscreteGradient;
 
-impl<S: DiscreteGradientStep<R>, R: Real> Method<S, R> for DiscreteGradient {
-    type Prepared = S::Prepared;
+/// What a step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<S: DiscreteField<R>, R: Real> {
+    coefficients: Coefficients<S, R>,
+    newton: Newton<S::Unknown>,
+    /// The energy is worth compensated sums, which cost a twentieth: at some step sizes the roundings of plain ones have a bias,
+    /// and it drifts by 10⁻¹² in a million steps.
+    sums: [Compensated<S::Array>; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Coefficients<S: DiscreteField<R>, R: Real> {
+    system: S::Constants,
+    tree: S::Parameters,
+    h: R,
+    /// The inverse of the step's matrix, if that is constant.
+    inverse: Square<S::Unknown>,
+}
+
+impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
+    fn new(system: &S, h: R) -> Self {
+        let zero = S::Unknown::zero();
+        let mut prepared =
+            Coefficients { system: system.constants(), tree: system.parameters(), h, inverse: S::Unknown::fill(zero) };
+        if S::LINEAR {
+            prepared.inverse = prepared.inverse();
+        }
+        prepared
+    }
+
+    /// The increment of y that goes with an impulse h·f̄ on `changed`: the impulse itself; or h ∂T/∂p at the mean momentum.
+    ///
+    /// That is one product with h/m. h p/m + h dp/2m is not the same: where h is 0.1, roundings of its two products do not
+    /// average out, and the energy of a pendulum drifts by 10⁻¹² in a million steps.
+    #[inline(always)]
+    fn change(&self, changed: &S::Unknown, impulse: &S::Unknown) -> S::Unknown {
+        if S::DERIVATIVE == 1 {
+            return *impulse;
+        }
+        let (mut mean, mut change) = (*changed, S::Unknown::zero());
+        mean.add_scaled(R::from_f64(0.5), impulse);
+        change.add_scaled(self.h, &S::velocity(&self.system, &mean));
+        change
+    }
+
+    /// 1 − h·(∂f̄/∂d)·(∂d/∂impulse).
+    #[inline(always)]
+    fn matrix(&self, jacobian: &mut Square<S::Unknown>) {
+        let w = if S::DERIVATIVE == 1 { -self.h } else { R::from_f64(-0.5) * self.h * self.h };
+        for (i, row) in S::Unknown::entries::<S::Unknown>(jacobian).iter_mut().enumerate() {
+            let slope = core::mem::replace(row, S::Unknown::zero());
+            S::add(&self.system, w, &slope, row);
+            row.as_mut_slice()[i] += R::from_f64(1.0);
+        }
+    }
+
+    /// The inverse of a matrix that is the same in all steps. NaN if there is none.
+    fn inverse(&self) -> Square<S::Unknown> {
+        let origin = S::Unknown::zero();
+        let start = S::begin(&self.tree, zero(), &origin);
+        let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
+        S::slope(&self.tree, &start, &origin, &mut f, &mut matrix);
+        self.matrix(&mut matrix);
+        let mut inverse = S::Unknown::fill(origin);
+        for j in 0..S::Unknown::LEN {
+            let (mut lu, mut column) = (matrix, origin);
+            column.as_mut_slice()[j] = R::from_f64(1.0);
+            let solved = linear::solve::<S::Unknown>(&mut lu, &mut column) == Some(true);
+            for (row, x) in S::Unknown::entries::<S::Unknown>(&mut inverse).iter_mut().zip(column.as_slice()) {
+                row.as_mut_slice()[j] = if solved { *x } else { R::from_f64(f64::NAN) };
+            }
+        }
+        inverse
+    }
+}
+
+impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
+    type Prepared = Prepared<S, R>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
     }
 
-    fn prepare(&self, system: &S, h: R) -> S::Prepared {
-        DiscreteGradientStep::prepare(system, h)
+    fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
+        Prepared { coefficients: Coefficients::new(system, h), newton: Newton::new(), sums: [Compensated::new(); 2] }
     }
 
     #[inline(always)]
-    fn step<P: Probe<S, R>>(
-        prepared: &S::Prepared,
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        Prepared { coefficients: prepared, newton, sums }: &mut Prepared<S, R>,
         t: R,
-        q: &mut S::Array,
-        p: &mut S::Array,
+        x: &mut Point<S::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        probe.visit(t, q, p);
-        let (start, guess) = S::start(prepared, t, q, p);
-        let increment = newton::solve(guess, S::origin(q, p), |increment, residual, jacobian| {
-            let (mut x, mut y) = (*q, *p);
-            S::finish(prepared, &start, increment, &mut x, &mut y);
-            probe.visit(t, &x, &y);
-            S::residual(prepared, &start, increment, residual, jacobian);
+    ) -> Result<(), Refusal> {
+        let (none, h, half) = (S::Unknown::zero(), prepared.h, R::from_f64(0.5) * prepared.h);
+        probe.visit(t, &x.q, &x.p);
+        let (y, changed) = S::start(&x.q, &x.p);
+        let start = S::begin(&prepared.tree, t + half, &y);
+        let (mut f, mut slope) = (none, S::Unknown::fill(none));
+
+        if S::LINEAR {
+            S::slope(&prepared.tree, &start, &prepared.change(&changed, &none), &mut f, &mut slope);
+            let mut impulse = none;
+            for (i, row) in S::Unknown::entries::<S::Unknown>(&mut prepared.inverse).iter().enumerate() {
+                for (w, f) in row.as_slice().iter().zip(f.as_slice()) {
+                    impulse.as_mut_slice()[i] = w.multiply_add(h * *f, impulse.as_slice()[i]);
+                }
+            }
+            let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
+            x.add_with(sums, &dq, &dp);
+            return if impulse.is_finite() { Ok(()) } else { Err(Refusal::Singular) };
+        }
+
+        // The explicit midpoint rule.
+        let explicit = || {
+            let (mut rate, mut f) = (S::velocity(&prepared.system, &changed), none);
+            let mut slope = S::Unknown::fill(none);
+            if S::DERIVATIVE == 1 {
+                S::field(&prepared.system, t, &y, &mut rate, &mut slope);
+            }
+            let (mut middle, mut impulse) = (y, none);
+            middle.add_scaled(half, &rate);
+            S::field(&prepared.system, t + half, &middle, &mut f, &mut slope);
+            impulse.add_scaled(h, &f);
+            impulse
+        };
+        let impulse = newton.solve(&changed, explicit, |impulse, residual, jacobian| {
+            let change = prepared.change(&changed, impulse);
+            let mut end = Point::<S::Array, Plain>::new(x.q, x.p);
+            let [dq, dp] = S::increments(&change, impulse);
+            end.add(&dq, &dp);
+            probe.visit(t, &end.q, &end.p);
+            S::slope(&prepared.tree, &start, &change, &mut f, jacobian);
+            *residual = *impulse;
+            residual.add_scaled(-h, &f);
+            prepared.matrix(jacobian);
         })?;
-        S::finish(prepared, &start, &increment, q, p);
+        let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
+        x.add_with(sums, &dq, &dp);
         Ok(())
     }
 }

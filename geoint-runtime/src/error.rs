@@ -29,13 +29,19 @@ pub enum StepError {
         /// The function and the term, as in "`ln` of a number that is not positive: 1 - q".
         what: &'static str,
     },
+    /// The implicit equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or an
+    /// unstable direction has been turned round.
+    Singular {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
         t: f64,
-        /// Newton iterations spent.
+        /// Iterations spent.
         iterations: u32,
-        /// The last correction, relative to the increment.
+        /// The last correction, relative to what it corrects.
         correction: f64,
     },
 }
@@ -55,10 +61,13 @@ impl fmt::Display for StepError {
             StepError::OutsideDomain { t, what } => {
                 write!(f, "the step from t = {t} looks at the energy where it is not defined: {what}")
             }
+            StepError::Singular { t } => {
+                write!(f, "the step from t = {t} has no solution, or several, at this step size; try a smaller one")
+            }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,
-                "the step from t = {t} was not solved in {iterations} Newton iterations \
-                 (last correction {correction:.1e} of the increment); try a smaller step"
+                "the step from t = {t} was not solved in {iterations} iterations \
+                 (last correction {correction:.1e}); try a smaller step"
             ),
         }
     }

@@ -1,7 +1,8 @@
 //! Methods that keep nothing, as a control: what they lose shows what the others keep.
 
 use crate::array::Array;
-use crate::method::{Claims, Method, NotConverged, Probe};
+use crate::method::{Claims, Method, Probe, Refusal};
+use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::system::Hamiltonian;
 
@@ -23,20 +24,17 @@ impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
     }
 
     #[inline(always)]
-    fn step<P: Probe<S, R>>(
-        (system, h): &(S, R),
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        (system, h): &mut (S, R),
         t: R,
-        q: &mut S::Array,
-        p: &mut S::Array,
+        x: &mut Point<S::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        probe.visit(t, q, p);
+    ) -> Result<(), Refusal> {
+        probe.visit(t, &x.q, &x.p);
         let (mut slope_q, mut slope_p) = (S::Array::zero(), S::Array::zero());
-        system.gradient(t, q, p, &mut slope_q, &mut slope_p);
-        for i in 0..S::Array::LEN {
-            q.as_mut_slice()[i] += *h * slope_p.as_slice()[i];
-            p.as_mut_slice()[i] -= *h * slope_q.as_slice()[i];
-        }
+        system.gradient(t, &x.q, &x.p, &mut slope_q, &mut slope_p);
+        x.drift(|q, _| q.add_scaled(*h, &slope_p));
+        x.kick(|_, p| p.add_scaled(-*h, &slope_q));
         Ok(())
     }
 }

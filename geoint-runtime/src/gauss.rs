@@ -2,8 +2,9 @@
 
 use crate::array::Array;
 use crate::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, NotConverged, Probe};
-use crate::newton;
+use crate::method::{Claims, Method, Probe, Refusal};
+use crate::newton::Newton;
+use crate::point::{Plain, Point, Summation};
 use crate::real::Real;
 use crate::system::Collocation;
 use crate::tableau::GaussTableau;
@@ -24,7 +25,7 @@ pub struct ImplicitMidpoint;
 
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
+pub struct Prepared<P, Y, R, const S: usize> {
     system: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
@@ -35,13 +36,14 @@ pub struct Prepared<P, R, const S: usize> {
     weights: [R; S],
     /// What a stage adds to the end: h·b, or h²·b(1 − c).
     increments: [R; S],
+    newton: Newton<[Y; S]>,
 }
 
 impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y::Prepared, R, S>;
+    type Prepared = Prepared<Y::Constants, Y::Unknown, R, S>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
@@ -59,87 +61,86 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
-            system: system.prepare(),
+            system: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
             nodes: tableau.c.map(|c| R::from_f64(c) * h),
             weights: tableau.b.map(|b| R::from_f64(b) * h),
             increments: core::array::from_fn(increment),
+            newton: Newton::new(),
         }
     }
 
     #[inline(always)]
-    fn step<P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
+    fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
+        prepared: &mut Self::Prepared,
         t: R,
-        q: &mut Y::Array,
-        p: &mut Y::Array,
+        x: &mut Point<Y::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        let Prepared { system, h, coupling, nodes, weights, increments } = prepared;
+    ) -> Result<(), Refusal> {
+        let Prepared { system, h, coupling, nodes, weights, increments, newton } = prepared;
         let zero = Y::Unknown::zero();
-        let (mut f, mut slope) = (zero, Y::Unknown::fill(zero));
-        let (y0, velocity, changed) = Y::start(system, q, p);
-        probe.visit(t, q, p);
+        let (y0, changed) = Y::start(&x.q, &x.p);
+        let velocity = Y::velocity(system, &changed);
+        probe.visit(t, &x.q, &x.p);
 
-        // A guess: the stages as if y' were constant.
-        let mut rate = velocity;
-        if Y::DERIVATIVE == 1 {
-            Y::field(system, t, &y0, &mut rate, &mut slope);
-        }
-        let mut guess = [zero; S];
-        for i in 0..S {
-            let mut y = y0;
-            add_scaled(&mut y, nodes[i], &rate);
-            Y::field(system, t + nodes[i], &y, &mut guess[i], &mut slope);
-        }
+        // The stages as if y' were constant.
+        let explicit = || {
+            let (mut rate, mut slope) = (velocity, Y::Unknown::fill(zero));
+            if Y::DERIVATIVE == 1 {
+                Y::field(system, t, &y0, &mut rate, &mut slope);
+            }
+            core::array::from_fn(|i| {
+                let (mut y, mut f) = (y0, zero);
+                y.add_scaled(nodes[i], &rate);
+                Y::field(system, t + nodes[i], &y, &mut f, &mut slope);
+                f
+            })
+        };
 
         // The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
         let mut visible = zero;
-        add_scaled(&mut visible, R::from_f64(1.0) / *h, &changed);
-        let k = newton::solve(guess, [visible; S], |k, residual, jacobian| {
+        visible.add_scaled(R::from_f64(1.0) / *h, &changed);
+        let (mut f, mut slope) = (zero, Y::Unknown::fill(zero));
+        let k = newton.solve(&[visible; S], explicit, |k, residual, jacobian| {
             let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(jacobian);
             for i in 0..S {
-                let mut y = y0;
-                add_scaled(&mut y, nodes[i], &velocity);
+                let mut change = zero;
+                change.add_scaled(nodes[i], &velocity);
                 for j in 0..S {
-                    Y::add(system, coupling[i][j], &k[j], &mut y);
+                    Y::add(system, coupling[i][j], &k[j], &mut change);
                 }
-                let (mut x, mut momenta) = (*q, *p);
-                Y::finish(&y, &zero, &mut x, &mut momenta);
-                probe.visit(t + nodes[i], &x, &momenta);
+                let mut stage = Point::<Y::Array, Plain>::new(x.q, x.p);
+                let [dq, dp] = Y::increments(&change, &zero);
+                stage.add(&dq, &dp);
+                probe.visit(t + nodes[i], &stage.q, &stage.p);
+                let mut y = y0;
+                y.add_scaled(R::from_f64(1.0), &change);
 
                 // kᵢ − f(Yᵢ) and its derivative δᵢⱼ − f'(Yᵢ)·∂Yᵢ/∂kⱼ.
                 Y::field(system, t + nodes[i], &y, &mut f, &mut slope);
                 residual[i] = k[i];
-                add_scaled(&mut residual[i], R::from_f64(-1.0), &f);
+                residual[i].add_scaled(R::from_f64(-1.0), &f);
                 for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
                     let row = &mut rows[i * Y::Unknown::LEN + r];
                     for j in 0..S {
                         row[j] = zero;
-                        add_scaled(&mut row[j], -coupling[i][j], slope_row);
+                        Y::add(system, -coupling[i][j], slope_row, &mut row[j]);
                     }
                     row[i].as_mut_slice()[r] += R::from_f64(1.0);
                 }
             }
         })?;
 
-        let (mut y, mut impulse) = (y0, zero);
-        add_scaled(&mut y, *h, &velocity);
+        let (mut change, mut impulse) = (zero, zero);
+        change.add_scaled(*h, &velocity);
         for i in 0..S {
-            Y::add(system, increments[i], &k[i], &mut y);
-            add_scaled(&mut impulse, weights[i], &k[i]);
+            Y::add(system, increments[i], &k[i], &mut change);
+            impulse.add_scaled(weights[i], &k[i]);
         }
-        Y::finish(&y, &impulse, q, p);
+        let [dq, dp] = Y::increments(&change, &impulse);
+        x.add(&dq, &dp);
         Ok(())
-    }
-}
-
-/// y ← y + w·x.
-#[inline(always)]
-fn add_scaled<A: Array>(y: &mut A, w: A::Real, x: &A) {
-    for (y, x) in y.as_mut_slice().iter_mut().zip(x.as_slice()) {
-        *y = w.multiply_add(*x, *y);
     }
 }
 
@@ -155,14 +156,13 @@ impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
     }
 
     #[inline(always)]
-    fn step<P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
+    fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
+        prepared: &mut Self::Prepared,
         t: R,
-        q: &mut Y::Array,
-        p: &mut Y::Array,
+        x: &mut Point<Y::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        Gauss::<1>::step(prepared, t, q, p, probe)
+    ) -> Result<(), Refusal> {
+        Gauss::<1>::step(prepared, t, x, probe)
     }
 }
 

@@ -1,9 +1,9 @@
 //! A system under a method: the object that users step.
 
-use crate::array::Array;
 use crate::error::StepError;
-use crate::method::{Clock, DomainWatch, Method, Probe};
-use crate::real::Real;
+use crate::method::{Clock, DomainWatch, Method, Probe, Refusal};
+use crate::point::{Compensated, Plain, Point, Summation};
+use crate::real::{Real, zero};
 use crate::state::{Coordinates, State};
 use crate::system::Hamiltonian;
 
@@ -16,7 +16,7 @@ const STEPS_BETWEEN_LOOKS: u64 = 1024;
 /// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
 /// on, with a smaller step if [`Integrator::set_step_size`] was called.
 #[derive(Clone, Copy, Debug)]
-pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
+pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     system: S,
     method: M,
     prepared: M::Prepared,
@@ -26,11 +26,10 @@ pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     n: u64,
     /// Steps since the beginning.
     steps: u64,
-    q: S::Array,
-    p: S::Array,
+    x: Point<S::Array, C>,
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
     pub(crate) fn new(system: S, method: M, h: R, state: State<S::Coordinates>) -> Self {
         Integrator {
             system,
@@ -40,9 +39,15 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
             h,
             n: 0,
             steps: 0,
-            q: state.q.into_array(),
-            p: state.p.into_array(),
+            x: Point::new(state.q.into_array(), state.p.into_array()),
         }
+    }
+
+    /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
+    /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
+    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
+        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
+        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
     }
 
     /// One step.
@@ -63,10 +68,10 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
         let mut left = n;
         while left > 0 {
             let steps = left.min(STEPS_BETWEEN_LOOKS);
-            let (mut q, mut p) = (self.q, self.p);
-            let outcome = M::advance(&self.prepared, &self.clock(), steps, &mut q, &mut p);
-            if outcome.is_ok() && self.is_good(steps, &q, &p) {
-                self.accept(steps, q, p);
+            let (mut prepared, mut x) = (self.prepared, self.x);
+            let outcome = M::advance(&mut prepared, &self.clock(), steps, &mut x);
+            if outcome.is_ok() && self.is_good(steps, &x) {
+                self.accept(steps, prepared, x);
             } else {
                 self.creep(steps)?;
             }
@@ -79,22 +84,23 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     #[cold]
     fn creep(&mut self, steps: u64) -> Result<(), StepError> {
         for _ in 0..steps {
-            let (mut q, mut p) = (self.q, self.p);
+            let (mut prepared, mut x) = (self.prepared, self.x);
             let mut watch = DomainWatch { system: &self.system, found: None };
-            let outcome = M::step(&self.prepared, self.time(), &mut q, &mut p, &mut watch);
-            if outcome.is_ok() && self.is_good(1, &q, &p) {
-                self.accept(1, q, p);
+            let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
+            if outcome.is_ok() && self.is_good(1, &x) {
+                self.accept(1, prepared, x);
                 continue;
             }
-            watch.visit(self.clock().at(1), &q, &p);
+            watch.visit(self.clock().at(1), &x.q, &x.p);
             let t = real(self.time());
-            match (outcome, watch.found) {
-                (_, Some(what)) => return Err(StepError::OutsideDomain { t, what }),
-                (Ok(()), None) => return Err(StepError::NonFinite { t }),
-                (Err(e), None) => {
-                    return Err(StepError::NotConverged { t, iterations: e.iterations, correction: e.correction });
+            return Err(match (outcome, watch.found) {
+                (_, Some(what)) => StepError::OutsideDomain { t, what },
+                (Ok(()), None) => StepError::NonFinite { t },
+                (Err(Refusal::Singular), None) => StepError::Singular { t },
+                (Err(Refusal::NotConverged { iterations, correction }), None) => {
+                    StepError::NotConverged { t, iterations, correction }
                 }
-            }
+            });
         }
         Ok(())
     }
@@ -104,12 +110,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
         if !(h > 0.0 && h < f64::INFINITY) {
             return Err(StepError::InvalidStepSize { h: real(self.h) });
         }
-        if !(self.t0.magnitude() < f64::INFINITY && self.q.is_finite() && self.p.is_finite()) {
+        if !(self.t0.magnitude() < f64::INFINITY && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t: real(self.time()) });
         }
         // Later states are good because the steps that led to them were.
         if self.steps == 0
-            && let Some(what) = self.system.outside_domain(self.t0, &self.q, &self.p)
+            && let Some(what) = self.system.outside_domain(self.t0, &self.x.q, &self.x.p)
         {
             return Err(StepError::OutsideDomain { t: real(self.t0), what });
         }
@@ -118,13 +124,13 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
 
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
-    fn is_good(&self, steps: u64, q: &S::Array, p: &S::Array) -> bool {
-        q.is_finite() && p.is_finite() && self.system.outside_domain(self.clock().at(steps), q, p).is_none()
+    fn is_good(&self, steps: u64, x: &Point<S::Array, C>) -> bool {
+        x.is_finite() && self.system.outside_domain(self.clock().at(steps) + x.ahead, &x.q, &x.p).is_none()
     }
 
     #[inline(always)]
-    fn accept(&mut self, steps: u64, q: S::Array, p: S::Array) {
-        (self.q, self.p) = (q, p);
+    fn accept(&mut self, steps: u64, prepared: M::Prepared, x: Point<S::Array, C>) {
+        (self.prepared, self.x) = (prepared, x);
         self.n += steps;
         self.steps += steps;
     }
@@ -136,7 +142,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
 
     /// Changes the step size; time goes on from here.
     pub fn set_step_size(&mut self, h: R) {
-        self.t0 = self.time();
+        (self.t0, self.x.ahead) = (self.time(), zero());
         self.n = 0;
         self.h = h;
         self.prepared = self.method.prepare(&self.system, h);
@@ -150,17 +156,17 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// `t0 + n·h`.
     pub fn time(&self) -> R {
         // Without steps even an unusable step size leaves time alone.
-        if self.n == 0 { self.t0 } else { self.clock().at(0) }
+        if self.n == 0 { self.t0 } else { self.clock().at(0) + self.x.ahead }
     }
 
     /// The state now.
     pub fn state(&self) -> State<S::Coordinates> {
-        State::at(self.time(), Coordinates::from_array(self.q), Coordinates::from_array(self.p))
+        State::at(self.time(), Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.time(), &self.q, &self.p)
+        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p)
     }
 
     /// The number of steps taken.
@@ -181,7 +187,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The state after every step up to the last one that is not after `t` (not before, if h < 0).
     ///
     /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away.
-    pub fn until(&mut self, t: R) -> Samples<'_, S, M, R> {
+    pub fn until(&mut self, t: R) -> Samples<'_, S, M, R, C> {
         // Counted from t₀, as time is. A whole number of steps may come out a few roundings short.
         let (from, h) = (real(self.t0), real(self.h));
         let total = (real(t) - from) / h;
@@ -193,7 +199,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     }
 
     /// The state after every `k` steps, without end. `k` = 0 counts as 1.
-    pub fn sampled(&mut self, k: u64) -> Samples<'_, S, M, R> {
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, S, M, R, C> {
         Samples { sim: self, stride: k.max(1), left: u64::MAX }
     }
 }
@@ -204,13 +210,13 @@ fn real<R: Real>(x: R) -> f64 {
 }
 
 /// States along a trajectory; ends after the first error.
-pub struct Samples<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real> {
-    sim: &'a mut Integrator<S, M, R>,
+pub struct Samples<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real, C = Plain> {
+    sim: &'a mut Integrator<S, M, R, C>,
     stride: u64,
     left: u64,
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Iterator for Samples<'_, S, M, R> {
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Iterator for Samples<'_, S, M, R, C> {
     type Item = Result<State<S::Coordinates>, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {

@@ -5,12 +5,13 @@ use crate::real::Real;
 
 /// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
 ///
-/// Returns false if a pivot vanishes or is not a number.
+/// Returns whether the determinant is positive; `None` if a pivot vanishes or is not a number.
 #[inline(always)]
-pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
+pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<bool> {
     let n = A::LEN;
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
+    let mut positive = true;
     for k in 0..n {
         // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so that
         // a small matrix stays in registers.
@@ -18,15 +19,19 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
             if rows[i].as_slice()[k].magnitude() > rows[k].as_slice()[k].magnitude() {
                 rows.swap(k, i);
                 b.swap(k, i);
+                positive = !positive;
             }
         }
         let (upper, lower) = rows.split_at_mut(k + 1);
-        let top = upper[k].as_slice();
+        let top = upper[k].as_mut_slice();
         let pivot = top[k].magnitude();
         if pivot == 0.0 || pivot.is_nan() {
-            return false;
+            return None;
         }
+        positive ^= top[k].any_below(0.0);
+        // One division a row.
         let reciprocal = A::Real::from_f64(1.0) / top[k];
+        top[k] = reciprocal;
         for (i, row) in lower.iter_mut().enumerate() {
             let row = row.as_mut_slice();
             let factor = -(row[k] * reciprocal);
@@ -42,7 +47,7 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
         for j in k + 1..n {
             x = (-row[j]).multiply_add(b[j], x);
         }
-        b[k] = x / row[k];
+        b[k] = x * row[k];
     }
-    true
+    Some(positive)
 }

@@ -1,5 +1,6 @@
 //! What a method is: coefficients prepared once for a step size, and a step in place.
 
+use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::system::Hamiltonian;
 
@@ -23,7 +24,8 @@ pub struct Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
-    /// Everything that depends on the method, the parameters and h.
+    /// Everything that depends on the method, the parameters and h; and what implicit methods remember of earlier steps to
+    /// guess the next one.
     type Prepared: Copy;
 
     /// What the method promises.
@@ -35,25 +37,24 @@ pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
     /// One step from time `t`, in place.
     ///
     /// Every point at which the energy is looked at is shown to `probe`.
-    fn step<P: Probe<S, R>>(
-        prepared: &Self::Prepared,
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &mut Self::Prepared,
         t: R,
-        q: &mut S::Array,
-        p: &mut S::Array,
+        x: &mut Point<S::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged>;
+    ) -> Result<(), Refusal>;
 
     /// `steps` steps, of which the `i`-th starts at `clock.at(i)`.
     #[inline(always)]
-    fn advance(
-        prepared: &Self::Prepared,
+    fn advance<C: Summation<S::Array>>(
+        prepared: &mut Self::Prepared,
         clock: &Clock<R>,
         steps: u64,
-        q: &mut S::Array,
-        p: &mut S::Array,
-    ) -> Result<(), NotConverged> {
+        x: &mut Point<S::Array, C>,
+    ) -> Result<(), Refusal> {
         for i in 0..steps {
-            Self::step(prepared, clock.at(i), q, p, &mut Unwatched)?;
+            let t = clock.at(i) + x.ahead;
+            Self::step(prepared, t, x, &mut Unwatched)?;
         }
         Ok(())
     }
@@ -75,13 +76,19 @@ impl<R: Real> Clock<R> {
     }
 }
 
-/// Newton's iteration gave up.
+/// Why a step has no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct NotConverged {
-    /// Iterations spent.
-    pub iterations: u32,
-    /// The last correction relative to the increment.
-    pub correction: f64,
+pub enum Refusal {
+    /// The iteration gave up.
+    NotConverged {
+        /// Iterations spent.
+        iterations: u32,
+        /// The last correction relative to what it corrects.
+        correction: f64,
+    },
+    /// The equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or changed its
+    /// orientation on the way.
+    Singular,
 }
 
 /// Sees every point at which a step looks at the energy.

@@ -6,4 +6,4 @@ pub use crate::method::Method;
 pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::State;
-pub use crate::system::{Collocation, DiscreteGradientStep, Hamiltonian, QuadraticKinetic, Separable};
+pub use crate::system::{Collocation, DiscreteField, Hamiltonian, QuadraticKinetic, Separable};

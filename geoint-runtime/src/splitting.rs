@@ -5,7 +5,8 @@
 //! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
 //! T or V depends on time.
 
-use crate::method::{Claims, Clock, Method, NotConverged, Probe, Unwatched};
+use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
+use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::system::{QuadraticKinetic, Separable};
 use core::marker::PhantomData;
@@ -86,9 +87,9 @@ pub trait Order<S: Separable<R>, R: Real>: Copy {
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, h: R) -> Self::Inner;
     /// An outer flow.
-    fn outer(flow: &Self::Outer, t: R, q: &mut S::Array, p: &mut S::Array);
+    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, t: R, x: &mut Point<S::Array, C>);
     /// An inner flow.
-    fn inner(flow: &Self::Inner, t: R, q: &mut S::Array, p: &mut S::Array);
+    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, t: R, x: &mut Point<S::Array, C>);
 }
 
 impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
@@ -101,12 +102,12 @@ impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
         system.prepare_drift(h)
     }
     #[inline(always)]
-    fn outer(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array) {
-        S::kick(flow, t, q, p);
+    fn outer<C: Summation<S::Array>>(flow: &S::Kick, t: R, x: &mut Point<S::Array, C>) {
+        x.kick(|q, p| S::kick(flow, t, q, p));
     }
     #[inline(always)]
-    fn inner(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array) {
-        S::drift(flow, t, q, p);
+    fn inner<C: Summation<S::Array>>(flow: &S::Drift, t: R, x: &mut Point<S::Array, C>) {
+        x.drift(|q, p| S::drift(flow, t, q, p));
     }
 }
 
@@ -120,12 +121,12 @@ impl<S: Separable<R>, R: Real> Order<S, R> for DriftFirst {
         system.prepare_kick(h)
     }
     #[inline(always)]
-    fn outer(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array) {
-        S::drift(flow, t, q, p);
+    fn outer<C: Summation<S::Array>>(flow: &S::Drift, t: R, x: &mut Point<S::Array, C>) {
+        x.drift(|q, p| S::drift(flow, t, q, p));
     }
     #[inline(always)]
-    fn inner(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array) {
-        S::kick(flow, t, q, p);
+    fn inner<C: Summation<S::Array>>(flow: &S::Kick, t: R, x: &mut Point<S::Array, C>) {
+        x.kick(|q, p| S::kick(flow, t, q, p));
     }
 }
 
@@ -160,47 +161,47 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// inner₁, outer₂, inner₂, …, inner_K, last.
     #[inline(always)]
-    fn finish<P: Probe<S, R>>(&self, t: R, q: &mut S::Array, p: &mut S::Array, probe: &mut P) {
+    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C>, probe: &mut P) {
         for i in 0..K {
-            probe.visit(t + self.inner_at[i], q, p);
-            O::inner(&self.inner[i], t + self.inner_at[i], q, p);
+            probe.visit(t + self.inner_at[i], &x.q, &x.p);
+            O::inner(&self.inner[i], t + self.inner_at[i], x);
             let next = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
             if let Some(outer) = next {
-                probe.visit(t + self.outer_at[i], q, p);
-                O::outer(outer, t + self.outer_at[i], q, p);
+                probe.visit(t + self.outer_at[i], &x.q, &x.p);
+                O::outer(outer, t + self.outer_at[i], x);
             }
         }
     }
 
     #[inline(always)]
-    fn step<P: Probe<S, R>>(&self, t: R, q: &mut S::Array, p: &mut S::Array, probe: &mut P) {
-        probe.visit(t, q, p);
-        O::outer(&self.first, t, q, p);
-        self.finish(t, q, p, probe);
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C>, probe: &mut P) {
+        probe.visit(t, &x.q, &x.p);
+        O::outer(&self.first, t, x);
+        self.finish(t, x, probe);
     }
 
     #[inline(always)]
-    fn advance(&self, clock: &Clock<R>, steps: u64, q: &mut S::Array, p: &mut S::Array) {
+    fn advance<C: Summation<S::Array>>(&self, clock: &Clock<R>, steps: u64, point: &mut Point<S::Array, C>) {
         let Some(final_step) = steps.checked_sub(1) else { return };
-        // In locals of this loop, q and p stay in registers.
-        let (mut x, mut y) = (*q, *p);
-        O::outer(&self.first, clock.at(0), &mut x, &mut y);
+        // In a local of this loop, q and p stay in registers.
+        let mut x = *point;
+        O::outer(&self.first, clock.at(0), &mut x);
         for n in 0..final_step {
             let t = clock.at(n);
             for i in 0..K {
-                O::inner(&self.inner[i], t + self.inner_at[i], &mut x, &mut y);
-                O::outer(&self.outer[i], t + self.outer_at[i], &mut x, &mut y);
+                O::inner(&self.inner[i], t + self.inner_at[i], &mut x);
+                O::outer(&self.outer[i], t + self.outer_at[i], &mut x);
             }
         }
-        (*q, *p) = (x, y);
-        self.end(clock.at(final_step), q, p);
+        *point = x;
+        self.end(clock.at(final_step), point);
     }
 
     /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
     /// makes the loop over six bodies up to a fifth slower.
     #[inline(never)]
-    fn end(&self, t: R, q: &mut S::Array, p: &mut S::Array) {
-        self.finish(t, q, p, &mut Unwatched);
+    fn end<C: Summation<S::Array>>(&self, t: R, x: &mut Point<S::Array, C>) {
+        self.finish(t, x, &mut Unwatched);
     }
 }
 
@@ -216,26 +217,24 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     }
 
     #[inline(always)]
-    fn step<P: Probe<S, R>>(
-        prepared: &Self::Prepared,
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &mut Self::Prepared,
         t: R,
-        q: &mut S::Array,
-        p: &mut S::Array,
+        x: &mut Point<S::Array, C>,
         probe: &mut P,
-    ) -> Result<(), NotConverged> {
-        prepared.step(t, q, p, probe);
+    ) -> Result<(), Refusal> {
+        prepared.step(t, x, probe);
         Ok(())
     }
 
     #[inline(always)]
-    fn advance(
-        prepared: &Self::Prepared,
+    fn advance<C: Summation<S::Array>>(
+        prepared: &mut Self::Prepared,
         clock: &Clock<R>,
         steps: u64,
-        q: &mut S::Array,
-        p: &mut S::Array,
-    ) -> Result<(), NotConverged> {
-        prepared.advance(clock, steps, q, p);
+        x: &mut Point<S::Array, C>,
+    ) -> Result<(), Refusal> {
+        prepared.advance(clock, steps, x);
         Ok(())
     }
 }
@@ -259,24 +258,22 @@ macro_rules! delegate {
                 Method::prepare(&$table, system, h)
             }
             #[inline(always)]
-            fn step<P: Probe<S, R>>(
-                prepared: &Self::Prepared,
+            fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+                prepared: &mut Self::Prepared,
                 t: R,
-                q: &mut S::Array,
-                p: &mut S::Array,
+                x: &mut Point<S::Array, C>,
                 probe: &mut P,
-            ) -> Result<(), NotConverged> {
-                <$inner>::step(prepared, t, q, p, probe)
+            ) -> Result<(), Refusal> {
+                <$inner>::step(prepared, t, x, probe)
             }
             #[inline(always)]
-            fn advance(
-                prepared: &Self::Prepared,
+            fn advance<C: Summation<S::Array>>(
+                prepared: &mut Self::Prepared,
                 clock: &Clock<R>,
                 steps: u64,
-                q: &mut S::Array,
-                p: &mut S::Array,
-            ) -> Result<(), NotConverged> {
-                <$inner as Method<S, R>>::advance(prepared, clock, steps, q, p)
+                x: &mut Point<S::Array, C>,
+            ) -> Result<(), Refusal> {
+                <$inner as Method<S, R>>::advance(prepared, clock, steps, x)
             }
         }
     };

@@ -75,68 +75,57 @@ pub trait Separable<R: Real = f64>: Hamiltonian<R> {
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 
-/// x₁ = x₀ + h J ∇̄H(x₀, x₁) for the tree discrete gradient ∇̄H, written in the increment and reduced as far as H allows.
-pub trait DiscreteGradientStep<R: Real = f64>: Hamiltonian<R> {
-    /// The increment that is solved for: of p alone if T is quadratic (that of q is then a linear function of it), else
-    /// of q and p.
-    type Increment: Array<Real = R>;
-    /// What depends on parameters and h only.
-    type Prepared: Copy;
-    /// What depends on the start of the step.
-    type Start: Copy;
-
-    /// Coefficients for steps of length `h`.
-    fn prepare(&self, h: R) -> Self::Prepared;
-    /// Everything that Newton's iterations share, and an explicit guess of the increment.
-    fn start(prepared: &Self::Prepared, t: R, q: &Self::Array, p: &Self::Array) -> (Self::Start, Self::Increment);
-    /// What the increment is added to.
-    fn origin(q: &Self::Array, p: &Self::Array) -> Self::Increment;
-    /// The equation's left side minus its right side, and the derivative of that.
-    fn residual(
-        prepared: &Self::Prepared,
-        start: &Self::Start,
-        increment: &Self::Increment,
-        residual: &mut Self::Increment,
-        jacobian: &mut Square<Self::Increment>,
-    );
-    /// The end of the step.
-    fn finish(
-        prepared: &Self::Prepared,
-        start: &Self::Start,
-        increment: &Self::Increment,
-        q: &mut Self::Array,
-        p: &mut Self::Array,
-    );
-}
-
-/// The differential equation in the form that collocation solves: y' = f(y, t) for y = (q, p); or, if T is quadratic,
-/// q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
+/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
+/// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     /// y: an array of (q, p), or q alone. f has the same shape.
     type Unknown: Array<Real = R>;
     /// What depends on parameters only.
-    type Prepared: Copy;
+    type Constants: Copy + core::fmt::Debug;
     /// The order of the differential equation, 1 or 2.
     const DERIVATIVE: usize;
 
-    /// Coefficients.
-    fn prepare(&self) -> Self::Prepared;
-    /// y at a point; q' if the equation is of second order, else zero; and what f changes: y, or p.
-    fn start(
-        prepared: &Self::Prepared,
-        q: &Self::Array,
-        p: &Self::Array,
-    ) -> (Self::Unknown, Self::Unknown, Self::Unknown);
-    /// f, and its derivative ∂f/∂y (times M⁻¹ if the equation is of second order).
+    /// What depends on parameters only.
+    fn constants(&self) -> Self::Constants;
+    /// y, and what f changes: y, or p.
+    fn start(q: &Self::Array, p: &Self::Array) -> (Self::Unknown, Self::Unknown);
+    /// What y' is apart from f: nothing, or q' = ∂T/∂p.
+    fn velocity(constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
+    /// f and ∂f/∂y.
     fn field(
-        prepared: &Self::Prepared,
+        constants: &Self::Constants,
         t: R,
         y: &Self::Unknown,
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
     /// y ← y + w·f, or y + w·M⁻¹f.
-    fn add(prepared: &Self::Prepared, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
-    /// (q, p) ← y; or q ← y, p ← p + impulse.
-    fn finish(y: &Self::Unknown, impulse: &Self::Unknown, q: &mut Self::Array, p: &mut Self::Array);
+    fn add(constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
+    /// The increments of (q, p): that of y; or that of q = y, and the impulse.
+    fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> [Self::Array; 2];
+}
+
+/// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
+///
+/// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
+pub trait DiscreteField<R: Real = f64>: Collocation<R> {
+    /// What depends on parameters only.
+    type Parameters: Copy + core::fmt::Debug;
+    /// What depends on y and t.
+    type Start: Copy + core::fmt::Debug;
+    /// Whether H is a polynomial of degree 2 that does not depend on time: f̄ is affine in d.
+    const LINEAR: bool;
+
+    /// What depends on parameters only.
+    fn parameters(&self) -> Self::Parameters;
+    /// What all evaluations from `y` have in common.
+    fn begin(parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
+    /// f̄ and ∂f̄/∂d.
+    fn slope(
+        parameters: &Self::Parameters,
+        start: &Self::Start,
+        d: &Self::Unknown,
+        f: &mut Self::Unknown,
+        jacobian: &mut Square<Self::Unknown>,
+    );
 }

@@ -5,7 +5,7 @@
 //! through the kernel of first derivatives.
 
 use geoint_runtime::array::Array;
-use geoint_runtime::system::{Collocation, DiscreteGradientStep};
+use geoint_runtime::system::{Collocation, DiscreteField};
 use geoint_runtime::{Hamiltonian, Real};
 use geoint_tests::for_each_problem;
 use geoint_tests::measure::Noise;
@@ -79,10 +79,11 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
     p: &[f64],
 ) {
     let n = q.len();
-    let prepared = Collocation::prepare(plain);
-    let (y, velocity, _) = S::start(&prepared, &array(q), &array(p));
+    let constants = plain.constants();
+    let (y, changed) = S::start(&array(q), &array(p));
+    let velocity = S::velocity(&constants, &changed);
     let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-    S::field(&prepared, t, &y, &mut f, &mut jacobian);
+    S::field(&constants, t, &y, &mut f, &mut jacobian);
 
     // The field is (∂H/∂p, −∂H/∂q), or the force alone and then q' is known.
     let slopes = gradient(plain, t, q, p);
@@ -93,21 +94,21 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
         assert_near("the field", *f, *expected, 1e-13);
     }
 
-    let prepared = Collocation::prepare(dual);
+    let constants = dual.constants();
     let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian);
     for column in 0..S::Unknown::LEN {
-        // Along the unit vector, or M⁻¹ times that.
-        let (mut unit, mut along): (D::Unknown, D::Unknown) =
-            (D::Unknown::zero(), array(&seeded(y.as_slice(), usize::MAX)));
-        unit.as_mut_slice()[column] = 1.0.into();
-        D::add(&prepared, Dual::variable(0.0), &unit, &mut along);
+        let along: D::Unknown = array(&seeded(y.as_slice(), column));
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
-        D::field(&prepared, t.into(), &along, &mut f, &mut unused);
+        D::field(&constants, t.into(), &along, &mut f, &mut unused);
         for (row, f) in rows.iter().zip(f.as_slice()) {
             assert_near("the Jacobian of the field", row.as_slice()[column], f.derivative(), 1e-12);
         }
         if S::DERIVATIVE == 2 {
             assert_near("q'", velocity.as_slice()[column], slopes[n + column], 1e-14);
+            let mut along: D::Unknown = array(&seeded(y.as_slice(), usize::MAX));
+            let mut unit = D::Unknown::zero();
+            unit.as_mut_slice()[column] = 1.0.into();
+            D::add(&constants, Dual::variable(0.0), &unit, &mut along);
             let x = seeded(&[q, p].concat(), n + column);
             let rates = gradient(dual, t, &x[..n], &x[n..]);
             for (along, rate) in along.as_slice().iter().zip(&rates[n..]) {
@@ -117,35 +118,30 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
     }
 }
 
-/// The Jacobian of the equation of a discrete gradient.
-fn check_equation<S, D>(plain: &S, dual: &D, t: f64, q: &[f64], p: &[f64], noise: &mut Noise)
+/// The Jacobian of the field with divided differences.
+fn check_discrete_field<S, D>(plain: &S, dual: &D, t: f64, q: &[f64], p: &[f64], noise: &mut Noise)
 where
-    S: DiscreteGradientStep<f64>,
-    D: DiscreteGradientStep<Dual>,
+    S: DiscreteField<f64>,
+    D: DiscreteField<Dual>,
 {
-    let h = 0.07;
-    let prepared = plain.prepare(h);
-    let (start, _) = S::start(&prepared, t, &array(q), &array(p));
+    let y = &[q, p].concat()[..S::Unknown::LEN];
+    let parameters = plain.parameters();
+    let start = S::begin(&parameters, t, &array(y));
     let at = |size: f64, noise: &mut Noise| {
-        let increment: Vec<f64> = noise.take(S::Increment::LEN).map(|x| size * x).collect();
-        let (mut residual, mut jacobian) = (S::Increment::zero(), S::Increment::fill(S::Increment::zero()));
-        S::residual(&prepared, &start, &array(&increment), &mut residual, &mut jacobian);
-        let rows: Vec<f64> = S::Increment::entries::<S::Increment>(&mut jacobian)
-            .iter()
-            .flat_map(|row| row.as_slice().to_vec())
-            .collect();
-        (increment, rows)
+        let increment: Vec<f64> = noise.take(y.len()).map(|x| size * x).collect();
+        let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+        S::slope(&parameters, &start, &array(&increment), &mut f, &mut jacobian);
+        let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian).iter();
+        (increment, rows.flat_map(|row| row.as_slice().to_vec()).collect::<Vec<f64>>())
     };
     let (increment, rows) = at(0.1, noise);
-    let constant = |x: &[f64]| x.iter().map(|x| Dual::from(*x)).collect::<Vec<_>>();
-    let prepared = dual.prepare(h.into());
-    let (start, _) = D::start(&prepared, t.into(), &array(&constant(q)), &array(&constant(p)));
-    let n = increment.len();
-    for column in 0..n {
-        let (mut residual, mut unused) = (D::Increment::zero(), D::Increment::fill(D::Increment::zero()));
-        D::residual(&prepared, &start, &array(&seeded(&increment, column)), &mut residual, &mut unused);
-        for (row, residual) in residual.as_slice().iter().enumerate() {
-            assert_near("the Jacobian of the equation", rows[row * n + column], residual.derivative(), 1e-12);
+    let parameters = dual.parameters();
+    let start = D::begin(&parameters, t.into(), &array(&seeded(y, usize::MAX)));
+    for column in 0..y.len() {
+        let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
+        D::slope(&parameters, &start, &array(&seeded(&increment, column)), &mut f, &mut unused);
+        for (row, f) in f.as_slice().iter().enumerate() {
+            assert_near("the Jacobian between two points", rows[row * y.len() + column], f.derivative(), 1e-12);
         }
     }
     // Where both ends meet there is no 0/0 and no jump.
@@ -176,11 +172,11 @@ fn check<P: Problem>() {
 
 fn check_discrete_gradient<P: Problem>()
 where
-    P::Over<f64>: DiscreteGradientStep<f64>,
-    P::Over<Dual>: DiscreteGradientStep<Dual>,
+    P::Over<f64>: DiscreteField<f64>,
+    P::Over<Dual>: DiscreteField<Dual>,
 {
     let (plain, dual) = (P::system::<f64>(), P::system::<Dual>());
-    points::<P>(|t, q, p, noise| check_equation(&plain, &dual, t, q, p, noise));
+    points::<P>(|t, q, p, noise| check_discrete_field(&plain, &dual, t, q, p, noise));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The list of all methods. Whatever is claimed of methods is tested by walking it.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, DiscreteGradientStep};
+use geoint_runtime::system::{Collocation, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
@@ -36,7 +36,7 @@ where
 /// Methods for every H whose divided differences are known.
 pub fn discrete_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: DiscreteGradientStep<R>,
+    S: DiscreteField<R>,
 {
     visit!(visitor: DiscreteGradient);
     compositions!(visitor: DiscreteGradient);

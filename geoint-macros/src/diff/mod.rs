@@ -1,6 +1,6 @@
-//! Derivations on the graph: gradient, Hessian, divided differences, and the equations of implicit steps.
+//! Derivations on the graph: gradient, Hessian, divided differences, and the field of implicit methods.
 
-pub(crate) mod equation;
+pub(crate) mod field;
 mod forward;
 mod rules;
 mod slope;
@@ -8,6 +8,7 @@ mod sweep;
 
 use crate::analyze::Structure;
 use crate::ir::{Graph, Id, Symbol};
+pub(crate) use field::{Field, SecondOrder};
 pub(crate) use slope::MissingSlope;
 
 /// The partial derivatives of a node with respect to positions and momenta.
@@ -41,14 +42,16 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
 /// Everything that is derived from an energy.
 pub(crate) struct Derivatives {
     pub(crate) gradient: Gradient,
-    pub(crate) tree: Result<equation::Equation, MissingSlope>,
-    pub(crate) field: equation::Field,
+    pub(crate) field: Field,
+    pub(crate) discrete: Result<Field, MissingSlope>,
+    pub(crate) second_order: Option<SecondOrder>,
 }
 
 /// Derives everything that some method needs.
 pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32) -> Derivatives {
     let gradient = gradient(graph, structure.energy, degrees);
-    let tree = equation::tree(graph, &gradient, structure, degrees);
-    let field = equation::field(graph, &gradient, structure, degrees);
-    Derivatives { gradient, tree, field }
+    let field = field::field(graph, &gradient, structure, degrees);
+    let discrete = field::discrete(graph, structure, degrees);
+    let second_order = field::second_order(graph, &gradient, structure, degrees);
+    Derivatives { gradient, field, discrete, second_order }
 }

@@ -98,9 +98,8 @@ impl Context<'_> {
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
             Symbol::Parameter(i) => self.parameter(i),
-            // Increments that are not unknowns follow from those.
-            Symbol::Dq(i) => format_ident!("dq{i}").into_token_stream(),
-            Symbol::Dp(i) => format_ident!("dp{i}").into_token_stream(),
+            // Increments are unknowns wherever they are read.
+            Symbol::Dq(_) | Symbol::Dp(_) => TokenStream::new(),
         }
     }
 

@@ -27,14 +27,19 @@ pub(crate) fn items(
 ) -> TokenStream {
     let bounds = system::bounds(graph, structure.energy);
     let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
-    let (discrete, discrete_cost) = match &derivatives.tree {
-        Ok(equation) => {
-            let (tokens, cost) = implicit::discrete_gradient(context, graph, equation, &bounds);
+    let field = &derivatives.field;
+    let (collocation, field_cost) =
+        implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
+    let (discrete, discrete_cost) = match &derivatives.discrete {
+        Ok(discrete) => {
+            let linear = structure.autonomous && structure.degree.is_some_and(|degree| degree <= 2);
+            let (tokens, cost) = implicit::discrete_field(context, graph, (discrete, &field.unknowns), linear, &bounds);
             (tokens, Some(cost))
         }
-        Err(missing) => (implicit::missing_discrete_gradient(context, graph, *missing, &bounds), None),
+        Err(missing) => {
+            (implicit::missing_discrete_field(context, graph, *missing, field.unknowns.len(), &bounds), None)
+        }
     };
-    let (collocation, field_cost) = implicit::collocation(context, graph, &derivatives.field, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, &derivatives.gradient, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
@@ -53,7 +58,7 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable,
+                Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable,
                 Square, State, slope,
             };
 

@@ -125,14 +125,14 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- the force on {}: it is zero", listed(&p, &structure.cyclic))?;
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
-    match (&structure.split, &derivatives.tree) {
+    match (&structure.split, &derivatives.discrete) {
         (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
         }
         _ => {}
     }
-    if let Err(missing) = &derivatives.tree {
+    if let Err(missing) = &derivatives.discrete {
         writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
     }
     Ok(())

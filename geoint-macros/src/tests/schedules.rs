@@ -98,16 +98,16 @@ fn statements_mean_what_the_graph_means() {
         let (_, mut lowered) = lowered(item);
         let graph = &mut lowered.graph;
         let structure = crate::analyze::structure(graph, lowered.energy, 2);
+        let field = diff::field::discrete(graph, &structure, 2).expect("slopes");
         let gradient = diff::gradient(graph, lowered.energy, 2);
-        let equation = diff::equation::tree(graph, &gradient, &structure, 2).expect("slopes");
-        let iteration: Vec<Id> = equation.residual.iter().chain(equation.jacobian.iter().flatten()).copied().collect();
+        let iteration: Vec<Id> = field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect();
         let before = graph.clone();
-        let plan = schedule::plan(graph, level, &[&[], &equation.guess], &[&iteration]);
+        let plan = schedule::plan(graph, level, &[&[], &gradient.q], &[&iteration]);
 
         let mut noise = Noise(3);
         for _ in 0..50 {
             let mut values: HashMap<Symbol, f64> = HashMap::default();
-            let symbols = before.reachable(&[&iteration[..], &equation.guess].concat());
+            let symbols = before.reachable(&[&iteration[..], &gradient.q].concat());
             for id in symbols {
                 if let crate::ir::Node::Symbol(symbol) = before.node(id) {
                     values.insert(*symbol, noise.between(0.5, 1.5));
@@ -115,7 +115,7 @@ fn statements_mean_what_the_graph_means() {
             }
             let input = |symbol: Symbol| values[&symbol];
             let mut slots: Vec<Vec<f64>> = vec![];
-            for (store, own) in plan.stores.iter().zip([0, equation.guess.len()]) {
+            for (store, own) in plan.stores.iter().zip([0, gradient.q.len()]) {
                 let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store);
                 slots.push(results[own..].to_vec());
             }

@@ -54,7 +54,7 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
         QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
@@ -215,60 +215,47 @@ const _: () = {
         label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
     )]
     pub trait DividedDifferencesOfSpring {}
-    impl<
-        R: Real + ::core::cmp::PartialOrd + DividedDifferencesOfSpring,
-    > DiscreteGradientStep<R> for Spring {
-        type Increment = [R; 1];
-        type Prepared = ::core::convert::Infallible;
+    impl<R: Real + ::core::cmp::PartialOrd + DividedDifferencesOfSpring> DiscreteField<R>
+    for Spring {
+        type Parameters = ::core::convert::Infallible;
         type Start = ::core::convert::Infallible;
-        fn prepare(&self, _: R) -> ::core::convert::Infallible {
+        const LINEAR: bool = false;
+        fn parameters(&self) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }
-        fn start(
+        fn begin(
             never: &::core::convert::Infallible,
             _: R,
-            _: &[R; 1],
-            _: &[R; 1],
-        ) -> (::core::convert::Infallible, [R; 1]) {
+            _: &[[R; 1]; 2],
+        ) -> ::core::convert::Infallible {
             match *never {}
         }
-        fn origin(q: &[R; 1], _: &[R; 1]) -> [R; 1] {
-            *q
-        }
-        fn residual(
+        fn slope(
             never: &::core::convert::Infallible,
             _: &::core::convert::Infallible,
-            _: &[R; 1],
-            _: &mut [R; 1],
-            _: &mut Square<[R; 1]>,
-        ) {
-            match *never {}
-        }
-        fn finish(
-            never: &::core::convert::Infallible,
-            _: &::core::convert::Infallible,
-            _: &[R; 1],
-            _: &mut [R; 1],
-            _: &mut [R; 1],
+            _: &[[R; 1]; 2],
+            _: &mut [[R; 1]; 2],
+            _: &mut Square<[[R; 1]; 2]>,
         ) {
             match *never {}
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Collocation<R> for Spring {
         type Unknown = [[R; 1]; 2];
-        type Prepared = [R; 0];
+        type Constants = [R; 0];
         const DERIVATIVE: usize = 1;
         #[inline]
-        fn prepare(&self) -> [R; 0] {
+        fn constants(&self) -> [R; 0] {
             []
         }
         #[inline(always)]
-        fn start(
-            prepared: &[R; 0],
-            q: &[R; 1],
-            p: &[R; 1],
-        ) -> ([[R; 1]; 2], [[R; 1]; 2], [[R; 1]; 2]) {
-            ([*q, *p], <[[R; 1]; 2] as Array>::zero(), [*q, *p])
+        fn start(q: &[R; 1], p: &[R; 1]) -> ([[R; 1]; 2], [[R; 1]; 2]) {
+            ([*q, *p], [*q, *p])
+        }
+        #[inline(always)]
+        fn velocity(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+            let mut velocity = <[[R; 1]; 2] as Array>::zero();
+            velocity
         }
         #[inline(always)]
         fn field(
@@ -321,13 +308,8 @@ const _: () = {
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);
         }
         #[inline(always)]
-        fn finish(
-            y: &[[R; 1]; 2],
-            impulse: &[[R; 1]; 2],
-            q: &mut [R; 1],
-            p: &mut [R; 1],
-        ) {
-            [*q, *p] = *y;
+        fn increments(change: &[[R; 1]; 2], impulse: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+            *change
         }
     }
 };

@@ -22,7 +22,7 @@ Conserved by the flow
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 7
 - stage of a Newton iteration of collocation: sums and products 15
-- Newton iteration of the discrete gradient: sums and products 29
+- Newton iteration of the discrete gradient: sums and products 23
 
 Skipped
 - the clock: H does not depend on time
@@ -51,7 +51,7 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
         QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
@@ -60,7 +60,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 29\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 23\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -152,175 +152,112 @@ const _: () = {
         }
     }
     impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
-    impl<R: Real> DiscreteGradientStep<R> for Coupled {
-        type Increment = [[R; 2]; 2];
-        type Prepared = [R; 8];
+    impl<R: Real> DiscreteField<R> for Coupled {
+        type Parameters = [R; 0];
         type Start = [R; 8];
+        const LINEAR: bool = false;
         #[inline]
-        fn prepare(&self, h: R) -> [R; 8] {
-            let k0 = R::from_f64(0.5);
-            let k1 = R::from_f64(-0.5);
-            let k2 = R::from_f64(1.0);
-            let k3 = R::from_f64(2.0);
-            let v0 = k0 * h;
-            let v1 = -v0;
-            let v2 = -h;
-            let v3 = k1.multiply_add(h, k2);
-            let v4 = k0.multiply_add(h, k2);
-            let v5 = k3 * h;
-            let v6 = -v5;
-            [v1, v2, v0, h, v3, v4, v5, v6]
+        fn parameters(&self) -> [R; 0] {
+            []
         }
         #[inline(always)]
-        fn start(
-            prepared: &[R; 8],
-            t: R,
-            q: &[R; 2],
-            p: &[R; 2],
-        ) -> ([R; 8], [[R; 2]; 2]) {
-            let p0 = p[0];
-            let prepared_1 = prepared[1];
-            let q0 = q[0];
-            let k3 = R::from_f64(1.0);
-            let prepared_3 = prepared[3];
-            let prepared_6 = prepared[6];
-            let prepared_2 = prepared[2];
-            let q1 = q[1];
-            let prepared_7 = prepared[7];
-            let prepared_0 = prepared[0];
-            let p1 = p[1];
-            let k11 = R::from_f64(2.0);
-            let v0 = p0 * p0;
-            let v1 = prepared_1 * q0;
-            let v2 = v1.multiply_add(v0, p0);
-            let v3 = q0 * q0;
-            let v4 = k3 + v3;
-            let v5 = prepared_3 * p0;
-            let v6 = v5.multiply_add(v4, q0);
-            let v7 = v6 * v6;
-            let v8 = k3 + v7;
-            let v9 = prepared_6 * v2;
-            let v10 = v9 * v8;
-            let v11 = prepared_2.multiply_add(q1, q1);
-            let v12 = prepared_3 * v11;
-            let v13 = v2 * v2;
-            let v14 = prepared_7 * v6;
-            let v15 = v14 * v13;
-            let v16 = prepared_0.multiply_add(p1, p1);
-            let v17 = prepared_1 * v16;
-            let v18 = k11 * p0;
-            let v19 = k11 * q0;
-            let mut guess = <[[R; 2]; 2] as Array>::zero();
-            guess[0][0] = v10;
-            guess[0][1] = v12;
-            guess[1][0] = v15;
-            guess[1][1] = v17;
-            ([v4, q0, v18, q1, v0, p0, v19, p1], guess)
+        fn begin(prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
+            let q0 = y[0][0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(2.0);
+            let p0 = y[1][0];
+            let q1 = y[0][1];
+            let p1 = y[1][1];
+            let v0 = q0 * q0;
+            let v1 = k1 + v0;
+            let v2 = k2 * p0;
+            let v3 = p0 * p0;
+            let v4 = k2 * q0;
+            [v1, q0, v2, q1, v3, p0, v4, p1]
         }
         #[inline(always)]
-        fn origin(q: &[R; 2], p: &[R; 2]) -> [[R; 2]; 2] {
-            [*q, *p]
-        }
-        #[inline(always)]
-        fn residual(
-            prepared: &[R; 8],
+        fn slope(
+            prepared: &[R; 0],
             start: &[R; 8],
-            increment: &[[R; 2]; 2],
-            residual: &mut [[R; 2]; 2],
+            d: &[[R; 2]; 2],
+            f: &mut [[R; 2]; 2],
             jacobian: &mut Square<[[R; 2]; 2]>,
         ) {
             let start_1 = start[1];
-            let dq0 = increment[0][0];
+            let dq0 = d[0][0];
             let k2 = R::from_f64(1.0);
             let start_0 = start[0];
             let start_2 = start[2];
-            let dp0 = increment[1][0];
-            let prepared_0 = prepared[0];
-            let k7 = R::from_f64(0.5);
-            let dq1 = increment[0][1];
+            let dp0 = d[1][0];
+            let k6 = R::from_f64(0.5);
+            let dq1 = d[0][1];
             let start_3 = start[3];
-            let prepared_1 = prepared[1];
             let start_5 = start[5];
             let start_4 = start[4];
             let start_6 = start[6];
-            let prepared_2 = prepared[2];
-            let dp1 = increment[1][1];
+            let dp1 = d[1][1];
             let start_7 = start[7];
-            let prepared_3 = prepared[3];
-            let k18 = R::from_f64(0.0);
-            let prepared_4 = prepared[4];
-            let prepared_5 = prepared[5];
+            let k14 = R::from_f64(0.0);
+            let k15 = R::from_f64(-0.5);
             let v0 = start_1 + dq0;
             let v1 = v0 * v0;
             let v2 = k2 + v1;
             let v3 = start_0 + v2;
             let v4 = start_2 + dp0;
-            let v5 = prepared_0 * v3;
-            let v6 = v5.multiply_add(v4, dq0);
-            let v7 = k7.multiply_add(dq1, start_3);
-            let v8 = prepared_1.multiply_add(v7, dq1);
-            let v9 = start_5 + dp0;
-            let v10 = v9 * v9;
-            let v11 = start_4 + v10;
-            let v12 = start_6 + dq0;
-            let v13 = prepared_2 * v11;
-            let v14 = v13.multiply_add(v12, dp0);
-            let v15 = k7.multiply_add(dp1, start_7);
-            let v16 = prepared_3.multiply_add(v15, dp1);
-            let v17 = prepared_1 * v0;
-            let v18 = v17.multiply_add(v4, k2);
-            let v19 = prepared_3 * v9;
-            let v20 = v19.multiply_add(v12, k2);
-            residual[0][0] = v6;
-            residual[0][1] = v8;
-            residual[1][0] = v14;
-            residual[1][1] = v16;
-            jacobian[0][0][0][0] = v18;
-            jacobian[0][0][0][1] = k18;
+            let v5 = k6 * v3;
+            let v6 = v5 * v4;
+            let v7 = k6.multiply_add(dq1, start_3);
+            let v8 = start_5 + dp0;
+            let v9 = v8 * v8;
+            let v10 = start_4 + v9;
+            let v11 = start_6 + dq0;
+            let v12 = k6 * v10;
+            let v13 = v12 * v11;
+            let v14 = -v13;
+            let v15 = k6.multiply_add(dp1, start_7);
+            let v16 = -v15;
+            let v17 = v0 * v4;
+            let v18 = -v12;
+            let v19 = v8 * v11;
+            let v20 = -v19;
+            f[0][0] = v6;
+            f[0][1] = v7;
+            f[1][0] = v14;
+            f[1][1] = v16;
+            jacobian[0][0][0][0] = v17;
+            jacobian[0][0][0][1] = k14;
             jacobian[0][0][1][0] = v5;
-            jacobian[0][0][1][1] = k18;
-            jacobian[0][1][0][0] = k18;
-            jacobian[0][1][0][1] = prepared_4;
-            jacobian[0][1][1][0] = k18;
-            jacobian[0][1][1][1] = k18;
-            jacobian[1][0][0][0] = v13;
-            jacobian[1][0][0][1] = k18;
+            jacobian[0][0][1][1] = k14;
+            jacobian[0][1][0][0] = k14;
+            jacobian[0][1][0][1] = k6;
+            jacobian[0][1][1][0] = k14;
+            jacobian[0][1][1][1] = k14;
+            jacobian[1][0][0][0] = v18;
+            jacobian[1][0][0][1] = k14;
             jacobian[1][0][1][0] = v20;
-            jacobian[1][0][1][1] = k18;
-            jacobian[1][1][0][0] = k18;
-            jacobian[1][1][0][1] = k18;
-            jacobian[1][1][1][0] = k18;
-            jacobian[1][1][1][1] = prepared_5;
-        }
-        #[inline(always)]
-        fn finish(
-            prepared: &[R; 8],
-            start: &[R; 8],
-            increment: &[[R; 2]; 2],
-            q: &mut [R; 2],
-            p: &mut [R; 2],
-        ) {
-            q[0] += increment[0][0];
-            p[0] += increment[1][0];
-            q[1] += increment[0][1];
-            p[1] += increment[1][1];
+            jacobian[1][0][1][1] = k14;
+            jacobian[1][1][0][0] = k14;
+            jacobian[1][1][0][1] = k14;
+            jacobian[1][1][1][0] = k14;
+            jacobian[1][1][1][1] = k15;
         }
     }
     impl<R: Real> Collocation<R> for Coupled {
         type Unknown = [[R; 2]; 2];
-        type Prepared = [R; 0];
+        type Constants = [R; 0];
         const DERIVATIVE: usize = 1;
         #[inline]
-        fn prepare(&self) -> [R; 0] {
+        fn constants(&self) -> [R; 0] {
             []
         }
         #[inline(always)]
-        fn start(
-            prepared: &[R; 0],
-            q: &[R; 2],
-            p: &[R; 2],
-        ) -> ([[R; 2]; 2], [[R; 2]; 2], [[R; 2]; 2]) {
-            ([*q, *p], <[[R; 2]; 2] as Array>::zero(), [*q, *p])
+        fn start(q: &[R; 2], p: &[R; 2]) -> ([[R; 2]; 2], [[R; 2]; 2]) {
+            ([*q, *p], [*q, *p])
+        }
+        #[inline(always)]
+        fn velocity(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+            let mut velocity = <[[R; 2]; 2] as Array>::zero();
+            velocity
         }
         #[inline(always)]
         fn field(
@@ -383,13 +320,8 @@ const _: () = {
             y[1][1] = w.multiply_add(f[1][1], y[1][1]);
         }
         #[inline(always)]
-        fn finish(
-            y: &[[R; 2]; 2],
-            impulse: &[[R; 2]; 2],
-            q: &mut [R; 2],
-            p: &mut [R; 2],
-        ) {
-            [*q, *p] = *y;
+        fn increments(change: &[[R; 2]; 2], impulse: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+            *change
         }
     }
 };

@@ -27,7 +27,7 @@ Operations (a sine with its cosine counts as two)
 - kick: sums and products 2, functions 1
 - drift: sums and products 2
 - stage of a Newton iteration of collocation: sums and products 2, functions 2
-- Newton iteration of the discrete gradient: sums and products 15, functions 4
+- Newton iteration of the discrete gradient: sums and products 11, functions 4
 
 Skipped
 - Newton's iteration in explicit methods: T and V have exact flows
@@ -64,7 +64,7 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteGradientStep, Hamiltonian, Integrator, Method,
+        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
         QuadraticKinetic, Real, Separable, Square, State, slope,
     };
     const _: fn() = || {
@@ -73,7 +73,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 15, functions 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -195,112 +195,59 @@ const _: () = {
         }
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
-    impl<R: Real> DiscreteGradientStep<R> for Pendulum<R> {
-        type Increment = [R; 1];
-        type Prepared = [R; 4];
-        type Start = [R; 2];
+    impl<R: Real> DiscreteField<R> for Pendulum<R> {
+        type Parameters = [R; 1];
+        type Start = [R; 1];
+        const LINEAR: bool = false;
         #[inline]
-        fn prepare(&self, h: R) -> [R; 4] {
-            let a2 = self.g;
-            let a0 = self.m;
+        fn parameters(&self) -> [R; 1] {
             let a1 = self.l;
-            let k3 = R::from_f64(1.0);
-            let k4 = R::from_f64(0.5);
-            let v0 = a2 * a0;
-            let v1 = v0 * a1;
-            let v2 = h * v1;
-            let v3 = h * h;
-            let v4 = a1 * a1;
-            let v5 = a0 * v4;
-            let v6 = k3 / v5;
-            let v7 = k4 * v3;
-            let v8 = v7 * v6;
-            let v9 = v8 * v1;
-            let v10 = k4 * v6;
-            let v11 = v10 * h;
-            let v12 = v1 * h;
-            let v13 = -v12;
-            [v2, v9, v11, v13]
+            let a0 = self.m;
+            let a2 = self.g;
+            let v0 = a1 * a0;
+            let v1 = v0 * a2;
+            let v2 = -v1;
+            [v2]
         }
         #[inline(always)]
-        fn start(prepared: &[R; 4], t: R, q: &[R; 1], p: &[R; 1]) -> ([R; 2], [R; 1]) {
-            let prepared_2 = prepared[2];
-            let p0 = p[0];
-            let q0 = q[0];
-            let prepared_3 = prepared[3];
-            let k4 = R::from_f64(2.0);
-            let v0 = prepared_2.multiply_add(p0, q0);
-            let v1 = v0.sin();
-            let v2 = prepared_3 * v1;
-            let v3 = k4 * p0;
-            let mut guess = <[R; 1] as Array>::zero();
-            guess[0] = v2;
-            ([q0, v3], guess)
+        fn begin(prepared: &[R; 1], t: R, y: &[R; 1]) -> [R; 1] {
+            let q0 = y[0];
+            [q0]
         }
         #[inline(always)]
-        fn origin(q: &[R; 1], p: &[R; 1]) -> [R; 1] {
-            *p
-        }
-        #[inline(always)]
-        fn residual(
-            prepared: &[R; 4],
-            start: &[R; 2],
-            increment: &[R; 1],
-            residual: &mut [R; 1],
+        fn slope(
+            prepared: &[R; 1],
+            start: &[R; 1],
+            d: &[R; 1],
+            f: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let start_1 = start[1];
-            let dp0 = increment[0];
-            let prepared_2 = prepared[2];
-            let v0 = start_1 + dp0;
-            let v1 = prepared_2 * v0;
-            let dq0 = v1;
             let k0 = R::from_f64(0.5);
-            let dq0 = dq0;
+            let dq0 = d[0];
             let start_0 = start[0];
             let prepared_0 = prepared[0];
-            let dp0 = increment[0];
-            let prepared_1 = prepared[1];
-            let k6 = R::from_f64(1.0);
             let v0 = k0 * dq0;
             let v1 = slope::sinc(v0);
             let v2 = k0.multiply_add(dq0, start_0);
             let (v3, v4) = v2.sin_cos();
             let v5 = prepared_0 * v1;
-            let v6 = v5.multiply_add(v3, dp0);
+            let v6 = v5 * v3;
             let v7 = slope::sinc_derivative(v0);
             let v8 = k0 * v3;
             let v9 = k0 * v1;
             let v10 = v8 * v7;
             let v11 = v9.multiply_add(v4, v10);
-            let v12 = prepared_1.multiply_add(v11, k6);
-            residual[0] = v6;
+            let v12 = prepared_0 * v11;
+            f[0] = v6;
             jacobian[0][0] = v12;
-        }
-        #[inline(always)]
-        fn finish(
-            prepared: &[R; 4],
-            start: &[R; 2],
-            increment: &[R; 1],
-            q: &mut [R; 1],
-            p: &mut [R; 1],
-        ) {
-            let start_1 = start[1];
-            let dp0 = increment[0];
-            let prepared_2 = prepared[2];
-            let v0 = start_1 + dp0;
-            let v1 = prepared_2 * v0;
-            let dq0 = v1;
-            q[0] += dq0;
-            p[0] += increment[0];
         }
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {
         type Unknown = [R; 1];
-        type Prepared = [R; 3];
+        type Constants = [R; 2];
         const DERIVATIVE: usize = 2;
         #[inline]
-        fn prepare(&self) -> [R; 3] {
+        fn constants(&self) -> [R; 2] {
             let a1 = self.l;
             let a0 = self.m;
             let a2 = self.g;
@@ -311,22 +258,24 @@ const _: () = {
             let v3 = a1 * a1;
             let v4 = a0 * v3;
             let v5 = k3 / v4;
-            let v6 = v5 * v1;
-            let v7 = -v6;
-            [v2, v7, v5]
+            [v2, v5]
         }
         #[inline(always)]
-        fn start(prepared: &[R; 3], q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1], [R; 1]) {
+        fn start(q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1]) {
+            (*q, *p)
+        }
+        #[inline(always)]
+        fn velocity(prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
             let mut velocity = <[R; 1] as Array>::zero();
-            let prepared_2 = prepared[2];
+            let prepared_1 = prepared[1];
             let p0 = p[0];
-            let v0 = prepared_2 * p0;
+            let v0 = prepared_1 * p0;
             velocity[0] = v0;
-            (*q, velocity, *p)
+            velocity
         }
         #[inline(always)]
         fn field(
-            prepared: &[R; 3],
+            prepared: &[R; 2],
             t: R,
             y: &[R; 1],
             f: &mut [R; 1],
@@ -334,24 +283,22 @@ const _: () = {
         ) {
             let q0 = y[0];
             let prepared_0 = prepared[0];
-            let prepared_1 = prepared[1];
             let (v0, v1) = q0.sin_cos();
             let v2 = prepared_0 * v0;
-            let v3 = prepared_1 * v1;
+            let v3 = prepared_0 * v1;
             f[0] = v2;
             jacobian[0][0] = v3;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 3], w: R, f: &[R; 1], y: &mut [R; 1]) {
-            let prepared_2 = prepared[2];
+        fn add(prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
+            let prepared_1 = prepared[1];
             let p0 = f[0];
-            let v0 = prepared_2 * p0;
+            let v0 = prepared_1 * p0;
             y[0] = w.multiply_add(v0, y[0]);
         }
         #[inline(always)]
-        fn finish(y: &[R; 1], impulse: &[R; 1], q: &mut [R; 1], p: &mut [R; 1]) {
-            *q = *y;
-            p[0] += impulse[0];
+        fn increments(change: &[R; 1], impulse: &[R; 1]) -> [[R; 1]; 2] {
+            [*change, *impulse]
         }
     }
 };
