@@ -33,8 +33,10 @@ impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
         probe.visit(t, &x.q, &x.p);
         let (mut slope_q, mut slope_p) = (S::Array::zero(), S::Array::zero());
         system.gradient(t, &x.q, &x.p, &mut slope_q, &mut slope_p);
-        x.drift(|q, _| q.add_scaled(*h, &slope_p));
-        x.kick(|_, p| p.add_scaled(-*h, &slope_q));
+        let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
+        dq.add_scaled(*h, &slope_p);
+        dp.add_scaled(-*h, &slope_q);
+        x.add(&dq, &dp);
         Ok(())
     }
 }
