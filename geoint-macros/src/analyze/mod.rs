@@ -2,9 +2,11 @@
 
 mod degree;
 mod dependence;
+mod terms;
 mod separable;
 
 use crate::ir::{Graph, Id, Symbol};
+use degree::Degrees;
 pub(crate) use dependence::Dependence;
 
 /// All facts that emission may rely on.
@@ -73,6 +75,6 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structur
         autonomous: !dependence.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
-        degree: degree::degree(graph, energy, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))),
+        degree: Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))).get(energy),
     }
 }
