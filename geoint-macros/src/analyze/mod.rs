@@ -4,10 +4,17 @@ mod degree;
 mod dependence;
 mod terms;
 mod separable;
+mod leaves;
+mod form;
+mod equations;
+mod generators;
+mod momenta;
 
 use crate::ir::{Graph, Id, Symbol};
+use crate::parse::Shape;
 use degree::Degrees;
 pub(crate) use dependence::Dependence;
+pub(crate) use momenta::Momentum;
 
 /// All facts that emission may rely on.
 #[derive(Debug)]
@@ -22,6 +29,8 @@ pub(crate) struct Structure {
     pub(crate) resting: Vec<u32>,
     /// The degree of H as a polynomial in (q, p), if it is one.
     pub(crate) degree: Option<u32>,
+    /// What else is kept by the flow, and by the tree discrete gradient.
+    pub(crate) momenta: Vec<Momentum>,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -56,7 +65,7 @@ impl Structure {
 }
 
 /// Finds everything.
-pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structure {
+pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Structure {
     let split = match separable::split(graph, energy) {
         Ok((kinetic, potential)) => {
             let not_quadratic = separable::not_quadratic(graph, kinetic);
@@ -65,16 +74,17 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structur
         Err(term) => Split::Coupled(term),
     };
     let dependence = Dependence::of(graph);
-    let unread = |symbol: fn(u32) -> Symbol| {
-        let symbols = dependence::symbols(graph, energy);
-        (0..degrees).filter(|i| !symbols.contains(&symbol(*i))).collect::<Vec<_>>()
-    };
+    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let symbols = dependence::symbols(graph, energy);
+    let unread =
+        |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();
     Structure {
         energy,
         split,
         autonomous: !dependence.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
-        degree: Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))).get(energy),
+        degree: degrees.get(energy),
+        momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
     }
 }

@@ -5,6 +5,7 @@ mod fuzz;
 mod derivatives;
 mod schedules;
 mod meaning;
+mod momenta;
 mod snapshots;
 mod structures;
 

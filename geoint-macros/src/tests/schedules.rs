@@ -95,9 +95,9 @@ fn statements_mean_what_the_graph_means() {
         },
     ];
     for item in energies {
-        let (_, mut lowered) = lowered(item);
+        let (energy, mut lowered) = lowered(item);
         let graph = &mut lowered.graph;
-        let structure = crate::analyze::structure(graph, lowered.energy, 2);
+        let structure = crate::analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
         let gradient = diff::gradient(graph, lowered.energy, 2);
         let equation = diff::equation::tree(graph, &gradient, &structure, 2).expect("slopes");
         let iteration: Vec<Id> = equation.residual.iter().chain(equation.jacobian.iter().flatten()).copied().collect();
