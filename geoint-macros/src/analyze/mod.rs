@@ -9,11 +9,13 @@ mod form;
 mod equations;
 mod generators;
 mod momenta;
+mod mean_value;
 
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
 use degree::Degrees;
 pub(crate) use dependence::Dependence;
+pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 
 /// All facts that emission may rely on.
@@ -31,6 +33,7 @@ pub(crate) struct Structure {
     pub(crate) degree: Option<u32>,
     /// What else is kept by the flow, and by the tree discrete gradient.
     pub(crate) momenta: Vec<Momentum>,
+    pub(crate) mean_value: MeanValue,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -86,5 +89,6 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         resting: unread(Symbol::P),
         degree: degrees.get(energy),
         momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
+        mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
     }
 }

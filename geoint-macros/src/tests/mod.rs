@@ -4,6 +4,7 @@ mod cost;
 mod fuzz;
 mod derivatives;
 mod schedules;
+mod mean_value;
 mod meaning;
 mod momenta;
 mod snapshots;
