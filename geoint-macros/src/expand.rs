@@ -33,7 +33,7 @@ fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
     let energy = parse::energy(args, item)?; // who is q, p, t
     let lower::Lowered { mut graph, energy: root, places, partial, constants } = lower::body(&energy)?; // Rust to graph
     let context = emit::Context { energy: &energy, constants: &constants, partial: &partial };
-    let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
+    let structure = analyze::structure(&mut graph, root, &energy.coordinates.shape); // facts, with witnesses
     check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());
     Ok(emit::items(&context, &mut graph, &structure, &derivatives))

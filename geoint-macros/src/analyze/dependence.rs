@@ -29,11 +29,14 @@ impl Dependence {
                 Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
                 Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
                 Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
-                node => node.children().iter().map(|child| reads[child.index()]).fold(Reads::default(), |a, b| Reads {
-                    q: a.q || b.q,
-                    p: a.p || b.p,
-                    t: a.t || b.t,
-                }),
+                node => {
+                    let mut all = Reads::default();
+                    node.for_each_child(|child| {
+                        let Reads { q, p, t } = reads[child.index()];
+                        all = Reads { q: all.q || q, p: all.p || p, t: all.t || t };
+                    });
+                    all
+                }
             };
             reads.push(own);
         }

@@ -2,10 +2,21 @@
 
 mod degree;
 mod dependence;
+mod terms;
 mod separable;
+mod leaves;
+mod form;
+mod equations;
+mod generators;
+mod momenta;
+mod mean_value;
 
 use crate::ir::{Graph, Id, Symbol};
+use crate::parse::Shape;
+use degree::Degrees;
 pub(crate) use dependence::Dependence;
+pub(crate) use mean_value::MeanValue;
+pub(crate) use momenta::Momentum;
 
 /// All facts that emission may rely on.
 #[derive(Debug)]
@@ -20,6 +31,9 @@ pub(crate) struct Structure {
     pub(crate) resting: Vec<u32>,
     /// The degree of H as a polynomial in (q, p), if it is one.
     pub(crate) degree: Option<u32>,
+    /// What else is kept by the flow, and by the tree discrete gradient.
+    pub(crate) momenta: Vec<Momentum>,
+    pub(crate) mean_value: MeanValue,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -54,7 +68,7 @@ impl Structure {
 }
 
 /// Finds everything.
-pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structure {
+pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Structure {
     let split = match separable::split(graph, energy) {
         Ok((kinetic, potential)) => {
             let not_quadratic = separable::not_quadratic(graph, kinetic);
@@ -63,16 +77,18 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structur
         Err(term) => Split::Coupled(term),
     };
     let dependence = Dependence::of(graph);
-    let unread = |symbol: fn(u32) -> Symbol| {
-        let symbols = dependence::symbols(graph, energy);
-        (0..degrees).filter(|i| !symbols.contains(&symbol(*i))).collect::<Vec<_>>()
-    };
+    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let symbols = dependence::symbols(graph, energy);
+    let unread =
+        |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();
     Structure {
         energy,
         split,
         autonomous: !dependence.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
-        degree: degree::degree(graph, energy, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))),
+        degree: degrees.get(energy),
+        momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
+        mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
     }
 }

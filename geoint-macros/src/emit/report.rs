@@ -2,7 +2,7 @@
 
 use super::implicit::NO_SLOPE;
 use super::kernel::Context;
-use crate::analyze::{Split, Structure};
+use crate::analyze::{MeanValue, Split, Structure};
 use crate::diff::Derivatives;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -78,10 +78,6 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
     writeln!(text, "- H {reads_time} on time")?;
 
-    writeln!(text, "\nConserved by the flow")?;
-    if structure.autonomous {
-        writeln!(text, "- the energy")?;
-    }
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
             let indices: String =
@@ -90,15 +86,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         };
         indices.iter().map(one).collect::<Vec<_>>().join(", ")
     };
-    if !structure.cyclic.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&p, &structure.cyclic), listed(&q, &structure.cyclic))?;
-    }
-    if !structure.resting.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
-    }
-    if !structure.autonomous && structure.cyclic.is_empty() && structure.resting.is_empty() {
-        writeln!(text, "- nothing that was found")?;
-    }
+    let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
+        .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
+    conserved(text, printer, structure, &unread, derivatives.discrete.is_ok())?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
     writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
@@ -136,6 +126,55 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
     }
     Ok(())
+}
+
+/// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
+/// read.
+fn conserved<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    unread: &[(String, String)],
+    tree: bool,
+) -> std::fmt::Result {
+    let mut lines = vec![];
+    if structure.autonomous {
+        lines.push("the energy".into());
+    }
+    let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
+    lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
+    let momenta = structure.momenta.iter();
+    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
+    writeln!(text, "\nConserved by the flow")?;
+    for line in &lines {
+        writeln!(text, "- {line}")?;
+    }
+    if lines.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    if !tree {
+        return Ok(());
+    }
+    writeln!(text, "\nDiscrete gradients")?;
+    if !lines.is_empty() {
+        writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
+    }
+    match structure.mean_value {
+        MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
+        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
+        MeanValue::Mixed { polynomial, points, .. } => {
+            let (polynomial, gauss) = (printer.excerpt(polynomial), gauss(points));
+            writeln!(text, "- `MeanValue` has a closed form but for {polynomial}, for which it is exact with {gauss}")
+        }
+        MeanValue::NotClosed(term) => {
+            writeln!(text, "- `MeanValue` is a quadrature; no closed form was found for {}", printer.excerpt(term))
+        }
+    }
+}
+
+fn gauss(points: u32) -> String {
+    format!("{points} Gauss point{}", if points == 1 { "" } else { "s" })
 }
 
 /// A derivative, written out unless it fills the screen.

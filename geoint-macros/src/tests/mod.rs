@@ -4,7 +4,9 @@ mod cost;
 mod fuzz;
 mod derivatives;
 mod schedules;
+mod mean_value;
 mod meaning;
+mod momenta;
 mod snapshots;
 mod structures;
 

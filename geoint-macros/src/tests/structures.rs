@@ -10,7 +10,7 @@ use quote::quote;
 /// The structure, and the term that breaks it.
 fn structure(item: TokenStream) -> (Structure, Option<String>) {
     let (energy, mut lowered) = lowered(item);
-    let structure = analyze::structure(&mut lowered.graph, lowered.energy, energy.degrees());
+    let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let witness = match &structure.split {
         Split::Coupled(term) => Some(*term),
         Split::Separable(parts) => parts.not_quadratic,
