@@ -16,7 +16,7 @@ pub(crate) fn requests(
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer { graph, name };
+    let printer = Printer::new(graph, name);
     for (requirement, span) in &energy.requirements {
         let witness = match (requirement, &structure.split) {
             (_, Split::Coupled(term)) => Some((*term, COUPLED)),

@@ -27,7 +27,7 @@ pub(super) fn report(
 ) -> String {
     let gradient_roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
     let gradient_cost = schedule::routine(graph, &gradient_roots).operations();
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = sections(&mut text, context, &printer, structure, derivatives, costs, gradient_cost);

@@ -81,7 +81,7 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
         Symbol::P(i) => format!("p{i}"),
         _ => "c".into(),
     };
-    let printer = Printer { graph, name };
+    let printer = Printer::new(graph, name);
     (structure.mean_value, term.map(|term| printer.formula(term)), difference)
 }
 

@@ -58,7 +58,7 @@ fn momenta(item: TokenStream) -> Vec<String> {
         Symbol::P(i) => format!("p{i}"),
         _ => "c".into(),
     };
-    let printer = Printer { graph, name };
+    let printer = Printer::new(graph, name);
     structure.momenta.iter().map(|j| format!("{}: {}", j.name, printer.formula(j.value))).collect()
 }
 
