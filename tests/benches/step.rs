@@ -48,9 +48,6 @@ fn main() {
         absolute(&mut criterion, &format!("{}, generated", pair.name), &pair.subject);
         absolute(&mut criterion, &format!("{}, by hand", pair.name), &pair.unit);
     }
-    for pair in &discrete {
-        absolute(&mut criterion, &pair.name, &pair.subject);
-    }
     criterion.final_summary();
 }
 

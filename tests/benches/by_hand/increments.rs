@@ -1,12 +1,13 @@
 //! Newton's iteration for the momentum increment of an implicit step, started from the increments before it.
 //!
-//! Increments of a smooth motion are smooth in time, and a polynomial through the last nine foretells the next so well that one
-//! evaluation a step is enough at the step sizes of these benches: what it leaves is the square of the first correction.
+//! Increments of a smooth motion are smooth in time. A polynomial through the last nine foretells the next so well that one
+//! evaluation is enough in almost every step of these benches: what it leaves is the square of a small correction. Where a step
+//! is too long for that, the force half a step ahead is the better guess, and at very long steps the only one that is safe.
 
 /// How many increments are extrapolated.
 const POINTS: usize = 9;
 
-/// xₙ = Σ (−1)ʲ⁺¹ (9 choose j) xₙ₋ⱼ, j = 1 … 9: the ninth difference is zero.
+/// xₙ = Σ (−1)ʲ⁺¹ (9 choose j) xₙ₋ⱼ, j = 1 … 9: as if the ninth difference were zero.
 const WEIGHTS: [f64; POINTS] = [9.0, -36.0, 84.0, -126.0, 126.0, -84.0, 36.0, -9.0, 1.0];
 
 /// What the next correction is bound to be below, relative to the momentum, when the iteration ends.
@@ -15,7 +16,7 @@ const ROUNDING: f64 = f64::EPSILON / 1024.0;
 /// The increments before a step, the latest first.
 pub(crate) struct Increments<const N: usize> {
     latest: [[f64; N]; POINTS],
-    /// The last step took more than two evaluations: too long a step to extrapolate.
+    /// The last step took more than two evaluations: the next starts from the explicit guess.
     rough: bool,
 }
 
@@ -25,7 +26,7 @@ impl<const N: usize> Increments<N> {
         Increments { latest: [first; POINTS], rough: false }
     }
 
-    /// The increment of momentum p that `correction` (Newton's, to be subtracted) does not correct any more.
+    /// The next increment: where Newton's `correction`, to be subtracted, has nothing left to correct in p + x.
     #[inline(always)]
     pub(crate) fn next(
         &mut self,
@@ -42,21 +43,12 @@ impl<const N: usize> Increments<N> {
                 x[i] -= delta[i];
             }
             evaluations += 1;
-            // Squares: nothing here takes a root. The first correction is followed by its square, a later one that shrank by θ
-            // by one that shrinks by θ².
-            let (correction, size) = (square(&delta), square(&p) + square(&x));
-            let done = if evaluations == 1 {
-                correction <= ROUNDING * size
-            } else {
-                let shrunk = correction / before;
-                correction * shrunk * shrunk <= ROUNDING * ROUNDING * size
-                    || (shrunk > 0.0625 && correction <= 1e-18 * size)
-            };
-            if done {
+            let (change, size) = (square(&delta), square(&p) + square(&x));
+            if ends(evaluations, before, change, size) {
                 break;
             }
-            assert!(correction < f64::INFINITY && evaluations < 40, "no convergence");
-            before = correction;
+            assert!(change < f64::INFINITY && evaluations < 40, "no convergence");
+            before = change;
         }
         self.rough = evaluations > 2;
         for j in (1..POINTS).rev() {
@@ -77,6 +69,19 @@ impl<const N: usize> Increments<N> {
         }
         x
     }
+}
+
+/// Whether the next correction is bound to be lost in rounding; squares of sizes, so that nothing takes a root.
+///
+/// A first correction c is followed by c², relative to what is corrected, and one that shrank by θ by one that shrinks by θ².
+/// Where corrections do not shrink by four any more, and are small, they are rounding.
+#[inline(always)]
+fn ends(evaluations: u32, before: f64, change: f64, size: f64) -> bool {
+    if evaluations == 1 {
+        return change <= ROUNDING * size;
+    }
+    let shrunk = change / before;
+    change * shrunk * shrunk <= ROUNDING * ROUNDING * size || (shrunk > 1.0 / 16.0 && change <= 1e-18 * size)
 }
 
 #[inline(always)]

@@ -41,11 +41,11 @@ impl Kepler {
     /// q₁ = q₀ + h/m·(p₀ + P/2), p₁ = p₀ + P, P = −hμm·u/D, with u = q₀ + q₁ and D = r₀r₁(r₀ + r₁): the divided difference of
     /// −1/√s is 1/(√s₀√s₁(√s₀ + √s₁)), that of s = x² + y² is u.
     pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, [mut x, mut y, mut px, mut py]: Point) -> Point {
-        let (pull, step) = (h * self.mu * self.m, h / self.m);
-        let beta = 0.5 * pull * step;
+        let (pull, step, half) = (h * self.mu * self.m, h / self.m, 0.5 * h / self.m);
+        let beta = pull * half;
         let explicit = |z: Point| {
             let [mut x, mut y, px, py] = z;
-            (x, y) = (fma(0.5 * step, px, x), fma(0.5 * step, py, y));
+            (x, y) = (fma(half, px, x), fma(half, py, y));
             let mut kicked = [x, y, 0.0, 0.0];
             kick(-pull, &mut kicked);
             [kicked[2], kicked[3]]
@@ -53,7 +53,8 @@ impl Kepler {
         let mut increments = Increments::new(explicit([x, y, px, py]));
         for _ in 0..steps {
             let r0 = fma(x, x, y * y).sqrt();
-            let moved = |[a, b]: [f64; 2]| [fma(step, fma(0.5, a, px), x), fma(step, fma(0.5, b, py), y)];
+            let d = [step * px, step * py];
+            let moved = |[a, b]: [f64; 2]| [x + fma(half, a, d[0]), y + fma(half, b, d[1])];
             let increment = increments.next(
                 [px, py],
                 || explicit([x, y, px, py]),
@@ -70,8 +71,8 @@ impl Kepler {
                     let bn = beta * (sum + r1);
                     let a = d + beta;
                     let inverse = 1.0 / a;
-                    let along = bn * fma(x1, residual[0], y1 * residual[1])
-                        / fma(a, s1 * sum, -bn * fma(x1, u[0], y1 * u[1]));
+                    let along =
+                        bn * fma(x1, residual[0], y1 * residual[1]) / fma(a, s1 * sum, -bn * fma(x1, u[0], y1 * u[1]));
                     [inverse * fma(along, u[0], residual[0]), inverse * fma(along, u[1], residual[1])]
                 },
             );

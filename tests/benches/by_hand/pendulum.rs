@@ -48,11 +48,12 @@ impl Pendulum {
     /// q₁ = q₀ + 2u, p₁ = p₀ + P, with u = h/(2ml²)·(p₀ + P/2) and P = −h·mgl·sin(q₀ + u)·sin u/u, which is
     /// h·mgl·(cos q₁ − cos q₀)/(q₁ − q₀).
     pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, (mut q, mut p): (f64, f64)) -> (f64, f64) {
-        let (kick, half) = (self.kick(h), 0.5 * self.drift(h));
+        let (kick, half, quarter) = (self.kick(h), 0.5 * self.drift(h), 0.25 * self.drift(h));
         let explicit = |q: f64, p: f64| [kick * fma(half, p, q).sin()];
         let mut increments = Increments::new(explicit(q, p));
         for _ in 0..steps {
-            let u = |increment: f64| half * fma(0.5, increment, p);
+            let u = half * p;
+            let u = |increment: f64| fma(quarter, increment, u);
             let [increment] = increments.next(
                 [p],
                 || explicit(q, p),
@@ -61,8 +62,7 @@ impl Pendulum {
                     let (sin, cos) = (q + u).sin_cos();
                     let (sinc, slope) = sinc(u);
                     let residual = fma(-kick, sin * sinc, x);
-                    // ∂u/∂P = h/(4ml²).
-                    let derivative = fma(-0.5 * half * kick, fma(cos, sinc, sin * slope), 1.0);
+                    let derivative = fma(-quarter * kick, fma(cos, sinc, sin * slope), 1.0);
                     [residual / derivative]
                 },
             );
