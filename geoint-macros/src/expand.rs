@@ -7,7 +7,7 @@ use quote::{ToTokens, quote};
 
 /// The user's function, and all that is made from it; with messages in place of that if something is wrong.
 pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    if let Err(errors) = parse::nesting(&item) {
+    if let Err(errors) = parse::nesting(&quote!(#args #item)) {
         let errors = errors.into_tokens();
         return quote!(#item #errors);
     }
@@ -31,9 +31,10 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 
 fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
     let energy = parse::energy(args, item)?; // who is q, p, t
-    let lower::Lowered { mut graph, energy: root, places, partial, constants } = lower::body(&energy)?; // Rust to graph
+    let lower::Lowered { mut graph, energy: root, damping, places, partial, constants } = lower::body(&energy)?; // Rust to graph
     let context = emit::Context { energy: &energy, constants: &constants, partial: &partial };
     let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
+    let structure = structure.damped(&graph, damping);
     check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());
     Ok(emit::items(&context, &mut graph, &structure, &derivatives))

@@ -59,7 +59,8 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     writeln!(text, "\nStructure")?;
     match &structure.split {
         Split::Separable(parts) => {
-            writeln!(text, "- H = T({p}) + V({q}): kick and drift are exact flows")?;
+            let flows = if structure.flows().is_some() { ": kick and drift are exact flows" } else { "" };
+            writeln!(text, "- H = T({p}) + V({q}){flows}")?;
             writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
             writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
             match parts.not_quadratic {
@@ -78,8 +79,12 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
     writeln!(text, "- H {reads_time} on time")?;
 
+    if let Some(damping) = &structure.damping {
+        super::damping::section(text, printer, damping, structure.autonomous)?;
+    }
+
     writeln!(text, "\nConserved by the flow")?;
-    if structure.autonomous {
+    if structure.conserves_energy() {
         writeln!(text, "- the energy")?;
     }
     let listed = |name: &str, indices: &[u32]| {
@@ -96,7 +101,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     if !structure.resting.is_empty() {
         writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
     }
-    if !structure.autonomous && structure.cyclic.is_empty() && structure.resting.is_empty() {
+    if !structure.conserves_energy() && structure.cyclic.is_empty() && structure.resting.is_empty() {
         writeln!(text, "- nothing that was found")?;
     }
 
@@ -112,13 +117,13 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
 
     writeln!(text, "\nSkipped")?;
-    if structure.parts().is_some() {
+    if structure.flows().is_some() {
         writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
     }
-    if structure.quadratic_parts().is_some() {
+    if structure.reduced().is_some() {
         writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
     }
-    if structure.autonomous {
+    if structure.timeless() {
         writeln!(text, "- the clock: H does not depend on time")?;
     }
     if !structure.cyclic.is_empty() {
@@ -126,6 +131,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
     match (&structure.split, &derivatives.discrete) {
+        _ if structure.damping.is_some() => {}
         (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
