@@ -12,10 +12,11 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
         return quote!(#item #errors);
     }
     match syn::parse2::<syn::ItemFn>(item.clone()) {
-        // The function comes first and unchanged, so that rustc and editors see it whatever happens.
+        // The function comes first and as it is, so that rustc and editors see it whatever happens.
         Ok(function) => {
-            let derived = derive(args, function).unwrap_or_else(|errors| errors.into_tokens());
-            quote!(#item #derived)
+            let (damped, derived) = derive(args, function).unwrap_or_else(|errors| (None, errors.into_tokens()));
+            let function = damped.unwrap_or(item);
+            quote!(#function #derived)
         }
         Err(_) => match syn::parse2::<syn::Item>(item.clone()) {
             Ok(other) => {
@@ -29,7 +30,8 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
+/// What is made of a function, and the function itself if that is not as it was.
+fn derive(args: TokenStream, item: syn::ItemFn) -> Result<(Option<TokenStream>, TokenStream)> {
     let energy = parse::energy(args, item)?; // who is q, p, t
     let lower::Lowered { mut graph, energy: root, damping, places, partial, constants } = lower::body(&energy)?; // Rust to graph
     let context = emit::Context { energy: &energy, constants: &constants, partial: &partial };
@@ -37,5 +39,5 @@ fn derive(args: TokenStream, item: syn::ItemFn) -> Result<TokenStream> {
     let structure = structure.damped(&graph, damping);
     check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());
-    Ok(emit::items(&context, &mut graph, &structure, &derivatives))
+    Ok((emit::function(&energy), emit::items(&context, &mut graph, &structure, &derivatives)))
 }

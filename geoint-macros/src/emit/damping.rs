@@ -3,9 +3,19 @@
 use super::kernel::{Context, write};
 use crate::analyze::{Damping, Structure};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::parse::Energy;
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
+
+/// The user's function with its damping inside, where rustc checks it as it does the body, and where an argument that nothing
+/// else reads is read.
+pub(crate) fn function(energy: &Energy) -> Option<TokenStream> {
+    let damping = energy.damping.as_ref()?;
+    let mut item = energy.item.clone();
+    item.block.stmts.insert(0, syn::parse_quote!(let _ = || { let _ = #damping; };));
+    Some(quote!(#item))
+}
 
 /// q' and p', where they are not those of H alone: `f` is the field of collocation, of first order then.
 pub(super) fn rate(context: &Context<'_>, graph: &mut Graph, structure: &Structure, f: &[Id]) -> Option<TokenStream> {

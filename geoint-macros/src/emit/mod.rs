@@ -15,6 +15,7 @@ use crate::analyze::{Reads, Structure};
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
+pub(crate) use damping::function;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -51,9 +52,6 @@ pub(crate) fn items(
     let structure = system::structure(context, &docs);
     let inherent = system::inherent(context, &report);
     let function = &context.energy.item.sig.ident;
-    // rustc sees damping as it sees the body.
-    let arguments = &context.energy.item.sig.inputs;
-    let damping = context.energy.damping.as_ref().map(|damping| quote!(let _ = |#arguments| { let _ = #damping; };));
     quote! {
         #structure
 
@@ -70,7 +68,6 @@ pub(crate) fn items(
             // The function is the source of all this, and the user need not call it.
             const _: fn() = || {
                 let _ = #function;
-                #damping
             };
 
             #inherent
