@@ -7,36 +7,36 @@ use crate::parse::Shape;
 use syn::Expr;
 
 impl Lowering {
-    /// The square matrix that `damping = expr` stands for; zeros if something is wrong with it.
+    /// The square matrix that `damping = expr` stands for; none if something is wrong with it.
     pub(super) fn damping(&mut self, expr: &Expr, coordinates: &Shape) -> Vec<Vec<Id>> {
         let n = coordinates.len();
         let said = self.errors.len();
         let value = self.expr(expr);
         let mut entries = vec![];
         let extents = self.numbers(expr, value, &mut entries);
-        let zero = self.graph.zero();
-        let diagonal = |entry: &dyn Fn(usize) -> Id| {
-            let row = |i| (0..n).map(|j| if i == j { entry(i) } else { zero }).collect();
-            (0..n).map(row).collect()
-        };
-        match extents.as_deref() {
-            _ if self.errors.len() > said => diagonal(&|_| zero),
-            Some([]) => diagonal(&|_| entries[0]),
-            Some(extents) if extents == [n] || extents == coordinates.extents => diagonal(&|i| entries[i]),
-            Some(extents) if extents == [n, n] => entries.chunks(n).map(<[Id]>::to_vec).collect(),
+        if self.errors.len() > said {
+            return vec![];
+        }
+        let coefficients = match extents.as_deref() {
+            Some([]) => vec![entries[0]; n],
+            Some(extents) if extents == [n] || extents == coordinates.extents => entries,
+            Some(extents) if extents == [n, n] => return entries.chunks(n).map(<[Id]>::to_vec).collect(),
             other => {
-                let found = match other {
-                    Some(extents) => extents.iter().map(ToString::to_string).collect::<Vec<_>>().join("×"),
+                let found = match other.map(|extents| extents.iter().map(ToString::to_string).collect::<Vec<_>>()) {
+                    Some(extents) => format!("an array of {}", extents.join("×")),
                     None => "rows of different lengths".into(),
                 };
                 let expected = match n {
                     1 => "a number".into(),
                     _ => format!("a number, an array of {n} numbers, one a coordinate, or a matrix of {n}×{n} numbers"),
                 };
-                self.refuse(expr, format!("damping is {expected}; this is {found}"));
-                diagonal(&|_| zero)
+                self.refuse(expr, format!("damping is {expected}; found {found}"));
+                return vec![];
             }
-        }
+        };
+        let zero = self.graph.zero();
+        let row = |i| (0..n).map(|j| if i == j { coefficients[i] } else { zero }).collect();
+        (0..n).map(row).collect()
     }
 
     /// Collects the numbers in nested arrays; their extents from outside in, unless rows differ.
