@@ -13,11 +13,17 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     }
     match syn::parse2::<syn::ItemFn>(item.clone()) {
         // The function comes first and as it is, so that rustc and editors see it whatever happens.
-        Ok(function) => {
-            let (damped, derived) = derive(args, function).unwrap_or_else(|errors| (None, errors.into_tokens()));
-            let function = damped.unwrap_or(item);
-            quote!(#function #derived)
-        }
+        Ok(function) => match parse::energy(args, function) {
+            Ok(energy) => {
+                let function = emit::function(&energy).unwrap_or(item);
+                let derived = derive(&energy).unwrap_or_else(|errors| errors.into_tokens());
+                quote!(#function #derived)
+            }
+            Err(errors) => {
+                let errors = errors.into_tokens();
+                quote!(#item #errors)
+            }
+        },
         Err(_) => match syn::parse2::<syn::Item>(item.clone()) {
             Ok(other) => {
                 let message = syn::Error::new_spanned(other.to_token_stream(), "this attribute goes above a function");
@@ -30,14 +36,13 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     }
 }
 
-/// What is made of a function, and the function itself if that is not as it was.
-fn derive(args: TokenStream, item: syn::ItemFn) -> Result<(Option<TokenStream>, TokenStream)> {
-    let energy = parse::energy(args, item)?; // who is q, p, t
-    let lower::Lowered { mut graph, energy: root, damping, places, partial, constants } = lower::body(&energy)?; // Rust to graph
-    let context = emit::Context { energy: &energy, constants: &constants, partial: &partial };
+/// From who is q, p, t to what is emitted beside the function.
+fn derive(energy: &parse::Energy) -> Result<TokenStream> {
+    let lower::Lowered { mut graph, energy: root, damping, places, partial, constants } = lower::body(energy)?; // Rust to graph
+    let context = emit::Context { energy, constants: &constants, partial: &partial };
     let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
     let structure = structure.damped(&graph, damping);
-    check::requests(&energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    check::requests(energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());
-    Ok((emit::function(&energy), emit::items(&context, &mut graph, &structure, &derivatives)))
+    Ok(emit::items(&context, &mut graph, &structure, &derivatives))
 }

@@ -96,8 +96,9 @@ use proc_macro::TokenStream;
 ///
 /// C must be positive semidefinite, to take energy away. What is known when the program is compiled is checked then. For the
 /// rest a state is outside of the domain of such a system (`StepError::OutsideDomain`) where a coefficient on the diagonal is
-/// negative, or a full matrix is not positive semidefinite. A diagonal is looked at wherever a step uses it; a full matrix at the
-/// start of a run and at the end of every call of `step` or `advance`, once in 1024 steps at least.
+/// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
+/// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
+/// `advance`, once in 1024 steps at least.
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::hamiltonian(args.into(), item.into()).into()

@@ -91,18 +91,32 @@ fn right_side(
     if structure.reduced().is_some() {
         return force;
     }
-    for (i, row) in structure.damping.iter().flat_map(|damping| damping.matrix.iter().enumerate()) {
-        for (j, entry) in row.iter().enumerate() {
-            let mut coefficient = at(graph, *entry);
-            // Where it feeds energy it is no damping.
-            if i == j {
-                coefficient = graph.call(Function::NotNegative, &[coefficient]);
+    if let Some(damping) = &structure.damping {
+        let matrix: Vec<Vec<Id>> =
+            damping.matrix.iter().map(|row| row.iter().map(|entry| at(graph, *entry)).collect()).collect();
+        for (i, force) in force.iter_mut().enumerate() {
+            for (j, velocity) in gradient.p.iter().enumerate() {
+                let coefficient = taking(graph, &matrix, i, j);
+                let drag = graph.mul(coefficient, *velocity);
+                *force = graph.sub(*force, drag);
             }
-            let drag = graph.mul(coefficient, gradient.p[j]);
-            force[i] = graph.sub(force[i], drag);
         }
     }
     [gradient.p.clone(), force].concat()
+}
+
+/// Cᵢⱼ where it takes energy, as far as that is seen in two coordinates: not a number where it feeds some.
+fn taking(graph: &mut Graph, matrix: &[Vec<Id>], i: usize, j: usize) -> Id {
+    let [entry, first, second] = [matrix[i][j], matrix[i][i], matrix[j][j]];
+    // Numbers have been checked.
+    if graph.is_zero(entry) || [entry, first, second].iter().all(|id| graph.as_number(*id).is_some()) {
+        return entry;
+    }
+    if i == j {
+        return graph.call(Function::NotNegative, &[entry]);
+    }
+    let bound = graph.mul(first, second);
+    graph.call(Function::Bounded, &[entry, bound])
 }
 
 fn unknowns(structure: &Structure, degrees: u32, q: fn(u32) -> Symbol, p: fn(u32) -> Symbol) -> Vec<Symbol> {
