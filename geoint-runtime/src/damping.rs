@@ -9,7 +9,7 @@ use crate::real::Real;
 pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> bool {
     let margin = R::from_f64(1.0 + 8.0 * (N * N) as f64 * R::epsilon());
     for (k, row) in c.iter_mut().enumerate() {
-        row[k] = row[k] * margin;
+        row[k] *= margin;
     }
     for k in 0..N {
         if c[k][k].any_below(0.0) {
@@ -20,7 +20,7 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         for i in k + 1..N {
             let factor = c[i][k] / pivot;
             for j in k + 1..=i {
-                c[i][j] = c[i][j] - factor * c[j][k];
+                c[i][j] -= factor * c[j][k];
             }
         }
     }
