@@ -16,6 +16,11 @@ impl Reads {
     pub(crate) fn state(self) -> bool {
         self.q || self.p
     }
+
+    /// What one or the other reads.
+    pub(crate) fn or(self, other: Reads) -> Reads {
+        Reads { q: self.q || other.q, p: self.p || other.p, t: self.t || other.t }
+    }
 }
 
 /// What every node of a graph reads.
@@ -32,8 +37,7 @@ impl Dependence {
                 node => {
                     let mut all = Reads::default();
                     node.for_each_child(|child| {
-                        let Reads { q, p, t } = reads[child.index()];
-                        all = Reads { q: all.q || q, p: all.p || p, t: all.t || t };
+                        all = all.or(reads[child.index()]);
                     });
                     all
                 }

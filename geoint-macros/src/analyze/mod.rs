@@ -1,5 +1,6 @@
 //! Facts about an energy, each proven from its graph, each with a witness where it does not hold. No messages.
 
+mod damping;
 mod degree;
 mod dependence;
 mod terms;
@@ -13,19 +14,20 @@ mod mean_value;
 
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
+pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
-pub(crate) use dependence::Dependence;
+pub(crate) use dependence::{Dependence, Reads};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 
-/// All facts that emission may rely on.
+/// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
 pub(crate) struct Structure {
     pub(crate) energy: Id,
     pub(crate) split: Split,
     /// Whether H reads t.
     pub(crate) autonomous: bool,
-    /// Coordinates that H does not read: their momenta are conserved.
+    /// Coordinates that H does not read, and whose momenta are not damped: these are conserved.
     pub(crate) cyclic: Vec<u32>,
     /// Momenta that H does not read: their coordinates stand still.
     pub(crate) resting: Vec<u32>,
@@ -34,6 +36,7 @@ pub(crate) struct Structure {
     /// What else is kept by the flow, and by the tree discrete gradient.
     pub(crate) momenta: Vec<Momentum>,
     pub(crate) mean_value: MeanValue,
+    pub(crate) damping: Option<Damping>,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -65,6 +68,37 @@ impl Structure {
     pub(crate) fn quadratic_parts(&self) -> Option<&Parts> {
         self.parts().filter(|parts| parts.not_quadratic.is_none())
     }
+
+    /// The same facts with damping, unless all of its coefficients are zero.
+    pub(crate) fn damped(mut self, graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Structure {
+        self.damping = matrix.and_then(|matrix| damping::damping(graph, matrix));
+        if let Some(damping) = &self.damping {
+            // Weighted sums of momenta may be kept all the same; none is claimed.
+            self.momenta.clear();
+            self.cyclic.retain(|i| damping.matrix[*i as usize].iter().all(|entry| graph.is_zero(*entry)));
+        }
+        self
+    }
+
+    /// The parts, if each has a flow of its own.
+    pub(crate) fn flows(&self) -> Option<&Parts> {
+        self.parts().filter(|_| self.damping.is_none())
+    }
+
+    /// The parts, if the differential equation is one of second order: T is quadratic, and nothing is damped.
+    pub(crate) fn reduced(&self) -> Option<&Parts> {
+        self.quadratic_parts().filter(|_| self.damping.is_none())
+    }
+
+    /// Whether no right-hand side reads t.
+    pub(crate) fn timeless(&self) -> bool {
+        self.autonomous && !self.damping.as_ref().is_some_and(|damping| damping.reads.t)
+    }
+
+    /// Whether H is the same at all times.
+    pub(crate) fn conserves_energy(&self) -> bool {
+        self.autonomous && self.damping.is_none()
+    }
 }
 
 /// Finds everything.
@@ -90,5 +124,6 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         degree: degrees.get(energy),
         momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
         mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
+        damping: None,
     }
 }

@@ -59,7 +59,8 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     writeln!(text, "\nStructure")?;
     match &structure.split {
         Split::Separable(parts) => {
-            writeln!(text, "- H = T({p}) + V({q}): kick and drift are exact flows")?;
+            let flows = if structure.flows().is_some() { ": kick and drift are exact flows" } else { "" };
+            writeln!(text, "- H = T({p}) + V({q}){flows}")?;
             writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
             writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
             match parts.not_quadratic {
@@ -77,6 +78,10 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
     writeln!(text, "- H {reads_time} on time")?;
+
+    if let Some(damping) = &structure.damping {
+        super::damping::section(text, printer, damping, structure.autonomous)?;
+    }
 
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
@@ -102,13 +107,13 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
 
     writeln!(text, "\nSkipped")?;
-    if structure.parts().is_some() {
+    if structure.flows().is_some() {
         writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
     }
-    if structure.quadratic_parts().is_some() {
+    if structure.reduced().is_some() {
         writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
     }
-    if structure.autonomous {
+    if structure.timeless() {
         writeln!(text, "- the clock: H does not depend on time")?;
     }
     if !structure.cyclic.is_empty() {
@@ -116,6 +121,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
     match (&structure.split, &derivatives.discrete) {
+        _ if structure.damping.is_some() => {}
         (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
@@ -138,7 +144,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     tree: bool,
 ) -> std::fmt::Result {
     let mut lines = vec![];
-    if structure.autonomous {
+    if structure.conserves_energy() {
         lines.push("the energy".into());
     }
     let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
@@ -161,6 +167,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
     }
     match structure.mean_value {
+        _ if structure.damping.is_some() => Ok(()),
         MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
         MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
         MeanValue::Mixed { polynomial, points, .. } => {

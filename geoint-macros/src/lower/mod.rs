@@ -7,6 +7,7 @@ mod arithmetic;
 mod branch;
 mod call;
 mod constants;
+mod damping;
 mod expr;
 mod method;
 mod scope;
@@ -30,6 +31,8 @@ pub(crate) struct Lowered {
     pub(crate) graph: Graph,
     /// The energy.
     pub(crate) energy: Id,
+    /// The square matrix of damping.
+    pub(crate) damping: Option<Vec<Vec<Id>>>,
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
     /// Nodes that are not defined everywhere and are computed whatever the conditions are, simplified away or not.
@@ -60,10 +63,10 @@ const MAX_DEPTH: usize = 200;
 /// Operations inside operations: the same, for what is built of variables step by step. Derivatives are deeper by a small factor.
 const MAX_HEIGHT: u32 = 200;
 
-/// Lowers the body of an energy.
+/// Lowers the body of an energy, and its damping.
 pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut unseen = Diagnostics::default();
-    unseen::report(&energy.item.block, &energy.float, &mut unseen);
+    unseen::report(energy, &mut unseen);
     unseen.or(())?;
     let mut lowering = Lowering {
         graph: Graph::default(),
@@ -85,10 +88,14 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         let value = lowering.argument(argument, &symbols);
         lowering.scopes.bind(&argument.name, value);
     }
+    let arguments = lowering.scopes.clone();
     let value = lowering.block(&energy.item.block);
     let root = lowering.real(&energy.item.block, value);
+    // Damping sees the arguments as they were given.
+    lowering.scopes = arguments;
+    let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
     let Lowering { graph, errors, places, partial, constants, .. } = lowering;
-    errors.or(Lowered { graph, energy: root, places, partial, constants })
+    errors.or(Lowered { graph, energy: root, damping, places, partial, constants })
 }
 
 /// The evaluator.

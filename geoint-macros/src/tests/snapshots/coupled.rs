@@ -55,8 +55,8 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, slope,
+        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -81,6 +81,7 @@ const _: () = {
             Hamiltonian::integrator(self, method, h, state)
         }
     }
+    impl<R: Real> Conservative<R> for Coupled {}
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Coordinates = [R; 2];
         type Array = [R; 2];

@@ -68,8 +68,8 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, slope,
+        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -94,6 +94,7 @@ const _: () = {
             Hamiltonian::integrator(self, method, h, state)
         }
     }
+    impl<R: Real> Conservative<R> for Pendulum<R> {}
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
