@@ -40,7 +40,7 @@ pub(crate) fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 fn derive(energy: &parse::Energy) -> Result<TokenStream> {
     let lower::Lowered { mut graph, energy: root, damping, places, partial, constants } = lower::body(energy)?; // Rust to graph
     let context = emit::Context { energy, constants: &constants, partial: &partial };
-    let structure = analyze::structure(&mut graph, root, energy.degrees()); // facts, with witnesses
+    let structure = analyze::structure(&mut graph, root, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(&graph, damping);
     check::requests(energy, &structure, &graph, &places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let derivatives = diff::derivatives(&mut graph, &structure, energy.degrees());

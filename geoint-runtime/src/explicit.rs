@@ -31,10 +31,12 @@ impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
         probe: &mut P,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.q, &x.p);
+        let (mut rate_q, mut rate_p) = (S::Array::zero(), S::Array::zero());
+        system.rate(t, &x.q, &x.p, &mut rate_q, &mut rate_p);
         let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
-        system.rate(t, &x.q, &x.p, &mut dq, &mut dp);
-        x.drift(|q, _| q.add_scaled(*h, &dq));
-        x.kick(|_, p| p.add_scaled(*h, &dp));
+        dq.add_scaled(*h, &rate_q);
+        dp.add_scaled(*h, &rate_p);
+        x.add(&dq, &dp);
         Ok(())
     }
 }

@@ -34,7 +34,11 @@ impl Dependence {
                 Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
                 Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
                 Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
-                node => node.children().iter().map(|child| reads[child.index()]).fold(Reads::default(), Reads::or),
+                node => {
+                    let mut all = Reads::default();
+                    node.for_each_child(|child| all = all.or(reads[child.index()]));
+                    all
+                }
             };
             reads.push(own);
         }

@@ -36,7 +36,7 @@ pub(super) fn rate(context: &Context<'_>, graph: &mut Graph, structure: &Structu
 
 /// The coefficients whose sign is not known yet, with what is said if it is negative.
 pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Damping) -> Vec<(Id, String)> {
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut entries: Vec<Id> = (0..damping.matrix.len()).map(|i| damping.matrix[i][i]).collect();
     entries.sort();
     entries.dedup();

@@ -156,7 +156,7 @@ pub(super) fn unsatisfied(
 ) -> (proc_macro2::Ident, TokenStream) {
     let name = &context.energy.name;
     let marker = format_ident!("{what}{name}");
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let message = format!("`{name}`: {why}");
     let label = format!("the term is: {}", printer.excerpt(term));
     // Braces in a message are read as parameters.

@@ -2,7 +2,7 @@
 
 use super::implicit::NO_SLOPE;
 use super::kernel::Context;
-use crate::analyze::{Split, Structure};
+use crate::analyze::{MeanValue, Split, Structure};
 use crate::diff::Derivatives;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -27,7 +27,7 @@ pub(super) fn report(
 ) -> String {
     let gradient_roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
     let gradient_cost = schedule::routine(graph, &gradient_roots).operations();
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = sections(&mut text, context, &printer, structure, derivatives, costs, gradient_cost);
@@ -83,10 +83,6 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         super::damping::section(text, printer, damping, structure.autonomous)?;
     }
 
-    writeln!(text, "\nConserved by the flow")?;
-    if structure.conserves_energy() {
-        writeln!(text, "- the energy")?;
-    }
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
             let indices: String =
@@ -95,15 +91,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         };
         indices.iter().map(one).collect::<Vec<_>>().join(", ")
     };
-    if !structure.cyclic.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&p, &structure.cyclic), listed(&q, &structure.cyclic))?;
-    }
-    if !structure.resting.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
-    }
-    if !structure.conserves_energy() && structure.cyclic.is_empty() && structure.resting.is_empty() {
-        writeln!(text, "- nothing that was found")?;
-    }
+    let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
+        .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
+    conserved(text, printer, structure, &unread, derivatives.discrete.is_ok())?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
     writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
@@ -142,6 +132,56 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
     }
     Ok(())
+}
+
+/// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
+/// read.
+fn conserved<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    unread: &[(String, String)],
+    tree: bool,
+) -> std::fmt::Result {
+    let mut lines = vec![];
+    if structure.conserves_energy() {
+        lines.push("the energy".into());
+    }
+    let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
+    lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
+    let momenta = structure.momenta.iter();
+    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
+    writeln!(text, "\nConserved by the flow")?;
+    for line in &lines {
+        writeln!(text, "- {line}")?;
+    }
+    if lines.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    // `MeanValue` is for systems that keep their energy.
+    if !tree || structure.damping.is_some() {
+        return Ok(());
+    }
+    writeln!(text, "\nDiscrete gradients")?;
+    if !lines.is_empty() {
+        writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
+    }
+    match structure.mean_value {
+        MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
+        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
+        MeanValue::Mixed { polynomial, points, .. } => {
+            let (polynomial, gauss) = (printer.excerpt(polynomial), gauss(points));
+            writeln!(text, "- `MeanValue` has a closed form but for {polynomial}, for which it is exact with {gauss}")
+        }
+        MeanValue::NotClosed(term) => {
+            writeln!(text, "- `MeanValue` is a quadrature; no closed form was found for {}", printer.excerpt(term))
+        }
+    }
+}
+
+fn gauss(points: u32) -> String {
+    format!("{points} Gauss point{}", if points == 1 { "" } else { "s" })
 }
 
 /// A derivative, written out unless it fills the screen.

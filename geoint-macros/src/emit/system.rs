@@ -152,7 +152,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, structure: &Structur
 /// What has to be tested for the energy, and its gradient, to be defined. Branches test for themselves: that is what an
 /// `if` around a root is for.
 fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // The smallest positive number: below it is zero or negative.
     let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
     let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));

@@ -60,6 +60,9 @@ const MAX_EVALUATIONS: usize = 500_000;
 /// Expressions inside expressions, within a fraction of the stack of rustc.
 const MAX_DEPTH: usize = 200;
 
+/// Operations inside operations: the same, for what is built of variables step by step. Derivatives are deeper by a small factor.
+const MAX_HEIGHT: u32 = 200;
+
 /// Lowers the body of an energy, and its damping.
 pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut unseen = Diagnostics::default();
@@ -74,7 +77,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
         evaluations: 0,
         depth: 0,
-        finite: 0,
+        heights: vec![],
         branches: 0,
         partial: vec![],
         calls: vec![],
@@ -107,8 +110,8 @@ struct Lowering {
     evaluations: usize,
     /// Expressions inside expressions, calls included.
     depth: usize,
-    /// The number of nodes that have been found to be finite.
-    finite: usize,
+    /// How deep each node is, of those that have been looked at.
+    heights: Vec<u32>,
     /// Branches around what is being evaluated.
     branches: usize,
     partial: Vec<Id>,
@@ -161,8 +164,15 @@ impl Lowering {
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
     fn written(&mut self, id: Id, syntax: &impl ToTokens, place: impl FnOnce() -> Place) -> Value {
         self.places.entry(id).or_insert_with(place);
-        let new: Vec<Id> = self.graph.ids().skip(self.finite).collect();
-        self.finite += new.len();
+        let new: Vec<Id> = self.graph.ids().skip(self.heights.len()).collect();
+        for id in &new {
+            let below = self.graph.node(*id).children().iter().map(|child| self.heights[child.index()]).max();
+            self.heights.push(below.map_or(0, |height| height + 1));
+        }
+        if new.iter().any(|id| self.heights[id.index()] > MAX_HEIGHT) {
+            return self
+                .refuse(syntax, "this is nested too deeply: it depends on a value that depends on a value, and so on");
+        }
         if self.branches == 0 {
             self.partial.extend(new.iter().filter(|id| self.graph.is_partial(**id)));
         }

@@ -20,8 +20,8 @@ fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Opti
     let lower::Lowered { mut graph, energy: root, damping, constants, .. } =
         lower::body(&energy).map_err(|e| e.messages())?;
     let context = emit::Context { energy: &energy, constants: &constants, partial: &[] };
-    let damping = analyze::structure(&mut graph, root, energy.degrees()).damped(&graph, damping).damping;
-    let printer = Printer { graph: &graph, name: |symbol| context.user_name(symbol) };
+    let damping = analyze::structure(&mut graph, root, &energy.coordinates.shape).damped(&graph, damping).damping;
+    let printer = Printer::new(&graph, |symbol| context.user_name(symbol));
     let row = |row: &Vec<_>| row.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");
     let rows = damping.iter().flat_map(|damping| damping.matrix.iter().map(row)).collect();
     Ok((rows, damping))

@@ -5,7 +5,9 @@ mod damping;
 mod fuzz;
 mod derivatives;
 mod schedules;
+mod mean_value;
 mod meaning;
+mod momenta;
 mod snapshots;
 mod structures;
 
