@@ -29,11 +29,7 @@ pub(crate) fn requests(
                 "damping takes energy away, but the coefficient of coordinate {i} is {}: write one that is not negative",
                 entry(i, i)
             ),
-            Flaw::Indefinite => {
-                "damping takes energy away, but this matrix gives some for some velocity: write one that is \
-                                 positive semidefinite"
-                    .into()
-            }
+            Flaw::Indefinite => INDEFINITE.into(),
         };
         errors.at(&energy.damping, message);
     }
@@ -60,6 +56,9 @@ pub(crate) fn requests(
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+const INDEFINITE: &str = "damping takes energy away, but this matrix gives some at some velocity: write one that is positive \
+                          semidefinite";
 
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";

@@ -308,6 +308,18 @@ fn free(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + q[0].powi(4)
 }
 
+/// A central force with friction in one direction.
+#[hamiltonian(damping = [c, 0.0])]
+fn turntable(q: [f64; 2], p: [f64; 2], c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 + (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+/// No force in the second direction, nor in the third but for friction.
+#[hamiltonian(damping = [c, 0.0, c])]
+fn carriage(q: [f64; 3], p: [f64; 3], c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0 + q[0].powi(4)
+}
+
 #[test]
 fn damped_systems_have_neither_flows_nor_a_conserved_energy() {
     assert_eq!([Has::<Duffing>::FLOWS, Has::<Duffing>::CONSERVATIVE], [false, false]);
@@ -316,5 +328,12 @@ fn damped_systems_have_neither_flows_nor_a_conserved_energy() {
     assert!(!Duffing::REPORT.contains("- the energy"));
     assert!(Duffing::REPORT.contains("with C = c\n"), "{}", Duffing::REPORT);
     assert!(ShockAbsorber::REPORT.contains("with C = [[c, -c], [-c, c]]\n"), "{}", ShockAbsorber::REPORT);
+    // Angular momentum of the one, but for damping; a coordinate that damping leaves alone in the other.
+    assert!(Turntable::REPORT.contains("\nConserved by the flow\n- nothing that was found\n"), "{}", Turntable::REPORT);
+    assert!(
+        Carriage::REPORT.contains("\nConserved by the flow\n- p[1]: H does not read q[1]\n"),
+        "{}",
+        Carriage::REPORT
+    );
     assert!(Swing::REPORT.contains("C = [[a, b], [b, d·(p[0]² + 1)]]"), "{}", Swing::REPORT);
 }

@@ -36,9 +36,7 @@ impl Dependence {
                 Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
                 node => {
                     let mut all = Reads::default();
-                    node.for_each_child(|child| {
-                        all = all.or(reads[child.index()]);
-                    });
+                    node.for_each_child(|child| all = all.or(reads[child.index()]));
                     all
                 }
             };

@@ -27,7 +27,7 @@ pub(crate) struct Structure {
     pub(crate) split: Split,
     /// Whether H reads t.
     pub(crate) autonomous: bool,
-    /// Coordinates that H does not read, and whose momenta are not damped: these are conserved.
+    /// Coordinates that H does not read, and whose momenta are not damped: those are conserved.
     pub(crate) cyclic: Vec<u32>,
     /// Momenta that H does not read: their coordinates stand still.
     pub(crate) resting: Vec<u32>,
@@ -73,9 +73,12 @@ impl Structure {
     pub(crate) fn damped(mut self, graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Structure {
         self.damping = matrix.and_then(|matrix| damping::damping(graph, matrix));
         if let Some(damping) = &self.damping {
-            // Weighted sums of momenta may be kept all the same; none is claimed.
-            self.momenta.clear();
-            self.cyclic.retain(|i| damping.matrix[*i as usize].iter().all(|entry| graph.is_zero(*entry)));
+            let spared = |i: u32| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
+            self.cyclic.retain(|i| spared(*i));
+            self.momenta.retain(|momentum| {
+                let symbols = dependence::symbols(graph, momentum.value);
+                symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
+            });
         }
         self
     }

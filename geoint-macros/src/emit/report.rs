@@ -159,7 +159,8 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- nothing that was found")?;
     }
 
-    if !tree {
+    // `MeanValue` is for systems that keep their energy.
+    if !tree || structure.damping.is_some() {
         return Ok(());
     }
     writeln!(text, "\nDiscrete gradients")?;
