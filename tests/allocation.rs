@@ -80,12 +80,16 @@ fn stepping_allocates_nothing() {
     let mut steps = Steps::<HenonHeiles>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
+    methods::projected(&mut steps);
+    methods::relaxed(&mut steps);
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
-    assert_eq!(steps.0, 49);
+    assert_eq!(steps.0, 55);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
-    assert_eq!(steps.0, 23);
+    methods::projected(&mut steps);
+    methods::relaxed(&mut steps);
+    assert_eq!(steps.0, 29);
 }

@@ -39,7 +39,8 @@
 //!
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
-//! [`DiscreteGradient`]. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
+//! [`DiscreteGradient`]; explicit [`RungeKutta`] methods, and [`Projection`] and [`Relaxation`] that make any method keep the
+//! energy. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -55,6 +56,7 @@ pub mod system;
 mod linear;
 mod newton;
 mod predictor;
+mod stagnation;
 pub mod splitting;
 pub mod composition;
 mod tables;
@@ -62,6 +64,10 @@ pub mod tableau;
 pub mod gauss;
 pub mod discrete_gradient;
 pub mod explicit;
+pub mod runge_kutta;
+pub mod invariants;
+pub mod projection;
+pub mod relaxation;
 pub mod integrator;
 #[doc(hidden)]
 pub mod private;
@@ -80,23 +86,32 @@ pub use geoint_macros::hamiltonian;
 #[doc(inline)]
 pub use integrator::Integrator;
 #[doc(inline)]
+pub use invariants::{Energy, Invariants};
+#[doc(inline)]
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
+pub use projection::Projection;
+#[doc(inline)]
 pub use real::Real;
+#[doc(inline)]
+pub use relaxation::Relaxation;
+#[doc(inline)]
+pub use runge_kutta::{DOP853, RK4, RungeKutta};
 #[doc(inline)]
 pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 #[doc(inline)]
 pub use state::{Coordinates, State};
 #[doc(inline)]
-pub use system::{Hamiltonian, QuadraticKinetic, Separable};
+pub use system::{Autonomous, Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method, PositionVerlet,
-        State, StepError, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        DOP853, DiscreteGradient, Energy, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method,
+        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymplecticEuler,
+        SymplecticEulerAdjoint, hamiltonian,
     };
 }

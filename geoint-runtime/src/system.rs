@@ -43,6 +43,13 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     }
 }
 
+/// The flow keeps H: time does not appear in it, and nothing damps.
+#[diagnostic::on_unimplemented(
+    message = "the flow of `{Self}` was not proven to keep the energy",
+    label = "H depends on time, or is damped: there is nothing to project onto"
+)]
+pub trait Autonomous<R: Real = f64>: Hamiltonian<R> {}
+
 /// H = T(p, t) + V(q, t): each part has an exact flow.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",

@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use geoint_runtime::system::Collocation;
-use geoint_runtime::{Coordinates, Hamiltonian, State, array::Array, hamiltonian};
+use geoint_runtime::{Autonomous, Coordinates, Hamiltonian, State, array::Array, hamiltonian};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// Planar pendulum; q in rad.
@@ -150,6 +150,14 @@ pub fn spherical(q: [f64; 3], p: [f64; 3], m: f64, v: f64) -> f64 {
 pub fn short_pendulum(q: f32, p: f32, m: f32, l: f32, g: f32) -> f32 {
     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
 }
+
+macro_rules! autonomous {
+    ($($System:ident)*) => { $( impl<R: Scalar> Autonomous<R> for $System<R> {} )* };
+}
+
+// Those whose energy does not name `t`.
+autonomous! { Pendulum Kepler KeplerVector HenonHeiles QuarticChain DoublePendulum Relativistic OneSided ThreeBodies Lattice Toda
+LotkaVolterra Magnetic Spherical }
 
 /// An energy with parameters and a start, over any scalar.
 pub trait Problem {
