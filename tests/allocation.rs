@@ -68,6 +68,12 @@ impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
             assert!(sim.step().is_err());
             sim.set_step_size(1e200);
             black_box(sim.advance(3).is_err());
+
+            let mut sim = P::system::<f64>().adaptive(method, 1e-3, P::initial(0.0)).first_step(1e3);
+            sim.step().unwrap();
+            assert!(sim.rejections() > 0, "{name}");
+            black_box(sim.until(0.3).filter(Result::is_ok).count());
+            assert!(sim.steps_between(10.0, 10.0).step().is_err());
         });
         assert_eq!(count, 0, "{} with {name}", P::NAME);
     }

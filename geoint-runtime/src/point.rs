@@ -6,6 +6,8 @@ use core::fmt::Debug;
 
 /// How an increment is added to a coordinate.
 pub trait Summation<A: Array>: Copy + Debug {
+    /// Whether what is rounded off is carried to the next addition.
+    const CARRIES: bool;
     /// Nothing has been rounded off yet.
     fn new() -> Self;
     /// Lets `flow`, which adds something to its argument whatever that is, act on `x`.
@@ -17,6 +19,7 @@ pub trait Summation<A: Array>: Copy + Debug {
 pub struct Plain;
 
 impl<A: Array> Summation<A> for Plain {
+    const CARRIES: bool = false;
     fn new() -> Self {
         Plain
     }
@@ -33,7 +36,15 @@ pub struct Compensated<A> {
     carry: A,
 }
 
+impl<A: Array> Compensated<A> {
+    /// What the sum is too small by.
+    pub(crate) fn carry(&self) -> A {
+        self.carry
+    }
+}
+
 impl<A: Array> Summation<A> for Compensated<A> {
+    const CARRIES: bool = true;
     fn new() -> Self {
         Compensated { carry: A::zero() }
     }
@@ -93,14 +104,16 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
     /// q ← q + dq, p ← p + dp.
     #[inline(always)]
     pub fn add(&mut self, dq: &A, dp: &A) {
-        let mut sums = self.sums;
-        self.add_with(&mut sums, dq, dp);
-        self.sums = sums;
+        self.drift(|q, _| q.add_scaled(A::Real::from_f64(1.0), dq));
+        self.kick(|_, p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }
 
-    /// The same with sums of the method's own.
+    /// The same with sums of the method's own, unless those of the point carry: they outlive a change of the step size.
     #[inline(always)]
     pub fn add_with<D: Summation<A>>(&mut self, sums: &mut [D; 2], dq: &A, dp: &A) {
+        if C::CARRIES {
+            return self.add(dq, dp);
+        }
         sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
         sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }

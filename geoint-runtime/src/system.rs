@@ -3,6 +3,7 @@
 //! Each trait is a proven property. A method asks for the traits that it needs, so using it on a system without the
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
+use crate::adaptive::Adaptive;
 use crate::array::{Array, Square};
 use crate::integrator::Integrator;
 use crate::method::Method;
@@ -40,6 +41,18 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
         state: State<Self::Coordinates>,
     ) -> Integrator<Self, M, R> {
         Integrator::new(self, method, h, state)
+    }
+
+    /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+    fn adaptive<M: Method<Self, R>>(
+        self,
+        method: M,
+        tolerance: f64,
+        state: State<Self::Coordinates>,
+    ) -> Adaptive<Self, M, R> {
+        Adaptive::new(self, method, tolerance, state)
     }
 }
 
