@@ -78,9 +78,9 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient separable nystrom;
-    Relativistic, 0.1, general discrete_gradient separable;
-    DoublePendulum, 0.1, general discrete_gradient;
+    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom;
+    Relativistic, 0.1, general discrete_gradient projected relaxed separable;
+    DoublePendulum, 0.1, general discrete_gradient projected;
     Breathing, 0.1, general discrete_gradient separable;
     SwingingMass, 0.1, general discrete_gradient;
     Magnetic, 0.1, general;

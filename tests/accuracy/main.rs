@@ -4,5 +4,6 @@ mod language;
 mod derivatives;
 mod tables;
 mod orders;
+mod corrected;
 mod geometry;
 mod clock;

@@ -61,7 +61,7 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
+                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
                 Separable, Square, State, is_positive_semidefinite, slope,
             };
 
