@@ -35,6 +35,13 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// An increment is orthogonal to the direction along which it is to change the energy: [`CoordinateIncrement`] has no step.
+    ///
+    /// [`CoordinateIncrement`]: crate::CoordinateIncrement
+    SingularDirection {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
@@ -63,6 +70,13 @@ impl fmt::Display for StepError {
             }
             StepError::Singular { t } => {
                 write!(f, "the step from t = {t} has no solution, or several, at this step size; try a smaller one")
+            }
+            StepError::SingularDirection { t } => {
+                write!(
+                    f,
+                    "the step from t = {t} moves at right angles to the gradient along which it is to change the energy; \
+                     try another step size, or `Gonzalez` or `DiscreteGradient`"
+                )
             }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,

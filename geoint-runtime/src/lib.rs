@@ -39,7 +39,7 @@
 //!
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
-//! [`DiscreteGradient`]. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
+//! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -54,6 +54,7 @@ pub mod method;
 pub mod system;
 mod linear;
 mod newton;
+mod quasi_newton;
 mod predictor;
 pub mod splitting;
 pub mod composition;
@@ -61,6 +62,7 @@ mod tables;
 pub mod tableau;
 pub mod gauss;
 pub mod discrete_gradient;
+pub mod kahan;
 pub mod explicit;
 pub mod integrator;
 #[doc(hidden)]
@@ -69,7 +71,10 @@ pub mod private;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
-pub use discrete_gradient::DiscreteGradient;
+pub use discrete_gradient::{
+    CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
+    SymmetrisedItohAbe,
+};
 #[doc(inline)]
 pub use error::StepError;
 #[doc(inline)]
@@ -79,6 +84,8 @@ pub use gauss::{Gauss, ImplicitMidpoint};
 pub use geoint_macros::hamiltonian;
 #[doc(inline)]
 pub use integrator::Integrator;
+#[doc(inline)]
+pub use kahan::Kahan;
 #[doc(inline)]
 pub use method::{Claims, Method};
 pub use nalgebra;
@@ -96,7 +103,8 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        DiscreteGradient, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator, Method, PositionVerlet,
-        State, StepError, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        CoordinateIncrement, DiscreteGradient, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian,
+        ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PositionVerlet,
+        State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

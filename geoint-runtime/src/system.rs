@@ -75,6 +75,21 @@ pub trait Separable<R: Real = f64>: Hamiltonian<R> {
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 
+/// The energy is all that moves the system: y' = J∇H.
+///
+/// Methods that are made to keep the energy need this.
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
+
+impl<S: Hamiltonian<R>, R: Real> Conservative<R> for S {}
+
+/// H is a polynomial of degree 3 at most in (q, p).
+#[diagnostic::on_unimplemented(
+    message = "the energy of `{Self}` was not proven to be a polynomial of degree 3 at most",
+    label = "Kahan's method needs such an energy",
+    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
+)]
+pub trait Cubic<R: Real = f64>: Collocation<R> {}
+
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
@@ -115,6 +130,11 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Start: Copy + core::fmt::Debug;
     /// Whether H is a polynomial of degree 2 that does not depend on time: f̄ is affine in d.
     const LINEAR: bool;
+    /// The degree of H as a polynomial in (q, p), if it is one.
+    const DEGREE: Option<u32> = None;
+    /// Whether ∇̄H is the mean of ∇H along the segment from y to y + d: H is a sum of functions of linear forms and of a polynomial
+    /// of degree 2.
+    const MEAN_VALUE: bool = false;
 
     /// What depends on parameters only.
     fn parameters(&self) -> Self::Parameters;

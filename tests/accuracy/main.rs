@@ -5,4 +5,5 @@ mod derivatives;
 mod tables;
 mod orders;
 mod geometry;
+mod discrete_gradients;
 mod clock;
