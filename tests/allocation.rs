@@ -82,10 +82,13 @@ fn stepping_allocates_nothing() {
     methods::discrete_gradient(&mut steps);
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
-    assert_eq!(steps.0, 49);
+    methods::itoh_abe(&mut steps);
+    methods::coordinate_increment(&mut steps);
+    methods::cubic(&mut steps);
+    assert_eq!(steps.0, 67);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
-    assert_eq!(steps.0, 23);
+    assert_eq!(steps.0, 35);
 }

@@ -78,10 +78,10 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient separable nystrom;
-    Relativistic, 0.1, general discrete_gradient separable;
-    DoublePendulum, 0.1, general discrete_gradient;
+    HenonHeiles, 0.2, general discrete_gradient separable nystrom cubic;
+    Relativistic, 0.1, general discrete_gradient itoh_abe separable;
+    DoublePendulum, 0.1, general discrete_gradient itoh_abe;
     Breathing, 0.1, general discrete_gradient separable;
-    SwingingMass, 0.1, general discrete_gradient;
+    SwingingMass, 0.1, general discrete_gradient itoh_abe coordinate_increment;
     Magnetic, 0.1, general;
 }

@@ -61,9 +61,12 @@ impl<P: Problem> Visitor<P::Over<Double>, Double> for Orders<P> {
     }
 }
 
-/// Methods of the four lists.
+/// Methods of each list.
 const GENERAL: usize = 15;
-const DISCRETE_GRADIENT: usize = 8;
+const DISCRETE_GRADIENT: usize = 20;
+const ITOH_ABE: usize = 2;
+const COORDINATE_INCREMENT: usize = 2;
+const CUBIC: usize = 2;
 const SEPARABLE: usize = 22;
 const NYSTROM: usize = 4;
 
@@ -74,7 +77,8 @@ fn quadratic_kinetic_energy() {
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
     methods::nystrom(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + SEPARABLE + NYSTROM);
+    methods::cubic(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + SEPARABLE + NYSTROM + CUBIC);
 }
 
 #[test]
@@ -82,8 +86,9 @@ fn other_kinetic_energy() {
     let mut orders = Orders::<Relativistic>::over(1.3);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
+    methods::itoh_abe(&mut orders);
     methods::separable(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + SEPARABLE);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + ITOH_ABE + SEPARABLE);
 }
 
 #[test]
@@ -91,7 +96,8 @@ fn not_separable() {
     let mut orders = Orders::<DoublePendulum>::over(1.3);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT);
+    methods::itoh_abe(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + ITOH_ABE);
 }
 
 #[test]
@@ -118,7 +124,9 @@ fn driven_and_not_separable() {
     let mut orders = Orders::<SwingingMass>::over(3.9);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT);
+    methods::itoh_abe(&mut orders);
+    methods::coordinate_increment(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + ITOH_ABE + COORDINATE_INCREMENT);
 }
 
 /// The measure itself: it is not order 4 what is not.
