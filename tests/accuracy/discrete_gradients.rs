@@ -139,6 +139,7 @@ impl Visitor<HenonHeiles, f64> for RandomSteps {
 fn energy_is_kept_in_random_steps() {
     methods::discrete_gradient(&mut RandomSteps);
     methods::itoh_abe(&mut RandomSteps);
+    methods::itoh_abe_one_way(&mut RandomSteps);
     // Controls.
     methods::cubic(&mut RandomSteps);
     RandomSteps.visit("ImplicitMidpoint", ImplicitMidpoint);
@@ -196,6 +197,7 @@ fn at_rest_nothing_moves() {
     }
     methods::discrete_gradient(&mut Rest);
     methods::itoh_abe(&mut Rest);
+    methods::itoh_abe_one_way(&mut Rest);
     methods::coordinate_increment(&mut Rest);
 }
 

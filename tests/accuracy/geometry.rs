@@ -78,10 +78,10 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient separable nystrom cubic;
-    Relativistic, 0.1, general discrete_gradient itoh_abe separable;
-    DoublePendulum, 0.1, general discrete_gradient itoh_abe;
+    HenonHeiles, 0.2, general discrete_gradient separable nystrom cubic itoh_abe;
+    Relativistic, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way separable;
+    DoublePendulum, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way;
     Breathing, 0.1, general discrete_gradient separable;
-    SwingingMass, 0.1, general discrete_gradient itoh_abe coordinate_increment;
+    SwingingMass, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way coordinate_increment;
     Magnetic, 0.1, general;
 }

@@ -38,18 +38,25 @@ pub fn discrete_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R> + Conservative<R>,
 {
-    visit!(visitor: DiscreteGradient, Gonzalez, MeanValue::<2>, SymmetrisedItohAbe, ItohAbePair);
-    visit!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez), FourthOrder(MeanValue::<3>),
-        FourthOrder(SymmetrisedItohAbe));
+    visit!(visitor: DiscreteGradient, Gonzalez, MeanValue::<2>);
+    visit!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez), FourthOrder(MeanValue::<3>));
     compositions!(visitor: DiscreteGradient);
     compositions!(visitor: Gonzalez; Suzuki4);
-    compositions!(visitor: SymmetrisedItohAbe; Suzuki4);
-    compositions!(visitor: ItohAbePair; Suzuki4);
     visit!(visitor: Suzuki4.of(MeanValue::<2>));
 }
 
-/// The same of order 1. Where H is a sum over single coordinates they have order 2 and are symmetric.
+/// Those that take one coordinate after the other, and many times as long.
 pub fn itoh_abe<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Conservative<R>,
+{
+    visit!(visitor: SymmetrisedItohAbe, ItohAbePair, FourthOrder(SymmetrisedItohAbe));
+    compositions!(visitor: SymmetrisedItohAbe; Suzuki4);
+    compositions!(visitor: ItohAbePair; Suzuki4);
+}
+
+/// The same of order 1. Where H is a sum over single coordinates they have order 2 and are symmetric.
+pub fn itoh_abe_one_way<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: DiscreteField<R> + Conservative<R>,
 {

@@ -106,6 +106,7 @@ fn energy_is_kept_by_those_that_claim_it() {
     methods::general(&mut energy);
     methods::discrete_gradient(&mut energy);
     methods::itoh_abe(&mut energy);
+    methods::itoh_abe_one_way(&mut energy);
     assert_eq!(energy.0, 19);
 }
 
@@ -128,6 +129,7 @@ fn cyclic_momentum_is_kept_bitwise() {
     methods::general(&mut cyclic);
     methods::discrete_gradient(&mut cyclic);
     methods::itoh_abe(&mut cyclic);
+    methods::itoh_abe_one_way(&mut cyclic);
 }
 
 /// Errors of the implicit midpoint rule at T = 2 on Hénon–Heiles with unit masses from (0.1, −0.2, 0.3, 0.25), computed
