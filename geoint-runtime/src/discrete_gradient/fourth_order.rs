@@ -16,9 +16,9 @@ use crate::system::{Conservative, DiscreteField};
 /// solve a step. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
 /// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much and has a tenth of the error.
 ///
-/// S. Eidnes, BIT 62 (2022) 1207, with Q from ∂g(x₀, y)/∂y at y = (x₀ + 2x₁)/3, which is not symmetric and is of order 3 where
-/// third derivatives are not constant; for [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren,
-/// J. Phys. A 41 (2008) 045206.
+/// After S. Eidnes, BIT 62 (2022) 1207; Q is taken from both ends, because with that of one end, ∂g(x₀, y)/∂y at
+/// y = (x₀ + 2x₁)/3, the step is not symmetric, and of order 3 where third derivatives are not constant. For
+/// [`MeanValue`](super::MeanValue), where Q = 0: G. R. W. Quispel & D. I. McLaren, J. Phys. A 41 (2008) 045206.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct FourthOrder<G>(
     /// The symmetric method of order 2.
