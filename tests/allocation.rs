@@ -90,12 +90,19 @@ fn stepping_allocates_nothing() {
     methods::relaxed(&mut steps);
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
-    assert_eq!(steps.0, 55);
+    methods::itoh_abe(&mut steps);
+    methods::itoh_abe_one_way(&mut steps);
+    methods::cubic(&mut steps);
+    assert_eq!(steps.0, 71);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
     methods::projected(&mut steps);
     methods::relaxed(&mut steps);
-    assert_eq!(steps.0, 29);
+    assert_eq!(steps.0, 36);
+
+    let mut steps = Steps::<SwingingMass>(0, PhantomData);
+    methods::coordinate_increment(&mut steps);
+    assert_eq!(steps.0, 2);
 }

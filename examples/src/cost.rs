@@ -39,6 +39,7 @@ pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
         outcome.map_err(|refusal| match refusal {
             Refusal::NotConverged { iterations, .. } => format!("no convergence in {iterations} iterations"),
             Refusal::Singular => "no unique solution".into(),
+            Refusal::SingularDirection => "an increment orthogonal to its direction".into(),
         })?;
     }
     Ok(looks.0)

@@ -57,6 +57,22 @@ pub trait SymmetricMap: Copy {
     fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
 }
 
+/// Maps of which a composition is one substep after the other.
+macro_rules! substeps {
+    ($([$($generic:tt)*] $map:ty);*) => { $(
+        impl<$($generic)*> crate::composition::SymmetricMap for $map {
+            type Composed<const SUBSTEPS: usize> = crate::composition::Composed<$map, SUBSTEPS>;
+            fn compose<const SUBSTEPS: usize>(
+                self,
+                composition: crate::composition::Composition<SUBSTEPS>,
+            ) -> Self::Composed<SUBSTEPS> {
+                crate::composition::Composed { map: self, composition }
+            }
+        }
+    )* };
+}
+pub(crate) use substeps;
+
 impl SymmetricMap for StormerVerlet {
     type Composed<const K: usize> = Splitting<K, KickFirst>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, KickFirst> {

@@ -36,6 +36,13 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// An increment is orthogonal to the direction along which it is to change the energy: [`CoordinateIncrement`] has no step.
+    ///
+    /// [`CoordinateIncrement`]: crate::CoordinateIncrement
+    SingularDirection {
+        /// Time of the last good state.
+        t: f64,
+    },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
@@ -79,6 +86,8 @@ pub enum Reason {
     NonFinite,
     /// Its implicit equation has no solution that is continuous in h from h = 0 on.
     Singular,
+    /// It moves at right angles to the gradient along which it is to change the energy.
+    SingularDirection,
     /// Its implicit equation was not solved to rounding.
     NotConverged,
 }
@@ -87,6 +96,7 @@ impl From<Refusal> for Reason {
     fn from(refusal: Refusal) -> Self {
         match refusal {
             Refusal::Singular => Reason::Singular,
+            Refusal::SingularDirection => Reason::SingularDirection,
             Refusal::NotConverged { .. } => Reason::NotConverged,
         }
     }
@@ -99,6 +109,7 @@ impl fmt::Display for Reason {
             Reason::OutsideDomain { what } => write!(f, "it looks at the energy where it is not defined: {what}"),
             Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
             Reason::Singular => write!(f, "its equation has no solution, or several"),
+            Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
         }
     }
@@ -121,6 +132,13 @@ impl fmt::Display for StepError {
             }
             StepError::Singular { t } => {
                 write!(f, "the step from t = {t} has no solution, or several, at this step size; try a smaller one")
+            }
+            StepError::SingularDirection { t } => {
+                write!(
+                    f,
+                    "the step from t = {t} moves at right angles to the gradient along which it is to change the energy; \
+                     try another step size, or `Gonzalez` or `DiscreteGradient`"
+                )
             }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,

@@ -97,6 +97,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
                 (_, Some(what)) => StepError::OutsideDomain { t, what },
                 (Ok(()), None) => StepError::NonFinite { t },
                 (Err(Refusal::Singular), None) => StepError::Singular { t },
+                (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
                 (Err(Refusal::NotConverged { iterations, correction }), None) => {
                     StepError::NotConverged { t, iterations, correction }
                 }

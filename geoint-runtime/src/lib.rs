@@ -40,8 +40,9 @@
 //!
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
-//! [`DiscreteGradient`]; explicit [`RungeKutta`] methods, and [`Projection`] and [`Relaxation`] that make any method keep the
-//! energy. [`Adaptive`] is an [`Integrator`] that chooses its steps. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
+//! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
+//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps. Methods of
+//! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -57,6 +58,7 @@ pub mod system;
 mod damping;
 mod linear;
 mod newton;
+mod quasi_newton;
 mod predictor;
 mod stagnation;
 pub mod splitting;
@@ -65,6 +67,7 @@ mod tables;
 pub mod tableau;
 pub mod gauss;
 pub mod discrete_gradient;
+pub mod kahan;
 pub mod explicit;
 pub mod runge_kutta;
 pub mod invariants;
@@ -81,7 +84,10 @@ pub use adaptive::Adaptive;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
-pub use discrete_gradient::DiscreteGradient;
+pub use discrete_gradient::{
+    CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
+    SymmetrisedItohAbe,
+};
 #[doc(inline)]
 pub use error::{Reason, StepError};
 #[doc(inline)]
@@ -93,6 +99,8 @@ pub use geoint_macros::hamiltonian;
 pub use integrator::Integrator;
 #[doc(inline)]
 pub use invariants::{Energy, Invariants};
+#[doc(inline)]
+pub use kahan::Kahan;
 #[doc(inline)]
 pub use method::{Claims, Method};
 pub use nalgebra;
@@ -116,8 +124,9 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, DOP853, DiscreteGradient, Energy, ExplicitEuler, Gauss, Hamiltonian, ImplicitMidpoint, Integrator,
-        Method, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymplecticEuler,
-        SymplecticEulerAdjoint, hamiltonian,
+        Adaptive, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
+        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
+        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

@@ -91,6 +91,8 @@ pub enum Refusal {
     /// The equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or changed its
     /// orientation on the way.
     Singular,
+    /// An increment is orthogonal to the direction along which it is to change the energy.
+    SingularDirection,
 }
 
 /// Sees every point at which a step looks at the energy.

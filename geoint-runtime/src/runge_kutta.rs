@@ -189,24 +189,22 @@ impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
         probe: &mut P,
     ) -> Result<(), Refusal> {
         let none = S::Array::zero();
-        let (mut slopes_q, mut slopes_p) = ([none; K], [none; K]);
-        let sum = |weights: &[R], slopes: &[S::Array]| {
+        let (mut rates_q, mut rates_p) = ([none; K], [none; K]);
+        let sum = |weights: &[R], rates: &[S::Array]| {
             let mut sum = none;
-            for (w, slope) in weights.iter().zip(slopes) {
-                sum.add_scaled(*w, slope);
+            for (w, rate) in weights.iter().zip(rates) {
+                sum.add_scaled(*w, rate);
             }
             sum
         };
         for i in 0..K {
             let (mut q, mut p) = (x.q, x.p);
-            q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &slopes_p));
-            p.add_scaled(R::from_f64(-1.0), &sum(&a[i][..i], &slopes_q));
+            q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_q));
+            p.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_p));
             probe.visit(t + c[i], &q, &p);
-            system.gradient(t + c[i], &q, &p, &mut slopes_q[i], &mut slopes_p[i]);
+            system.rate(t + c[i], &q, &p, &mut rates_q[i], &mut rates_p[i]);
         }
-        let mut fall = none;
-        fall.add_scaled(R::from_f64(-1.0), &sum(b, &slopes_q));
-        x.add(&sum(b, &slopes_p), &fall);
+        x.add(&sum(b, &rates_q), &sum(b, &rates_p));
         Ok(())
     }
 }

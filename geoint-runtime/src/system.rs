@@ -80,14 +80,6 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
 )]
 pub trait Autonomous<R: Real = f64>: Conservative<R> {}
 
-/// H is a polynomial of degree 3 at most in (q, p).
-#[diagnostic::on_unimplemented(
-    message = "the energy of `{Self}` was not proven to be a polynomial of degree 3 at most",
-    label = "Kahan's method needs such an energy",
-    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
-)]
-pub trait Cubic<R: Real = f64>: Hamiltonian<R> {}
-
 /// H = T(p, t) + V(q, t): each part has an exact flow.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
@@ -119,6 +111,14 @@ pub trait Separable<R: Real = f64>: Hamiltonian<R> {
     note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
+
+/// H is a polynomial of degree 3 at most in (q, p).
+#[diagnostic::on_unimplemented(
+    message = "the energy of `{Self}` was not proven to be a polynomial of degree 3 at most",
+    label = "Kahan's method needs such an energy",
+    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
+)]
+pub trait Cubic<R: Real = f64>: Collocation<R> {}
 
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
@@ -161,6 +161,11 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Start: Copy + core::fmt::Debug;
     /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
     const LINEAR: bool;
+    /// The degree of H as a polynomial in (q, p), if it is one.
+    const DEGREE: Option<u32> = None;
+    /// Whether ∇̄H is the mean of ∇H along the segment from y to y + d: H is a sum of functions of linear forms and of a polynomial
+    /// of degree 2.
+    const MEAN_VALUE: bool = false;
 
     /// What depends on parameters only.
     fn parameters(&self) -> Self::Parameters;

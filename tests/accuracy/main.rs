@@ -6,4 +6,5 @@ mod tables;
 mod orders;
 mod corrected;
 mod geometry;
+mod discrete_gradients;
 mod clock;

@@ -61,11 +61,15 @@ impl<P: Problem> Visitor<P::Over<Double>, Double> for Orders<P> {
     }
 }
 
-/// Methods of the six lists.
+/// Methods of each list.
 const GENERAL: usize = 17;
-const DISCRETE_GRADIENT: usize = 8;
+const DISCRETE_GRADIENT: usize = 15;
 const PROJECTED: usize = 2;
 const RELAXED: usize = 2;
+const ITOH_ABE: usize = 5;
+const ITOH_ABE_ONE_WAY: usize = 2;
+const COORDINATE_INCREMENT: usize = 2;
+const CUBIC: usize = 2;
 const SEPARABLE: usize = 22;
 const NYSTROM: usize = 4;
 
@@ -78,7 +82,9 @@ fn quadratic_kinetic_energy() {
     methods::relaxed(&mut orders);
     methods::separable(&mut orders);
     methods::nystrom(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + SEPARABLE + NYSTROM);
+    methods::cubic(&mut orders);
+    methods::itoh_abe(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + CUBIC);
 }
 
 #[test]
@@ -88,8 +94,9 @@ fn other_kinetic_energy() {
     methods::discrete_gradient(&mut orders);
     methods::projected(&mut orders);
     methods::relaxed(&mut orders);
+    methods::itoh_abe_one_way(&mut orders);
     methods::separable(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + SEPARABLE);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE_ONE_WAY + SEPARABLE);
 }
 
 #[test]
@@ -98,7 +105,8 @@ fn not_separable() {
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
     methods::projected(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED);
+    methods::itoh_abe_one_way(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + ITOH_ABE_ONE_WAY);
 }
 
 #[test]
@@ -125,7 +133,10 @@ fn driven_and_not_separable() {
     let mut orders = Orders::<SwingingMass>::over(3.9);
     methods::general(&mut orders);
     methods::discrete_gradient(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT);
+    methods::itoh_abe_one_way(&mut orders);
+    methods::coordinate_increment(&mut orders);
+    methods::itoh_abe(&mut orders);
+    orders.finish(GENERAL + ITOH_ABE + DISCRETE_GRADIENT + ITOH_ABE_ONE_WAY + COORDINATE_INCREMENT);
 }
 
 /// The measure itself: it is not order 4 what is not.

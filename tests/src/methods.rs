@@ -1,7 +1,7 @@
 //! The list of all methods. Whatever is claimed of methods is tested by walking it.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, DiscreteField};
+use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
 use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
@@ -37,10 +37,49 @@ where
 /// Methods for every H whose divided differences are known.
 pub fn discrete_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: DiscreteField<R>,
+    S: DiscreteField<R> + Conservative<R>,
 {
-    visit!(visitor: DiscreteGradient);
+    visit!(visitor: DiscreteGradient, Gonzalez, MeanValue::<2>);
+    visit!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez), FourthOrder(MeanValue::<3>));
     compositions!(visitor: DiscreteGradient);
+    compositions!(visitor: Gonzalez; Suzuki4);
+    visit!(visitor: Suzuki4.of(MeanValue::<2>));
+}
+
+/// Those that take one coordinate after the other, and many times as long.
+pub fn itoh_abe<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Conservative<R>,
+{
+    visit!(visitor: SymmetrisedItohAbe, ItohAbePair, FourthOrder(SymmetrisedItohAbe));
+    compositions!(visitor: SymmetrisedItohAbe; Suzuki4);
+    compositions!(visitor: ItohAbePair; Suzuki4);
+}
+
+/// The same of order 1. Where H is a sum over single coordinates they have order 2 and are symmetric.
+pub fn itoh_abe_one_way<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Conservative<R>,
+{
+    visit!(visitor: ItohAbe, ItohAbeAdjoint);
+}
+
+/// Those that have no step where an increment is orthogonal to its direction, which with one degree of freedom is nowhere.
+pub fn coordinate_increment<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Conservative<R>,
+{
+    visit!(visitor: CoordinateIncrement::default());
+    visit!(visitor: CoordinateIncrement { alpha: 0.2, beta: 0.9, gamma: 1.0, delta: 0.3 });
+}
+
+/// Methods for H of degree 3.
+pub fn cubic<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: Cubic<R> + Conservative<R>,
+{
+    visit!(visitor: Kahan);
+    compositions!(visitor: Kahan; Suzuki4);
 }
 
 /// Methods that keep the energy because each step is projected.

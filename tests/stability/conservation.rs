@@ -106,7 +106,9 @@ fn energy_is_kept_by_those_that_claim_it() {
     methods::general(&mut energy);
     methods::discrete_gradient(&mut energy);
     methods::projected(&mut energy);
-    assert_eq!(energy.0, 10);
+    methods::itoh_abe(&mut energy);
+    methods::itoh_abe_one_way(&mut energy);
+    assert_eq!(energy.0, 21);
 }
 
 /// The momentum of a cyclic coordinate is not touched, not even by rounding.
@@ -118,7 +120,9 @@ fn cyclic_momentum_is_kept_bitwise() {
             let start = Spherical::initial::<f64>(0.0);
             let mut sim = Spherical::system::<f64>().integrator(method, 0.02, start);
             sim.advance(300).unwrap();
-            assert_eq!(sim.state().p[2].to_bits(), start.p[2].to_bits(), "{name}");
+            // Gonzalez' correction points along the increment, wherever that is.
+            let kept = sim.state().p[2].to_bits() == start.p[2].to_bits();
+            assert_eq!(kept, !name.contains("Gonzalez"), "{name}");
             assert!((sim.state().p[1] - start.p[1]).abs() > 1e-3, "{name}: the others move");
         }
     }
@@ -126,6 +130,8 @@ fn cyclic_momentum_is_kept_bitwise() {
     methods::general(&mut cyclic);
     methods::discrete_gradient(&mut cyclic);
     methods::relaxed(&mut cyclic);
+    methods::itoh_abe(&mut cyclic);
+    methods::itoh_abe_one_way(&mut cyclic);
 }
 
 /// Errors of the implicit midpoint rule at T = 2 on Hénon–Heiles with unit masses from (0.1, −0.2, 0.3, 0.25), computed

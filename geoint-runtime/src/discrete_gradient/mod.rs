@@ -1,13 +1,31 @@
 //! x₁ = x₀ + h (J − R) ∇̄H(x₀, x₁): steps that keep the energy to rounding, or lose what damping R takes.
 
+mod coordinate_increment;
+mod energy;
+mod fourth_order;
+mod gonzalez;
+mod itoh_abe;
+mod matrix;
+mod mean;
+mod mean_value;
+
+pub use coordinate_increment::CoordinateIncrement;
+pub use energy::{Energy, Slope, Staircase};
+pub use fourth_order::FourthOrder;
+pub use gonzalez::Gonzalez;
+pub use itoh_abe::{ItohAbe, ItohAbeAdjoint, ItohAbePair, SymmetrisedItohAbe};
+pub use matrix::Matrix;
+pub use mean::MeanGradient;
+pub use mean_value::MeanValue;
+
 use crate::array::{Array, Square};
-use crate::composition::{Composed, Composition, SymmetricMap};
+use crate::composition::substeps;
 use crate::linear;
 use crate::method::{Claims, Method, Probe, Refusal};
 use crate::newton::{self, Newton};
 use crate::point::{Compensated, Plain, Point, Summation};
 use crate::real::{Real, zero};
-use crate::system::DiscreteField;
+use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
@@ -185,9 +203,16 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     }
 }
 
-impl SymmetricMap for DiscreteGradient {
-    type Composed<const K: usize> = Composed<DiscreteGradient, K>;
-    fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K> {
-        Composed { map: self, composition }
+/// The tree discrete gradient as others use it.
+impl MeanGradient for DiscreteGradient {
+    fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
+        &self,
+        energy: &mut Energy<'_, S, R, P>,
+        x: &[S::Array; 2],
+        d: &[S::Array; 2],
+    ) -> Result<Slope<S::Array>, Refusal> {
+        Ok(energy.tree(x, d))
     }
 }
+
+substeps!([] DiscreteGradient);
