@@ -50,6 +50,7 @@ use proc_macro::TokenStream;
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `t = time`: other names for positions, momenta and time.
 /// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+/// - `damping = C`: friction, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
 /// # The body
@@ -62,6 +63,42 @@ use proc_macro::TokenStream;
 ///
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
 /// smoothly no method has the order that it claims.
+///
+/// # Damping
+///
+/// `damping = C` adds −C ∂H/∂p to the force: q' = ∂H/∂p, p' = −∂H/∂q − C ∂H/∂p. C is an expression in the language of the
+/// body that sees the arguments of the function: a number for all coordinates, an array or vector with a number a coordinate,
+/// or a symmetric matrix as an array of arrays. It may depend on parameters, the state and time.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A mass in a medium that is denser below.
+/// #[hamiltonian(damping = c * (-q).exp())]
+/// fn sinking(q: f64, p: f64, m: f64, g: f64, c: f64) -> f64 {
+///     p * p / (2.0 * m) + m * g * q
+/// }
+///
+/// let mut sim = Sinking { m: 1.3, g: 9.81, c: 0.4 }.integrator(DiscreteGradient, 0.1, State::new(0.0, 0.0));
+/// let mut energy = sim.energy();
+/// for _ in 0..50 {
+///     sim.step()?;
+///     assert!(sim.energy() < energy);
+///     energy = sim.energy();
+/// }
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// A step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off an energy that does not depend on time, to rounding and for every h > 0,
+/// with ∇̄H the part of the discrete gradient for the momenta and C at the mean of both ends: the energy never grows.
+/// `ImplicitMidpoint`, `Gauss` and `ExplicitEuler` keep their order. Methods that are made of kicks and drifts do not exist, nor
+/// do those that keep the energy in other ways.
+///
+/// C must be positive semidefinite, to take energy away. What is known when the program is compiled is checked then. For the
+/// rest a state is outside of the domain of such a system (`StepError::OutsideDomain`) where a coefficient on the diagonal is
+/// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
+/// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
+/// `advance`, once in 1024 steps at least.
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::hamiltonian(args.into(), item.into()).into()

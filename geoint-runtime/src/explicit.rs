@@ -6,7 +6,7 @@ use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::system::Hamiltonian;
 
-/// x₁ = x₀ + h J∇H(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
+/// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
 ///
 /// For comparisons only. L. Euler 1768.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -31,10 +31,12 @@ impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
         probe: &mut P,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.q, &x.p);
-        let (mut slope_q, mut slope_p) = (S::Array::zero(), S::Array::zero());
-        system.gradient(t, &x.q, &x.p, &mut slope_q, &mut slope_p);
-        x.drift(|q, _| q.add_scaled(*h, &slope_p));
-        x.kick(|_, p| p.add_scaled(-*h, &slope_q));
+        let (mut rate_q, mut rate_p) = (S::Array::zero(), S::Array::zero());
+        system.rate(t, &x.q, &x.p, &mut rate_q, &mut rate_p);
+        let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
+        dq.add_scaled(*h, &rate_q);
+        dp.add_scaled(*h, &rate_p);
+        x.add(&dq, &dp);
         Ok(())
     }
 }

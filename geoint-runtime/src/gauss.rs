@@ -1,6 +1,6 @@
 //! Gauss collocation, the implicit midpoint rule among it, for every H.
 
-use crate::array::Array;
+use crate::array::{Array, Square};
 use crate::composition::{Composed, Composition, SymmetricMap};
 use crate::method::{Claims, Method, Probe, Refusal};
 use crate::newton::Newton;
@@ -101,35 +101,41 @@ where
         // The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
         let mut visible = zero;
         visible.add_scaled(R::from_f64(1.0) / *h, &changed);
-        let (mut f, mut slope) = (zero, Y::Unknown::fill(zero));
-        let k = newton.solve(&[visible; S], explicit, |k, residual, jacobian| {
-            let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(jacobian);
-            for i in 0..S {
-                let mut change = zero;
-                change.add_scaled(nodes[i], &velocity);
-                for j in 0..S {
-                    Y::add(system, coupling[i][j], &k[j], &mut change);
-                }
-                let mut stage = Point::<Y::Array, Plain>::new(x.q, x.p);
-                let [dq, dp] = Y::increments(&change, &zero);
-                stage.add(&dq, &dp);
-                probe.visit(t + nodes[i], &stage.q, &stage.p);
-                let mut y = y0;
-                y.add_scaled(R::from_f64(1.0), &change);
-
-                // kᵢ − f(Yᵢ) and its derivative δᵢⱼ − f'(Yᵢ)·∂Yᵢ/∂kⱼ.
-                Y::field(system, t + nodes[i], &y, &mut f, &mut slope);
-                residual[i] = k[i];
-                residual[i].add_scaled(R::from_f64(-1.0), &f);
+        // f(Yᵢ) and f'(Yᵢ) of a stage.
+        let (coupling, point) = (&*coupling, &*x);
+        let look = |probe: &mut P, i: usize, k: &[Y::Unknown; S], slope: &mut Square<Y::Unknown>| {
+            let (mut change, mut f) = (zero, zero);
+            change.add_scaled(nodes[i], &velocity);
+            for j in 0..S {
+                Y::add(system, coupling[i][j], &k[j], &mut change);
+            }
+            let mut stage = Point::<Y::Array, Plain>::new(point.q, point.p);
+            let [dq, dp] = Y::increments(&change, &zero);
+            stage.add(&dq, &dp);
+            probe.visit(t + nodes[i], &stage.q, &stage.p);
+            let mut y = y0;
+            y.add_scaled(R::from_f64(1.0), &change);
+            Y::field(system, t + nodes[i], &y, &mut f, slope);
+            f
+        };
+        let image = |probe: &mut P, k: &[Y::Unknown; S]| {
+            core::array::from_fn(|i| look(probe, i, k, &mut Y::Unknown::fill(zero)))
+        };
+        let k = newton.solve(&[visible; S], explicit, probe, image, |probe, k, derivative| {
+            let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(derivative);
+            core::array::from_fn(|i| {
+                // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
+                let mut slope = Y::Unknown::fill(zero);
+                let f = look(probe, i, k, &mut slope);
                 for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
                     let row = &mut rows[i * Y::Unknown::LEN + r];
                     for j in 0..S {
                         row[j] = zero;
-                        Y::add(system, -coupling[i][j], slope_row, &mut row[j]);
+                        Y::add(system, coupling[i][j], slope_row, &mut row[j]);
                     }
-                    row[i].as_mut_slice()[r] += R::from_f64(1.0);
                 }
-            }
+                f
+            })
         })?;
 
         let (mut change, mut impulse) = (zero, zero);

@@ -52,6 +52,7 @@ pub mod error;
 pub mod point;
 pub mod method;
 pub mod system;
+mod damping;
 mod linear;
 mod newton;
 mod quasi_newton;
@@ -96,7 +97,7 @@ pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, Symplecti
 #[doc(inline)]
 pub use state::{Coordinates, State};
 #[doc(inline)]
-pub use system::{Hamiltonian, QuadraticKinetic, Separable};
+pub use system::{Conservative, Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
 
 /// Everything that a program needs.

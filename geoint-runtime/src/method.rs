@@ -4,7 +4,9 @@ use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::system::Hamiltonian;
 
-/// What a method promises; the tests run over the list of all methods and hold each to it.
+/// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
+///
+/// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Claims {
     /// Global error O(hᵖ).

@@ -6,6 +6,8 @@ use core::fmt::Debug;
 
 /// How an increment is added to a coordinate.
 pub trait Summation<A: Array>: Copy + Debug {
+    /// Whether nothing is carried: a flow may then act on its own.
+    const PLAIN: bool;
     /// Nothing has been rounded off yet.
     fn new() -> Self;
     /// Lets `flow`, which adds something to its argument whatever that is, act on `x`.
@@ -17,6 +19,7 @@ pub trait Summation<A: Array>: Copy + Debug {
 pub struct Plain;
 
 impl<A: Array> Summation<A> for Plain {
+    const PLAIN: bool = true;
     fn new() -> Self {
         Plain
     }
@@ -34,6 +37,7 @@ pub struct Compensated<A> {
 }
 
 impl<A: Array> Summation<A> for Compensated<A> {
+    const PLAIN: bool = false;
     fn new() -> Self {
         Compensated { carry: A::zero() }
     }
@@ -60,7 +64,7 @@ pub struct Point<A: Array, C> {
     pub q: A,
     /// Momenta.
     pub p: A,
-    sums: [C; 2],
+    pub(crate) sums: [C; 2],
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: A::Real,
 }
@@ -74,20 +78,6 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
     /// The same point with sums of another kind, of which nothing has been rounded off yet.
     pub(crate) fn with_sums<D: Summation<A>>(self) -> Point<A, D> {
         Point { q: self.q, p: self.p, sums: [D::new(), D::new()], ahead: self.ahead }
-    }
-
-    /// `flow` adds to q what depends on p.
-    #[inline(always)]
-    pub fn drift(&mut self, flow: impl FnOnce(&mut A, &A)) {
-        let p = &self.p;
-        self.sums[0].add(&mut self.q, |q| flow(q, p));
-    }
-
-    /// `flow` adds to p what depends on q.
-    #[inline(always)]
-    pub fn kick(&mut self, flow: impl FnOnce(&A, &mut A)) {
-        let q = &self.q;
-        self.sums[1].add(&mut self.p, |p| flow(q, p));
     }
 
     /// q ← q + dq, p ← p + dp.

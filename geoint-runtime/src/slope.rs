@@ -80,6 +80,19 @@ pub fn recip_positive<R: Real>(x: R) -> R {
     R::from_f64(if x.any_below(f64::MIN_POSITIVE) { f64::NAN } else { 1.0 }) / x
 }
 
+/// x, which must not be negative: NaN if it is, so that no step is made with it.
+#[inline(always)]
+pub fn not_negative<R: Real>(x: R) -> R {
+    if x.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
+/// x, whose square must not be above y but for rounding: NaN if it is.
+#[inline(always)]
+pub fn bounded<R: Real>(x: R, y: R) -> R {
+    let margin = R::from_f64(1.0 + 8.0 * R::epsilon());
+    if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
 /// ln[a, b] = log1p((M − m)/m)/(M − m), m the smaller and M the larger argument.
 #[inline(always)]
 pub fn ln<R: Real>(a: R, b: R) -> R {

@@ -9,7 +9,7 @@ use crate::method::Method;
 use crate::real::Real;
 use crate::state::{Coordinates, State};
 
-/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q.
+/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
 pub trait Hamiltonian<R: Real = f64>: Copy {
     /// Positions and momenta as the user writes them.
     type Coordinates: Coordinates<Real = R, Array = Self::Array>;
@@ -21,6 +21,15 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
 
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
+
+    /// q' and p' at a point.
+    #[inline(always)]
+    fn rate(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array) {
+        self.gradient(t, q, p, dp, dq);
+        for slope in dp.as_mut_slice() {
+            *slope = -*slope;
+        }
+    }
 
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array) -> Option<&'static str>;
@@ -42,6 +51,14 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
         Integrator::new(self, method, h, state)
     }
 }
+
+/// Nothing damps the system: H changes with explicit time alone.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to keep its energy",
+    label = "this method keeps the energy, and must not be used where damping takes it away",
+    note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
+)]
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
 
 /// H = T(p, t) + V(q, t): each part has an exact flow.
 #[diagnostic::on_unimplemented(
@@ -74,18 +91,6 @@ pub trait Separable<R: Real = f64>: Hamiltonian<R> {
     note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
-
-/// The energy is all that moves the system: y' = J∇H.
-///
-/// Methods that are made to keep the energy need this.
-#[diagnostic::on_unimplemented(
-    message = "the energy of `{Self}` is not all that moves it",
-    label = "this method is made to keep the energy, which `{Self}` does not",
-    note = "methods for every system: `ImplicitMidpoint`, `Gauss`"
-)]
-pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
-
-impl<S: Hamiltonian<R>, R: Real> Conservative<R> for S {}
 
 /// H is a polynomial of degree 3 at most in (q, p).
 #[diagnostic::on_unimplemented(
@@ -126,6 +131,7 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
 }
 
 /// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
+/// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
 ///
 /// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {
@@ -133,13 +139,10 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.
     type Start: Copy + core::fmt::Debug;
-    /// Whether H is a polynomial of degree 2 that does not depend on time: f̄ is affine in d.
+    /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
     const LINEAR: bool;
-    /// The degree of H as a polynomial in (q, p), if it is one.
-    const DEGREE: Option<u32> = None;
-    /// Whether ∇̄H is the mean of ∇H along the segment from y to y + d: H is a sum of functions of linear forms and of a polynomial
-    /// of degree 2.
-    const MEAN_VALUE: bool = false;
+    /// The number of Gauss points with which the mean of ∇H along the line from y to y + d is exact, 0 if it is ∇̄H; if known.
+    const MEAN_POINTS: Option<usize> = None;
 
     /// What depends on parameters only.
     fn parameters(&self) -> Self::Parameters;

@@ -48,9 +48,6 @@ fn main() {
         absolute(&mut criterion, &format!("{}, generated", pair.name), &pair.subject);
         absolute(&mut criterion, &format!("{}, by hand", pair.name), &pair.unit);
     }
-    for pair in &discrete {
-        absolute(&mut criterion, &pair.name, &pair.subject);
-    }
     criterion.final_summary();
 }
 
@@ -111,6 +108,11 @@ fn pendulum() -> Vec<Pair> {
             subject: generated(pendulum_system(), BlanesMoan4, h, start),
             unit: Box::new(move |n| flat(hand().blanes_moan_4(black_box(h), n, PENDULUM))),
         },
+        Pair {
+            name: "pendulum, DiscreteGradient".into(),
+            subject: generated(pendulum_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| flat(hand().discrete_gradient(black_box(h), n, PENDULUM))),
+        },
     ]
 }
 
@@ -130,6 +132,11 @@ fn kepler() -> Vec<Pair> {
             name: "Kepler, BlanesMoan4".into(),
             subject: generated(kepler_system(), BlanesMoan4, h, start),
             unit: Box::new(move |n| hand().blanes_moan_4(black_box(h), n, KEPLER).to_vec()),
+        },
+        Pair {
+            name: "Kepler, DiscreteGradient".into(),
+            subject: generated(kepler_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, KEPLER).to_vec()),
         },
     ]
 }
@@ -164,6 +171,11 @@ fn henon_heiles() -> Vec<Pair> {
             "Hénon–Heiles, BlanesMoan4, by terms",
             Box::new(move |n| hand().blanes_moan_4::<true>(black_box(h), n, HENON_HEILES).to_vec()),
         ),
+        Pair {
+            name: "Hénon–Heiles, DiscreteGradient".into(),
+            subject: generated(henon_heiles_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, HENON_HEILES).to_vec()),
+        },
     ]
 }
 

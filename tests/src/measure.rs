@@ -5,30 +5,39 @@ use crate::scalars::{Double, Dual, Scalar};
 use geoint_runtime::array::Array;
 use geoint_runtime::{Coordinates, Hamiltonian, Method, State, StepError};
 
-/// The state after a time, by Gragg's midpoint rule extrapolated to order 24 (W. B. Gragg 1965; R. Bulirsch & J. Stoer
-/// 1966) in `parts` equal parts.
-///
-/// It knows of a system nothing but ∇H and shares no code with the methods. In double-double with a few parts a unit of
-/// time it is accurate to 10⁻²² or better.
+/// The state of a system without damping after a time, by [`extrapolated`]: all that is used of the system is ∇H.
 pub fn solution<S: Hamiltonian<R>, R: Scalar>(
     system: &S,
     state: &State<S::Coordinates>,
     duration: R,
     parts: usize,
 ) -> Vec<R> {
-    let real = |n: usize| R::from_f64(n as f64);
     let field = |t: R, y: &[R]| {
         let (q, p) = y.split_at(S::Array::LEN);
         let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
         system.gradient(t, &array::<S, R>(q), &array::<S, R>(p), &mut dq, &mut dp);
         dp.as_slice().iter().copied().chain(dq.as_slice().iter().map(|force| -*force)).collect::<Vec<R>>()
     };
+    extrapolated(field, state.t, flat(state), duration, parts)
+}
+
+/// The solution of y' = field(t, y) after a time, by Gragg's midpoint rule extrapolated to order 24 (W. B. Gragg 1965;
+/// R. Bulirsch & J. Stoer 1966) in `parts` equal parts.
+///
+/// It shares no code with the methods. In double-double with a few parts a unit of time it is accurate to 10⁻²² or better.
+pub fn extrapolated<R: Scalar>(
+    field: impl Fn(R, &[R]) -> Vec<R>,
+    start: R,
+    mut y: Vec<R>,
+    duration: R,
+    parts: usize,
+) -> Vec<R> {
+    let real = |n: usize| R::from_f64(n as f64);
     let ahead = |y: &[R], h: R, slope: &[R]| -> Vec<R> { y.iter().zip(slope).map(|(y, f)| *y + h * *f).collect() };
 
     let whole = duration / real(parts);
-    let mut y = flat(state);
     for part in 0..parts {
-        let t = state.t + real(part) * whole;
+        let t = start + real(part) * whole;
         let mut table: Vec<Vec<R>> = vec![];
         for k in 0..12 {
             let n = 2 * (k + 1);

@@ -1,5 +1,6 @@
 //! Stays right: what is kept over long times, what bad input gets, how trajectories are walked.
 
 mod conservation;
+mod damping;
 mod refusals;
 mod trajectories;

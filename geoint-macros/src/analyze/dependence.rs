@@ -16,6 +16,11 @@ impl Reads {
     pub(crate) fn state(self) -> bool {
         self.q || self.p
     }
+
+    /// What one or the other reads.
+    pub(crate) fn or(self, other: Reads) -> Reads {
+        Reads { q: self.q || other.q, p: self.p || other.p, t: self.t || other.t }
+    }
 }
 
 /// What every node of a graph reads.
@@ -29,11 +34,11 @@ impl Dependence {
                 Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
                 Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
                 Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
-                node => node.children().iter().map(|child| reads[child.index()]).fold(Reads::default(), |a, b| Reads {
-                    q: a.q || b.q,
-                    p: a.p || b.p,
-                    t: a.t || b.t,
-                }),
+                node => {
+                    let mut all = Reads::default();
+                    node.for_each_child(|child| all = all.or(reads[child.index()]));
+                    all
+                }
             };
             reads.push(own);
         }

@@ -1,25 +1,42 @@
 //! Facts about an energy, each proven from its graph, each with a witness where it does not hold. No messages.
 
+mod damping;
 mod degree;
 mod dependence;
+mod terms;
 mod separable;
+mod leaves;
+mod form;
+mod equations;
+mod generators;
+mod momenta;
+mod mean_value;
 
 use crate::ir::{Graph, Id, Symbol};
-pub(crate) use dependence::Dependence;
+use crate::parse::Shape;
+pub(crate) use damping::{Damping, Flaw};
+use degree::Degrees;
+pub(crate) use dependence::{Dependence, Reads};
+pub(crate) use mean_value::MeanValue;
+pub(crate) use momenta::Momentum;
 
-/// All facts that emission may rely on.
+/// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
 pub(crate) struct Structure {
     pub(crate) energy: Id,
     pub(crate) split: Split,
     /// Whether H reads t.
     pub(crate) autonomous: bool,
-    /// Coordinates that H does not read: their momenta are conserved.
+    /// Coordinates that H does not read, and whose momenta are not damped: those are conserved.
     pub(crate) cyclic: Vec<u32>,
     /// Momenta that H does not read: their coordinates stand still.
     pub(crate) resting: Vec<u32>,
     /// The degree of H as a polynomial in (q, p), if it is one.
     pub(crate) degree: Option<u32>,
+    /// What else is kept by the flow, and by the tree discrete gradient.
+    pub(crate) momenta: Vec<Momentum>,
+    pub(crate) mean_value: MeanValue,
+    pub(crate) damping: Option<Damping>,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -51,10 +68,44 @@ impl Structure {
     pub(crate) fn quadratic_parts(&self) -> Option<&Parts> {
         self.parts().filter(|parts| parts.not_quadratic.is_none())
     }
+
+    /// The same facts with damping, unless all of its coefficients are zero.
+    pub(crate) fn damped(mut self, graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Structure {
+        self.damping = matrix.and_then(|matrix| damping::damping(graph, matrix));
+        if let Some(damping) = &self.damping {
+            let spared = |i: u32| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
+            self.cyclic.retain(|i| spared(*i));
+            self.momenta.retain(|momentum| {
+                let symbols = dependence::symbols(graph, momentum.value);
+                symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
+            });
+        }
+        self
+    }
+
+    /// The parts, if each has a flow of its own.
+    pub(crate) fn flows(&self) -> Option<&Parts> {
+        self.parts().filter(|_| self.damping.is_none())
+    }
+
+    /// The parts, if the differential equation is one of second order: T is quadratic, and nothing is damped.
+    pub(crate) fn reduced(&self) -> Option<&Parts> {
+        self.quadratic_parts().filter(|_| self.damping.is_none())
+    }
+
+    /// Whether no right-hand side reads t.
+    pub(crate) fn timeless(&self) -> bool {
+        self.autonomous && !self.damping.as_ref().is_some_and(|damping| damping.reads.t)
+    }
+
+    /// Whether H is the same at all times.
+    pub(crate) fn conserves_energy(&self) -> bool {
+        self.autonomous && self.damping.is_none()
+    }
 }
 
 /// Finds everything.
-pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structure {
+pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Structure {
     let split = match separable::split(graph, energy) {
         Ok((kinetic, potential)) => {
             let not_quadratic = separable::not_quadratic(graph, kinetic);
@@ -63,16 +114,19 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, degrees: u32) -> Structur
         Err(term) => Split::Coupled(term),
     };
     let dependence = Dependence::of(graph);
-    let unread = |symbol: fn(u32) -> Symbol| {
-        let symbols = dependence::symbols(graph, energy);
-        (0..degrees).filter(|i| !symbols.contains(&symbol(*i))).collect::<Vec<_>>()
-    };
+    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let symbols = dependence::symbols(graph, energy);
+    let unread =
+        |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();
     Structure {
         energy,
         split,
         autonomous: !dependence.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
-        degree: degree::degree(graph, energy, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_))),
+        degree: degrees.get(energy),
+        momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
+        mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
+        damping: None,
     }
 }

@@ -1,12 +1,14 @@
 //! The differential equation as implicit methods solve it: y' = f(y) and its derivative, with derivatives of H and with
 //! divided differences.
 //!
-//! If T is quadratic it is one of second order in q, with the force f = −∂V/∂q: T is then the same for every method.
+//! f = (J − R)∇H with R = diag(0, C) for damping C. If nothing is damped and T is quadratic, it is one of second order in q,
+//! with the force f = −∂V/∂q: T is then the same for every method.
 
 use super::forward::jacobian;
 use super::{Gradient, MissingSlope, discrete_gradient};
 use crate::analyze::Structure;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Number, Symbol};
 
 /// f and its derivative.
 #[derive(Debug)]
@@ -29,14 +31,21 @@ pub(crate) struct SecondOrder {
 
 /// f at a point.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
-    let f = right_side(graph, gradient, structure);
+    let f = right_side(graph, gradient, structure, |_, entry| entry);
     let unknowns = unknowns(structure, degrees, Symbol::Q, Symbol::P);
     let mut jacobian = jacobian(graph, &f, &unknowns);
-    // ∇²H is symmetric: of two equal derivatives, which may be written differently, one is computed.
-    let n = degrees as usize;
+    if structure.damping.is_none() {
+        share(graph, &mut jacobian, structure.reduced().is_some());
+    }
+    Field { unknowns, f, jacobian }
+}
+
+/// ∇²H is symmetric: of two equal derivatives, which may be written differently, one is computed.
+fn share(graph: &mut Graph, jacobian: &mut [Vec<Id>], second_order: bool) {
+    let n = if second_order { jacobian.len() } else { jacobian.len() / 2 };
     for i in 0..n {
         for j in 0..n {
-            if structure.quadratic_parts().is_some() {
+            if second_order {
                 if i < j {
                     jacobian[i][j] = jacobian[j][i];
                 }
@@ -49,27 +58,69 @@ pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structur
             }
         }
     }
-    Field { unknowns, f, jacobian }
 }
 
-/// f between two points, with the tree discrete gradient.
+/// f between two points, with the tree discrete gradient, and damping at their mean (time is that of the mean already).
 pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Result<Field, MissingSlope> {
-    let root = structure.quadratic_parts().map_or(structure.energy, |parts| parts.potential);
+    let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
     let gradient = discrete_gradient(graph, root, degrees)?;
-    let f = right_side(graph, &gradient, structure);
+    let mut mean = Substitution::new(|graph, symbol| {
+        let increment = match symbol {
+            Symbol::Q(i) => Symbol::Dq(i),
+            Symbol::P(i) => Symbol::Dp(i),
+            _ => return None,
+        };
+        let (start, increment) = (graph.symbol(symbol), graph.symbol(increment));
+        let half = graph.scale(Number::HALF, increment);
+        Some(graph.add(start, half))
+    });
+    let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
     let unknowns = unknowns(structure, degrees, Symbol::Dq, Symbol::Dp);
     let jacobian = jacobian(graph, &f, &unknowns);
     Ok(Field { unknowns, f, jacobian })
 }
 
-/// −∇_qH; or J∇H if T is not quadratic.
-fn right_side(graph: &mut Graph, gradient: &Gradient, structure: &Structure) -> Vec<Id> {
-    let force: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
-    if structure.quadratic_parts().is_some() { force } else { [gradient.p.clone(), force].concat() }
+/// −∇_qH if that is enough; or (J − R)∇H, with entries of C where `at` puts them.
+fn right_side(
+    graph: &mut Graph,
+    gradient: &Gradient,
+    structure: &Structure,
+    mut at: impl FnMut(&mut Graph, Id) -> Id,
+) -> Vec<Id> {
+    let mut force: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
+    if structure.reduced().is_some() {
+        return force;
+    }
+    if let Some(damping) = &structure.damping {
+        let matrix: Vec<Vec<Id>> =
+            damping.matrix.iter().map(|row| row.iter().map(|entry| at(graph, *entry)).collect()).collect();
+        for (i, force) in force.iter_mut().enumerate() {
+            for (j, velocity) in gradient.p.iter().enumerate() {
+                let coefficient = taking(graph, &matrix, i, j);
+                let drag = graph.mul(coefficient, *velocity);
+                *force = graph.sub(*force, drag);
+            }
+        }
+    }
+    [gradient.p.clone(), force].concat()
+}
+
+/// Cᵢⱼ where it takes energy, as far as that is seen in two coordinates: not a number where it feeds some.
+fn taking(graph: &mut Graph, matrix: &[Vec<Id>], i: usize, j: usize) -> Id {
+    let [entry, first, second] = [matrix[i][j], matrix[i][i], matrix[j][j]];
+    // Numbers have been checked.
+    if graph.is_zero(entry) || [entry, first, second].iter().all(|id| graph.as_number(*id).is_some()) {
+        return entry;
+    }
+    if i == j {
+        return graph.call(Function::NotNegative, &[entry]);
+    }
+    let bound = graph.mul(first, second);
+    graph.call(Function::Bounded, &[entry, bound])
 }
 
 fn unknowns(structure: &Structure, degrees: u32, q: fn(u32) -> Symbol, p: fn(u32) -> Symbol) -> Vec<Symbol> {
-    let momenta = if structure.quadratic_parts().is_some() { 0 } else { degrees };
+    let momenta = if structure.reduced().is_some() { 0 } else { degrees };
     (0..degrees).map(q).chain((0..momenta).map(p)).collect()
 }
 
@@ -80,7 +131,7 @@ pub(crate) fn second_order(
     structure: &Structure,
     degrees: u32,
 ) -> Option<SecondOrder> {
-    structure.quadratic_parts()?;
+    structure.reduced()?;
     let momenta: Vec<Symbol> = (0..degrees).map(Symbol::P).collect();
     let inverse_mass = jacobian(graph, &gradient.p, &momenta);
     let row = |row: &Vec<Id>| {

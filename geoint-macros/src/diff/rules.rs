@@ -147,6 +147,9 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             let square = square(g, value);
             vec![g.neg(square)]
         }
+        // Conditions, not terms.
+        Function::NotNegative => vec![one],
+        Function::Bounded => vec![one, g.zero()],
         Function::Sinc => vec![g.call(Function::SincDerivative, &[x])],
         // f[a, b] = f[b, a].
         Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, x, y),

@@ -1,10 +1,10 @@
-//! Kick and drift, if H = T(p) + V(q); otherwise an implementation that no scalar satisfies, whose message names the term
-//! that couples.
+//! Kick and drift, if H = T(p) + V(q) and nothing is damped; otherwise an implementation that no scalar satisfies, whose
+//! message names the term that couples, or damps.
 
 use super::kernel::{Context, write};
 use super::system::self_type;
 use crate::analyze::{Parts, Split, Structure};
-use crate::check::{COUPLED, NOT_QUADRATIC};
+use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
@@ -18,12 +18,17 @@ pub(super) fn flows(
     structure: &Structure,
     bounds: &TokenStream,
 ) -> (TokenStream, Option<[Operations; 2]>) {
-    match &structure.split {
-        Split::Separable(parts) => {
+    let drag = structure
+        .damping
+        .as_ref()
+        .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
+    match (drag, &structure.split) {
+        (None, Split::Separable(parts)) => {
             let (tokens, operations) = separable(context, graph, parts, bounds);
             (tokens, Some(operations))
         }
-        Split::Coupled(term) => (coupled(context, graph, *term, bounds), None),
+        (Some(term), _) => (none(context, graph, ("Undamped", term, DAMPED), bounds), None),
+        (None, Split::Coupled(term)) => (none(context, graph, ("Uncoupled", *term, COUPLED), bounds), None),
     }
 }
 
@@ -109,9 +114,15 @@ fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -
     Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
 }
 
-fn coupled(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) -> TokenStream {
+/// Neither kick nor drift, for want of what a term breaks.
+fn none(
+    context: &Context<'_>,
+    graph: &Graph,
+    (what, term, why): (&str, Id, &str),
+    bounds: &TokenStream,
+) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, graph, "Uncoupled", term, COUPLED);
+    let (marker, tokens) = unsatisfied(context, graph, what, term, why);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
@@ -145,7 +156,7 @@ pub(super) fn unsatisfied(
 ) -> (proc_macro2::Ident, TokenStream) {
     let name = &context.energy.name;
     let marker = format_ident!("{what}{name}");
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let message = format!("`{name}`: {why}");
     let label = format!("the term is: {}", printer.excerpt(term));
     // Braces in a message are read as parameters.

@@ -3,6 +3,7 @@
 //! Tokens are built, never printed and parsed again. They name nothing but `::core` and the runtime, and what the
 //! user's own signature names.
 
+mod damping;
 mod flows;
 mod implicit;
 mod kernel;
@@ -10,10 +11,11 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::Structure;
+use crate::analyze::{Reads, Structure};
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
+pub(crate) use damping::function;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -25,14 +27,15 @@ pub(crate) fn items(
     structure: &Structure,
     derivatives: &Derivatives,
 ) -> TokenStream {
-    let bounds = system::bounds(graph, structure.energy);
+    let bounds = system::bounds(graph, structure);
     let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
     let (discrete, discrete_cost) = match &derivatives.discrete {
         Ok(discrete) => {
-            let linear = structure.autonomous && structure.degree.is_some_and(|degree| degree <= 2);
+            let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
+            let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
             let (tokens, cost) = implicit::discrete_field(context, graph, (discrete, &field.unknowns), linear, &bounds);
             (tokens, Some(cost))
         }
@@ -40,7 +43,7 @@ pub(crate) fn items(
             (implicit::missing_discrete_field(context, graph, *missing, field.unknowns.len(), &bounds), None)
         }
     };
-    let hamiltonian = system::hamiltonian(context, graph, structure, &derivatives.gradient, &bounds);
+    let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
     let report = report::report(context, graph, structure, derivatives, &costs);
@@ -58,8 +61,8 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable,
-                Square, State, slope,
+                Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
+                Separable, Square, State, is_positive_semidefinite, slope,
             };
 
             // The function is the source of all this, and the user need not call it.

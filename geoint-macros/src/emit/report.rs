@@ -2,7 +2,7 @@
 
 use super::implicit::NO_SLOPE;
 use super::kernel::Context;
-use crate::analyze::{Split, Structure};
+use crate::analyze::{MeanValue, Split, Structure};
 use crate::diff::Derivatives;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -27,7 +27,7 @@ pub(super) fn report(
 ) -> String {
     let gradient_roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
     let gradient_cost = schedule::routine(graph, &gradient_roots).operations();
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut text = String::new();
     // Writing to a string cannot fail.
     let _ = sections(&mut text, context, &printer, structure, derivatives, costs, gradient_cost);
@@ -59,7 +59,8 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     writeln!(text, "\nStructure")?;
     match &structure.split {
         Split::Separable(parts) => {
-            writeln!(text, "- H = T({p}) + V({q}): kick and drift are exact flows")?;
+            let flows = if structure.flows().is_some() { ": kick and drift are exact flows" } else { "" };
+            writeln!(text, "- H = T({p}) + V({q}){flows}")?;
             writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
             writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
             match parts.not_quadratic {
@@ -78,10 +79,10 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
     writeln!(text, "- H {reads_time} on time")?;
 
-    writeln!(text, "\nConserved by the flow")?;
-    if structure.autonomous {
-        writeln!(text, "- the energy")?;
+    if let Some(damping) = &structure.damping {
+        super::damping::section(text, printer, damping, structure.autonomous)?;
     }
+
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
             let indices: String =
@@ -90,15 +91,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         };
         indices.iter().map(one).collect::<Vec<_>>().join(", ")
     };
-    if !structure.cyclic.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&p, &structure.cyclic), listed(&q, &structure.cyclic))?;
-    }
-    if !structure.resting.is_empty() {
-        writeln!(text, "- {}: H does not read {}", listed(&q, &structure.resting), listed(&p, &structure.resting))?;
-    }
-    if !structure.autonomous && structure.cyclic.is_empty() && structure.resting.is_empty() {
-        writeln!(text, "- nothing that was found")?;
-    }
+    let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
+        .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
+    conserved(text, printer, structure, &unread, derivatives.discrete.is_ok())?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
     writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
@@ -112,13 +107,13 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
 
     writeln!(text, "\nSkipped")?;
-    if structure.parts().is_some() {
+    if structure.flows().is_some() {
         writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
     }
-    if structure.quadratic_parts().is_some() {
+    if structure.reduced().is_some() {
         writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
     }
-    if structure.autonomous {
+    if structure.timeless() {
         writeln!(text, "- the clock: H does not depend on time")?;
     }
     if !structure.cyclic.is_empty() {
@@ -126,6 +121,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
     match (&structure.split, &derivatives.discrete) {
+        _ if structure.damping.is_some() => {}
         (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
@@ -136,6 +132,57 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
     }
     Ok(())
+}
+
+/// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
+/// read.
+fn conserved<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    unread: &[(String, String)],
+    tree: bool,
+) -> std::fmt::Result {
+    let mut lines = vec![];
+    if structure.conserves_energy() {
+        lines.push("the energy".into());
+    }
+    let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
+    lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
+    let momenta = structure.momenta.iter();
+    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
+    writeln!(text, "\nConserved by the flow")?;
+    for line in &lines {
+        writeln!(text, "- {line}")?;
+    }
+    if lines.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    // `MeanValue` is for systems that keep their energy.
+    if !tree || structure.damping.is_some() {
+        return Ok(());
+    }
+    writeln!(text, "\nDiscrete gradients")?;
+    if !lines.is_empty() {
+        writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
+    }
+    match structure.mean_value {
+        _ if structure.damping.is_some() => Ok(()),
+        MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
+        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
+        MeanValue::Mixed { polynomial, points, .. } => {
+            let (polynomial, gauss) = (printer.excerpt(polynomial), gauss(points));
+            writeln!(text, "- `MeanValue` has a closed form but for {polynomial}, for which it is exact with {gauss}")
+        }
+        MeanValue::NotClosed(term) => {
+            writeln!(text, "- `MeanValue` is a quadrature; no closed form was found for {}", printer.excerpt(term))
+        }
+    }
+}
+
+fn gauss(points: u32) -> String {
+    format!("{points} Gauss point{}", if points == 1 { "" } else { "s" })
 }
 
 /// A derivative, written out unless it fills the screen.

@@ -1,8 +1,9 @@
 //! The struct, and what every system offers: its energy, its domain.
 
+use super::damping;
 use super::kernel::{Context, write};
 use crate::analyze::Structure;
-use crate::diff::Gradient;
+use crate::diff::Derivatives;
 use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, print::Printer};
 use crate::parse::{Energy, over_scalar};
@@ -70,32 +71,37 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
 }
 
-/// What kernels ask of their scalar: comparisons only if the energy has branches.
-pub(super) fn bounds(graph: &Graph, energy: Id) -> TokenStream {
+/// What kernels ask of their scalar: comparisons only if the energy, or damping, has branches.
+pub(super) fn bounds(graph: &Graph, structure: &Structure) -> TokenStream {
+    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
+    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
     let compares =
         |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(&[energy]).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
+    if graph.reachable(&roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
 }
 
 pub(super) fn hamiltonian(
     context: &Context<'_>,
     graph: &mut Graph,
     structure: &Structure,
-    gradient: &Gradient,
+    derivatives: &Derivatives,
     bounds: &TokenStream,
 ) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
-    let outside = outside_domain(context, graph, structure.energy);
+    let outside = outside_domain(context, graph, structure);
+    let rate = damping::rate(context, graph, structure, &derivatives.field.f);
     let places = context.coordinates();
-    let roots = [&gradient.q[..], &gradient.p[..]].concat();
+    let roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
     let slopes = context.routine(graph, &roots, |values| {
         let (q, p) = values.split_at(places.len());
         let (q, p) = (write("dq", &places, q), write("dp", &places, p));
         quote!(#q #p)
     });
+    let conservative = structure.damping.is_none().then(|| quote!(impl<R: #bounds> Conservative<R> for #name {}));
     quote! {
+        #conservative
         impl<R: #bounds> Hamiltonian<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
@@ -108,6 +114,7 @@ pub(super) fn hamiltonian(
             fn gradient(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
                 #slopes
             }
+            #rate
             fn outside_domain(&self, t: R, q: &#array, p: &#array) -> ::core::option::Option<&'static str> {
                 #outside
             }
@@ -123,21 +130,29 @@ struct Check {
     message: String,
 }
 
-fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id) -> TokenStream {
-    let checks = checks(context, graph, energy);
-    let roots: Vec<Id> = checks.iter().map(|check| check.argument).collect();
-    context.routine(graph, &roots, |values| {
+fn outside_domain(context: &Context<'_>, graph: &mut Graph, structure: &Structure) -> TokenStream {
+    let mut checks = checks(context, graph, structure.energy);
+    let mut matrix = vec![];
+    if let Some(damping) = &structure.damping {
+        let coefficients = damping::coefficients(context, graph, damping).into_iter();
+        let negative = quote!(.any_below(0.0));
+        checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
+        matrix = damping::open_matrix(graph, damping);
+    }
+    let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
+    context.routine(graph, &roots, |mut values| {
+        let matrix = damping::matrix_test(context, &values.split_off(checks.len()));
         let tests = checks.iter().zip(values).map(|(Check { test, message, .. }, value)| {
             quote!(if #value #test { return ::core::option::Option::Some(#message); })
         });
-        quote!(#(#tests)* ::core::option::Option::None)
+        quote!(#(#tests)* #matrix ::core::option::Option::None)
     })
 }
 
 /// What has to be tested for the energy, and its gradient, to be defined. Branches test for themselves: that is what an
 /// `if` around a root is for.
 fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
-    let printer = Printer { graph, name: |symbol| context.user_name(symbol) };
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // The smallest positive number: below it is zero or negative.
     let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
     let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));

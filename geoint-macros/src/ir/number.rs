@@ -16,6 +16,7 @@ pub(crate) struct Ratio {
 const EXACT: i128 = 1 << 53;
 
 impl Ratio {
+    pub(crate) const ZERO: Ratio = Ratio::integer(0);
     pub(crate) const ONE: Ratio = Ratio::integer(1);
     pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
 
@@ -44,6 +45,11 @@ impl Ratio {
         let (a, b) = (i128::from(self.numerator), i128::from(self.denominator));
         let (c, d) = (i128::from(other.numerator), i128::from(other.denominator));
         Ratio::new(a * c, b * d)
+    }
+
+    /// `None` for zero.
+    pub(crate) fn recip(self) -> Option<Ratio> {
+        Ratio::new(self.denominator.into(), self.numerator.into())
     }
 
     pub(crate) fn is_integer(self) -> bool {

@@ -130,6 +130,8 @@ functions! {
     Signum signum(x) Neither Everywhere, public, x.signum();
     Sinc sinc(x) Even Everywhere, helper, if x == 0.0 { 1.0 } else { x.sin() / x };
     RecipPositive recip_positive(x) Neither Everywhere, helper, if x > 0.0 { 1.0 / x } else { f64::NAN };
+    NotNegative not_negative(x) Neither Everywhere, helper, if x < 0.0 { f64::NAN } else { x };
+    Bounded bounded(x, y) Neither Everywhere, helper, if x * x > y * (1.0 + 8.0 * f64::EPSILON) { f64::NAN } else { x };
     SincDerivative sinc_derivative(x) Odd Everywhere, helper,
         if x == 0.0 { 0.0 } else { (x.cos() - x.sin() / x) / x };
     ExpSlope exp(a, b) Neither Everywhere, helper, if a == b { a.exp() } else { (b.exp() - a.exp()) / (b - a) };

@@ -3,14 +3,21 @@
 use super::graph::{Graph, Id, Node};
 use super::number::{Number, Ratio};
 use super::op::{Relation, Symbol};
+use std::cell::Cell;
 
 /// Longer formulas are cut in messages.
 const MESSAGE_LENGTH: usize = 90;
 
+/// Of a longer formula only the beginning is printed: shared nodes are printed again wherever they are read, and a formula can
+/// be exponentially longer than its graph.
+const MOST_NODES: usize = 1000;
+
 /// Prints nodes with the names that the user gave.
 pub(crate) struct Printer<'a, F> {
-    pub(crate) graph: &'a Graph,
-    pub(crate) name: F,
+    graph: &'a Graph,
+    name: F,
+    /// How many nodes may still be printed.
+    left: Cell<usize>,
 }
 
 /// How tightly an operand must hold together.
@@ -22,9 +29,14 @@ enum Level {
     Atom,
 }
 
-impl<F: Fn(Symbol) -> String> Printer<'_, F> {
-    /// The whole formula.
+impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
+    pub(crate) fn new(graph: &'a Graph, name: F) -> Self {
+        Printer { graph, name, left: Cell::new(0) }
+    }
+
+    /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
+        self.left.set(MOST_NODES);
         self.print(id, Level::Sum)
     }
 
@@ -38,17 +50,19 @@ impl<F: Fn(Symbol) -> String> Printer<'_, F> {
     }
 
     fn print(&self, id: Id, outside: Level) -> String {
+        let Some(left) = self.left.get().checked_sub(1) else { return "…".into() };
+        self.left.set(left);
         let (text, level) = match self.graph.node(id) {
             Node::Number(value) => (number(*value), if value.is_negative() { Level::Sum } else { Level::Atom }),
             Node::Symbol(symbol) => ((self.name)(*symbol), Level::Atom),
             Node::Linear(constant, terms) => self.linear(*constant, terms),
             Node::Product(_) | Node::Power(..) => self.fraction(Number::ONE, id),
             Node::Call(function, args) => {
-                let args: Vec<_> = args.iter().map(|id| self.formula(*id)).collect();
+                let args: Vec<_> = args.iter().map(|id| self.print(*id, Level::Sum)).collect();
                 (format!("{}({})", function.entry().name, args.join(", ")), Level::Atom)
             }
             Node::Select(c, a, b) => {
-                let [c, a, b] = [c, a, b].map(|id| self.formula(*id));
+                let [c, a, b] = [c, a, b].map(|id| self.print(*id, Level::Sum));
                 (format!("if {c} {{ {a} }} else {{ {b} }}"), Level::Sum)
             }
             Node::Compare(relation, a, b) => {
@@ -57,7 +71,7 @@ impl<F: Fn(Symbol) -> String> Printer<'_, F> {
                     Relation::LessEqual => "≤",
                     Relation::Equal => "=",
                 };
-                (format!("{} {sign} {}", self.formula(*a), self.formula(*b)), Level::Sum)
+                (format!("{} {sign} {}", self.print(*a, Level::Sum), self.print(*b, Level::Sum)), Level::Sum)
             }
             Node::And(a, b) => {
                 (format!("{} and {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum)

@@ -7,6 +7,7 @@ mod arithmetic;
 mod branch;
 mod call;
 mod constants;
+mod damping;
 mod expr;
 mod method;
 mod scope;
@@ -30,6 +31,8 @@ pub(crate) struct Lowered {
     pub(crate) graph: Graph,
     /// The energy.
     pub(crate) energy: Id,
+    /// The square matrix of damping.
+    pub(crate) damping: Option<Vec<Vec<Id>>>,
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
     /// Nodes that are not defined everywhere and are computed whatever the conditions are, simplified away or not.
@@ -57,10 +60,13 @@ const MAX_EVALUATIONS: usize = 500_000;
 /// Expressions inside expressions, within a fraction of the stack of rustc.
 const MAX_DEPTH: usize = 200;
 
-/// Lowers the body of an energy.
+/// Operations inside operations: the same, for what is built of variables step by step. Derivatives are deeper by a small factor.
+const MAX_HEIGHT: u32 = 200;
+
+/// Lowers the body of an energy, and its damping.
 pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut unseen = Diagnostics::default();
-    unseen::report(&energy.item.block, &energy.float, &mut unseen);
+    unseen::report(energy, &mut unseen);
     unseen.or(())?;
     let mut lowering = Lowering {
         graph: Graph::default(),
@@ -71,7 +77,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
         evaluations: 0,
         depth: 0,
-        finite: 0,
+        heights: vec![],
         branches: 0,
         partial: vec![],
         calls: vec![],
@@ -82,10 +88,14 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         let value = lowering.argument(argument, &symbols);
         lowering.scopes.bind(&argument.name, value);
     }
+    let arguments = lowering.scopes.clone();
     let value = lowering.block(&energy.item.block);
     let root = lowering.real(&energy.item.block, value);
+    // Damping sees the arguments as they were given.
+    lowering.scopes = arguments;
+    let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
     let Lowering { graph, errors, places, partial, constants, .. } = lowering;
-    errors.or(Lowered { graph, energy: root, places, partial, constants })
+    errors.or(Lowered { graph, energy: root, damping, places, partial, constants })
 }
 
 /// The evaluator.
@@ -100,8 +110,8 @@ struct Lowering {
     evaluations: usize,
     /// Expressions inside expressions, calls included.
     depth: usize,
-    /// The number of nodes that have been found to be finite.
-    finite: usize,
+    /// How deep each node is, of those that have been looked at.
+    heights: Vec<u32>,
     /// Branches around what is being evaluated.
     branches: usize,
     partial: Vec<Id>,
@@ -154,8 +164,15 @@ impl Lowering {
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
     fn written(&mut self, id: Id, syntax: &impl ToTokens, place: impl FnOnce() -> Place) -> Value {
         self.places.entry(id).or_insert_with(place);
-        let new: Vec<Id> = self.graph.ids().skip(self.finite).collect();
-        self.finite += new.len();
+        let new: Vec<Id> = self.graph.ids().skip(self.heights.len()).collect();
+        for id in &new {
+            let below = self.graph.node(*id).children().iter().map(|child| self.heights[child.index()]).max();
+            self.heights.push(below.map_or(0, |height| height + 1));
+        }
+        if new.iter().any(|id| self.heights[id.index()] > MAX_HEIGHT) {
+            return self
+                .refuse(syntax, "this is nested too deeply: it depends on a value that depends on a value, and so on");
+        }
         if self.branches == 0 {
             self.partial.extend(new.iter().filter(|id| self.graph.is_partial(**id)));
         }

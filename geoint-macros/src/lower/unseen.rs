@@ -1,14 +1,18 @@
 //! What rustc accepts, and what would mean something else here: refused before anything is evaluated.
 
 use crate::diagnostics::Diagnostics;
+use crate::parse::Energy;
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::visit::{self, Visit};
-use syn::{Attribute, Block, Generics, Lit};
+use syn::{Attribute, Generics, Lit};
 
-/// Reports everything in a body that the evaluation could not follow and would not notice.
-pub(super) fn report(body: &Block, float: &Ident, errors: &mut Diagnostics) {
-    Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors }.visit_block(body);
+/// Reports everything that is written which the evaluation could not follow and would not notice.
+pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
+    let float = &energy.float;
+    let mut unseen = Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors };
+    unseen.visit_block(&energy.item.block);
+    energy.damping.iter().for_each(|damping| unseen.visit_expr(damping));
 }
 
 struct Unseen<'a> {

@@ -30,6 +30,8 @@ pub(crate) struct Energy {
     /// All arguments in the order of the signature.
     pub(crate) arguments: Vec<(Role, Argument)>,
     pub(crate) requirements: Vec<(Requirement, Span)>,
+    /// The coefficients of damping, in terms of the arguments.
+    pub(crate) damping: Option<syn::Expr>,
 }
 
 /// What an argument of the function is.
@@ -114,7 +116,8 @@ pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
     }
     match coordinates {
         Some(coordinates) => {
-            errors.or(Energy { name, runtime, float, coordinates, arguments, requirements: options.requirements, item })
+            let Options { requirements, damping, .. } = options;
+            errors.or(Energy { name, runtime, float, coordinates, arguments, requirements, damping, item })
         }
         None => Err(errors),
     }

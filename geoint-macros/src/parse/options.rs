@@ -14,10 +14,11 @@ pub(super) struct Options {
     pub(super) runtime: Option<syn::Path>,
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
+    pub(super) damping: Option<syn::Expr>,
 }
 
 const OPTIONS: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                       `crate = path` and `require(separable, quadratic_kinetic)`";
+                       `damping = coefficients`, `crate = path` and `require(separable, quadratic_kinetic)`";
 
 impl Parse for Options {
     fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
@@ -48,6 +49,10 @@ impl Parse for Options {
                 "crate" => {
                     input.parse::<Token![=]>()?;
                     options.runtime = Some(input.parse()?);
+                }
+                "damping" => {
+                    input.parse::<Token![=]>()?;
+                    options.damping = Some(input.parse()?);
                 }
                 name @ ("name" | "q" | "p" | "t") => {
                     input.parse::<Token![=]>()?;

@@ -45,7 +45,7 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     let item = syn::parse2(double_pendulum()).expect("a function");
     let energy = parse::energy(quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let structure = analyze::structure(&mut lowered.graph, lowered.energy, 2);
+    let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
     let roots = [gradient.q, gradient.p].concat();
     let operations = schedule::routine(&mut lowered.graph, &roots).operations();

@@ -387,6 +387,7 @@ fn long_expressions_are_accepted() {
     assert_eq!(said(vec!["q * p"; 500].join(" + ")), "");
     assert_eq!(said(format!("{}{{ p }}", "if q < 1.0 { q } else ".repeat(50))), "");
     assert_eq!(said(format!("{}q{}", "(".repeat(100), ")".repeat(100))), "");
+    assert_eq!(said(format!("let x = q; {} x", "let x = x.sin() * p + (x.sin() + 1.0) * q;".repeat(45))), "");
 }
 
 #[test]
@@ -399,6 +400,7 @@ fn deep_expressions_are_refused() {
         format!("{}q{}", "{ let x = ".repeat(300), "; x }".repeat(300)),
         format!("{}{{ p }}", "if q < 1.0 { q } else ".repeat(300)),
         format!("let f = |x: f64| x; {} f(q)", "let f = |x: f64| f(x) + 1.0;".repeat(300)),
+        format!("let x = q; {} x", "let x = x.sin() * p + (x.sin() + 1.0) * q;".repeat(70)),
     ];
     for body in deep {
         assert!(said(body).contains("nested too deeply"));

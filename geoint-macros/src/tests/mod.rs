@@ -1,10 +1,13 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
 mod cost;
+mod damping;
 mod fuzz;
 mod derivatives;
 mod schedules;
+mod mean_value;
 mod meaning;
+mod momenta;
 mod snapshots;
 mod structures;
 

@@ -95,9 +95,9 @@ fn statements_mean_what_the_graph_means() {
         },
     ];
     for item in energies {
-        let (_, mut lowered) = lowered(item);
+        let (energy, mut lowered) = lowered(item);
         let graph = &mut lowered.graph;
-        let structure = crate::analyze::structure(graph, lowered.energy, 2);
+        let structure = crate::analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
         let field = diff::field::discrete(graph, &structure, 2).expect("slopes");
         let gradient = diff::gradient(graph, lowered.energy, 2);
         let iteration: Vec<Id> = field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect();

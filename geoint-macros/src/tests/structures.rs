@@ -10,7 +10,7 @@ use quote::quote;
 /// The structure, and the term that breaks it.
 fn structure(item: TokenStream) -> (Structure, Option<String>) {
     let (energy, mut lowered) = lowered(item);
-    let structure = analyze::structure(&mut lowered.graph, lowered.energy, energy.degrees());
+    let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let witness = match &structure.split {
         Split::Coupled(term) => Some(*term),
         Split::Separable(parts) => parts.not_quadratic,
@@ -21,7 +21,7 @@ fn structure(item: TokenStream) -> (Structure, Option<String>) {
         Symbol::T => "t".into(),
         _ => "c".into(),
     };
-    let printer = Printer { graph: &lowered.graph, name };
+    let printer = Printer::new(&lowered.graph, name);
     let witness = witness.map(|term| printer.formula(term));
     (structure, witness)
 }
@@ -100,7 +100,7 @@ fn simplification() {
             Symbol::P(_) => "p".into(),
             _ => "c".into(),
         };
-        Printer { graph: &lowered.graph, name }.formula(lowered.energy)
+        Printer::new(&lowered.graph, name).formula(lowered.energy)
     };
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { (q + p) - (p + q) } }), "0");
     assert_eq!(formula(quote! { fn f(q: f64, p: f64) -> f64 { q * p / (p * q) } }), "1");

@@ -1,4 +1,4 @@
-//! x₁ = x₀ + h J ∇̄H(x₀, x₁): steps that keep the energy to rounding.
+//! x₁ = x₀ + h (J − R) ∇̄H(x₀, x₁): steps that keep the energy to rounding, or lose what damping R takes.
 
 mod coordinate_increment;
 mod energy;
@@ -22,7 +22,7 @@ use crate::array::{Array, Square};
 use crate::composition::substeps;
 use crate::linear;
 use crate::method::{Claims, Method, Probe, Refusal};
-use crate::newton::Newton;
+use crate::newton::{self, Newton};
 use crate::point::{Compensated, Plain, Point, Summation};
 use crate::real::{Real, zero};
 use crate::system::{Conservative, DiscreteField};
@@ -32,7 +32,8 @@ use crate::system::{Conservative, DiscreteField};
 /// Order 2, symmetric, for every H; not symplectic. ∇̄H is the reverse sweep of H with divided differences in place of
 /// derivatives, in forms without cancellation. Quadratic and linear momenta that commute with the innermost quadratic
 /// and linear forms in which H is written are kept as well: write central forces as functions of `x * x + y * y`. One
-/// Newton solve a step, for half of the unknowns if T is quadratic. T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020;
+/// Newton solve a step, for half of the unknowns if T is quadratic. With damping C the energy falls by exactly h ∇̄H·C ∇̄H
+/// instead (in compositions with steps back in time, only that of each of their steps is so balanced). T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020;
 /// R. A. LaBudde & D. Greenspan, Numer. Math. 25 (1976) 323.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DiscreteGradient;
@@ -82,14 +83,13 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
         change
     }
 
-    /// 1 − h·(∂f̄/∂d)·(∂d/∂impulse).
+    /// h·(∂f̄/∂d)·(∂d/∂impulse) from ∂f̄/∂d.
     #[inline(always)]
-    fn matrix(&self, jacobian: &mut Square<S::Unknown>) {
-        let w = if S::DERIVATIVE == 1 { -self.h } else { R::from_f64(-0.5) * self.h * self.h };
-        for (i, row) in S::Unknown::entries::<S::Unknown>(jacobian).iter_mut().enumerate() {
+    fn derivative(&self, jacobian: &mut Square<S::Unknown>) {
+        let w = if S::DERIVATIVE == 1 { self.h } else { R::from_f64(0.5) * self.h * self.h };
+        for row in S::Unknown::entries::<S::Unknown>(jacobian) {
             let slope = core::mem::replace(row, S::Unknown::zero());
             S::add(&self.system, w, &slope, row);
-            row.as_mut_slice()[i] += R::from_f64(1.0);
         }
     }
 
@@ -99,7 +99,8 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
         let start = S::begin(&self.tree, zero(), &origin);
         let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
         S::slope(&self.tree, &start, &origin, &mut f, &mut matrix);
-        self.matrix(&mut matrix);
+        self.derivative(&mut matrix);
+        newton::one_minus::<S::Unknown>(&mut matrix);
         let mut inverse = S::Unknown::fill(origin);
         for j in 0..S::Unknown::LEN {
             let (mut lu, mut column) = (matrix, origin);
@@ -110,6 +111,32 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
             }
         }
         inverse
+    }
+}
+
+/// A step that is being solved.
+struct Look<'a, S: DiscreteField<R>, R: Real> {
+    coefficients: &'a Coefficients<S, R>,
+    start: &'a S::Start,
+    t: R,
+    q: &'a S::Array,
+    p: &'a S::Array,
+    changed: &'a S::Unknown,
+}
+
+impl<S: DiscreteField<R>, R: Real> Look<'_, S, R> {
+    /// h·f̄ for an impulse, and ∂f̄/∂d.
+    #[inline(always)]
+    fn image<P: Probe<S, R>>(&self, probe: &mut P, impulse: &S::Unknown, slope: &mut Square<S::Unknown>) -> S::Unknown {
+        let change = self.coefficients.change(self.changed, impulse);
+        let mut end = Point::<S::Array, Plain>::new(*self.q, *self.p);
+        let [dq, dp] = S::increments(&change, impulse);
+        end.add(&dq, &dp);
+        probe.visit(self.t, &end.q, &end.p);
+        let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
+        S::slope(&self.coefficients.tree, self.start, &change, &mut f, slope);
+        image.add_scaled(self.coefficients.h, &f);
+        image
     }
 }
 
@@ -163,16 +190,12 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
             impulse.add_scaled(h, &f);
             impulse
         };
-        let impulse = newton.solve(&changed, explicit, |impulse, residual, jacobian| {
-            let change = prepared.change(&changed, impulse);
-            let mut end = Point::<S::Array, Plain>::new(x.q, x.p);
-            let [dq, dp] = S::increments(&change, impulse);
-            end.add(&dq, &dp);
-            probe.visit(t, &end.q, &end.p);
-            S::slope(&prepared.tree, &start, &change, &mut f, jacobian);
-            *residual = *impulse;
-            residual.add_scaled(-h, &f);
-            prepared.matrix(jacobian);
+        let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed };
+        let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
+        let impulse = newton.solve(&changed, explicit, probe, image, |probe, impulse, derivative| {
+            let image = look.image(probe, impulse, derivative);
+            prepared.derivative(derivative);
+            image
         })?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
         x.add_with(sums, &dq, &dp);

@@ -1,5 +1,6 @@
 //! H = (|p|² + x² + y²)/2 + λ(x²y − y³/3).
 
+use super::increments::Increments;
 use super::{Stages, fma};
 use geoint_runtime::BlanesMoan4;
 
@@ -47,6 +48,49 @@ impl HenonHeiles {
         }
         self.kick(-first).apply::<TERM_BY_TERM>(&mut z);
         z
+    }
+
+    /// q₁ = q₀ + 2d, p₁ = p₀ + P, with d = (a, b) = h/2·(p₀ + P/2), the mean (x, y) = q₀ + d and
+    ///
+    /// ```text
+    /// P = −h (x + 2λxy, y + λ(x² + a² − y² − b²/3))
+    /// ```
+    ///
+    /// because the divided difference of x² is 2x, that of x²y is (2xy, x² + a²), and that of y³ is 3y² + b².
+    pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, [mut qx, mut qy, mut px, mut py]: Point) -> Point {
+        let Kick { linear, square, cross } = self.kick(h);
+        let (half, quarter) = (0.5 * h, 0.25 * h);
+        let explicit = |[x, y, px, py]: Point| {
+            let mut kicked = [fma(half, px, x), fma(half, py, y), 0.0, 0.0];
+            self.kick(h).apply::<false>(&mut kicked);
+            [kicked[2], kicked[3]]
+        };
+        let mut increments = Increments::new(explicit([qx, qy, px, py]));
+        for _ in 0..steps {
+            let d = [half * px, half * py];
+            let d = |increment: &[f64; 2]| [fma(quarter, increment[0], d[0]), fma(quarter, increment[1], d[1])];
+            let increment = increments.next(
+                [px, py],
+                || explicit([qx, qy, px, py]),
+                |increment| {
+                    let [a, b] = d(increment);
+                    let (x, y) = (qx + a, qy + b);
+                    let b3 = b * (1.0 / 3.0);
+                    let rx = fma(-fma(cross, y, linear), x, increment[0]);
+                    let ry = increment[1] - fma(square, fma(x, x, a * a) - fma(y, y, b * b3), linear * y);
+                    // Second divided differences; ∂d/∂P = h/4.
+                    let (e, c) = (1.0 - quarter * linear, -quarter * cross);
+                    let (xx, xy) = (fma(c, y, e), c * x);
+                    let (yx, yy) = (c * (x + a), fma(-c, y + b3, e));
+                    let inverse = 1.0 / fma(xx, yy, -(xy * yx));
+                    [inverse * fma(rx, yy, -(ry * xy)), inverse * fma(ry, xx, -(rx * yx))]
+                },
+            );
+            let [a, b] = d(&increment);
+            (qx, qy) = (fma(2.0, a, qx), fma(2.0, b, qy));
+            (px, py) = (px + increment[0], py + increment[1]);
+        }
+        [qx, qy, px, py]
     }
 }
 

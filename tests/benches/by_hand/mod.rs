@@ -5,6 +5,7 @@
 
 pub(crate) mod double_pendulum;
 pub(crate) mod henon_heiles;
+mod increments;
 pub(crate) mod kepler;
 pub(crate) mod outer_solar_system;
 pub(crate) mod pendulum;

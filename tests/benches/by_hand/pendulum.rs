@@ -1,5 +1,6 @@
 //! H = p²/(2ml²) − mgl·cos q.
 
+use super::increments::Increments;
 use super::{Stages, fma};
 use geoint_runtime::BlanesMoan4;
 
@@ -43,4 +44,59 @@ impl Pendulum {
         p = fma(-first, q.sin(), p);
         (q, p)
     }
+
+    /// q₁ = q₀ + 2u, p₁ = p₀ + P, with u = h/(2ml²)·(p₀ + P/2) and P = −h·mgl·sin(q₀ + u)·sin u/u, which is
+    /// h·mgl·(cos q₁ − cos q₀)/(q₁ − q₀).
+    pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, (mut q, mut p): (f64, f64)) -> (f64, f64) {
+        let (kick, half, quarter) = (self.kick(h), 0.5 * self.drift(h), 0.25 * self.drift(h));
+        let explicit = |q: f64, p: f64| [kick * fma(half, p, q).sin()];
+        let mut increments = Increments::new(explicit(q, p));
+        for _ in 0..steps {
+            let u = half * p;
+            let u = |increment: f64| fma(quarter, increment, u);
+            let [increment] = increments.next(
+                [p],
+                || explicit(q, p),
+                |&[x]| {
+                    let u = u(x);
+                    let (sin, cos) = (q + u).sin_cos();
+                    let (sinc, slope) = sinc(u);
+                    let residual = fma(-kick, sin * sinc, x);
+                    let derivative = fma(-quarter * kick, fma(cos, sinc, sin * slope), 1.0);
+                    [residual / derivative]
+                },
+            );
+            q = fma(2.0, u(increment), q);
+            p += increment;
+        }
+        (q, p)
+    }
+}
+
+/// sin u/u and its derivative.
+#[inline(always)]
+fn sinc(u: f64) -> (f64, f64) {
+    if u.abs() >= 1.0 {
+        let (sin, cos) = u.sin_cos();
+        return (sin / u, (cos - sin / u) / u);
+    }
+    // The series Σ (−1)ᵏ u²ᵏ/(2k + 1)!, its remainder below 10⁻¹⁷, and its derivative term by term.
+    const SERIES: [f64; 9] = series();
+    let y = u * u;
+    let (mut value, mut slope) = (SERIES[8], 0.0);
+    for k in (0..8).rev() {
+        slope = fma(slope, y, value);
+        value = fma(value, y, SERIES[k]);
+    }
+    (value, 2.0 * u * slope)
+}
+
+const fn series() -> [f64; 9] {
+    let mut terms = [1.0; 9];
+    let mut k = 1;
+    while k < 9 {
+        terms[k] = -terms[k - 1] / (2 * k * (2 * k + 1)) as f64;
+        k += 1;
+    }
+    terms
 }

@@ -54,8 +54,8 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, slope,
+        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -80,6 +80,7 @@ const _: () = {
             Hamiltonian::integrator(self, method, h, state)
         }
     }
+    impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
     impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         type Coordinates = R;
         type Array = [R; 1];

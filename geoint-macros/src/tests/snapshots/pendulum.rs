@@ -22,6 +22,10 @@ Structure
 Conserved by the flow
 - the energy
 
+Discrete gradients
+- `DiscreteGradient` keeps all of that, to rounding
+- `MeanValue` has a closed form: it is `DiscreteGradient`
+
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 5, divisions and roots 1, functions 1
 - kick: sums and products 2, functions 1
@@ -64,8 +68,8 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, slope,
+        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
+        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -73,7 +77,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -90,6 +94,7 @@ const _: () = {
             Hamiltonian::integrator(self, method, h, state)
         }
     }
+    impl<R: Real> Conservative<R> for Pendulum<R> {}
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];

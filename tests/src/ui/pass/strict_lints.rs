@@ -39,6 +39,12 @@ pub mod model {
         0.5 * p * p + push + (1.0 - p * p).sqrt()
     }
 
+    /// A parameter that damping alone reads.
+    #[hamiltonian(damping = [[c[0], 0.0], [0.0, c[1] * t * t]])]
+    pub fn damped(q: [f64; 2], p: [f64; 2], t: f64, c: [f64; 2]) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + q[0] * q[0] * q[1] * q[1]
+    }
+
     /// One step of each.
     ///
     /// # Errors
@@ -46,6 +52,9 @@ pub mod model {
     pub fn steps() -> Result<(), StepError> {
         let rods = Rods { m: [1.0, 2.0] };
         rods.integrator(Gauss::<2>::default(), 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
+        Damped { c: [0.1, 0.2] }
+            .integrator(DiscreteGradient, 0.01, State::new([0.1, 0.2], [0.3, 0.4]))
+            .advance(3)?;
         Wall.integrator(PositionVerlet, 0.01, State::new(0.1, 0.2)).advance(3)
     }
 }

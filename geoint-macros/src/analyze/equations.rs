@@ -1,0 +1,63 @@
+//! Homogeneous linear equations in exact numbers.
+
+use crate::ir::Ratio;
+use std::collections::BTreeMap;
+
+/// Coefficients by unknown, none of them zero.
+pub(super) type Row = BTreeMap<usize, Ratio>;
+
+/// Equations, each solved for its last unknown; no two for the same.
+pub(super) struct Equations(Vec<Option<Row>>);
+
+impl Equations {
+    pub(super) fn new(unknowns: usize) -> Equations {
+        Equations(vec![None; unknowns])
+    }
+
+    /// Adds row·x = 0; `None` if a number is no longer exact.
+    pub(super) fn add(&mut self, mut row: Row) -> Option<()> {
+        while let Some((last, c)) = row.last_key_value().map(|(last, c)| (*last, *c)) {
+            let Some(known) = &self.0[last] else {
+                let mut solved = Row::new();
+                add_multiple(&mut solved, c.recip()?, row)?;
+                self.0[last] = Some(solved);
+                return Some(());
+            };
+            add_multiple(&mut row, c.mul(Ratio::integer(-1))?, known.clone())?;
+        }
+        Some(())
+    }
+
+    /// A basis of all solutions; the first entry of each is 1.
+    pub(super) fn solutions(&self) -> Option<Vec<Row>> {
+        let free = (0..self.0.len()).filter(|unknown| self.0[*unknown].is_none());
+        let basis = free.map(|free| {
+            let mut solution = Row::from([(free, Ratio::ONE)]);
+            for (unknown, known) in self.0.iter().enumerate().skip(free) {
+                let Some(known) = known else { continue };
+                let products = known.iter().filter_map(|(other, c)| Some(solution.get(other)?.mul(*c)));
+                let sum = products.into_iter().try_fold(Ratio::ZERO, |sum, product| sum.add(product?))?;
+                add_multiple(&mut solution, Ratio::integer(-1), [(unknown, sum)])?;
+            }
+            Some(solution)
+        });
+        basis.collect()
+    }
+}
+
+/// row + factor·other.
+pub(super) fn add_multiple(
+    row: &mut Row,
+    factor: Ratio,
+    other: impl IntoIterator<Item = (usize, Ratio)>,
+) -> Option<()> {
+    for (unknown, c) in other {
+        let sum = row.get(&unknown).map_or(Ratio::ZERO, |c| *c).add(factor.mul(c)?)?;
+        if sum == Ratio::ZERO {
+            row.remove(&unknown);
+        } else {
+            row.insert(unknown, sum);
+        }
+    }
+    Some(())
+}

@@ -1,0 +1,90 @@
+//! What is emitted, and said, of damped systems alone.
+
+use super::kernel::{Context, write};
+use crate::analyze::{Damping, Structure};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::parse::Energy;
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::fmt::Write;
+
+/// The user's function with its damping inside, where rustc checks it as it does the body, and where an argument that nothing
+/// else reads is read.
+pub(crate) fn function(energy: &Energy) -> Option<TokenStream> {
+    let damping = energy.damping.as_ref()?;
+    let mut item = energy.item.clone();
+    item.block.stmts.insert(0, syn::parse_quote!(let _ = || { let _ = #damping; };));
+    Some(quote!(#item))
+}
+
+/// q' and p', where they are not those of H alone: `f` is the field of collocation, of first order then.
+pub(super) fn rate(context: &Context<'_>, graph: &mut Graph, structure: &Structure, f: &[Id]) -> Option<TokenStream> {
+    structure.damping.as_ref()?;
+    let (array, places) = (context.array(), context.coordinates());
+    let body = context.routine(graph, f, |values| {
+        let (q, p) = values.split_at(places.len());
+        let (q, p) = (write("dq", &places, q), write("dp", &places, p));
+        quote!(#q #p)
+    });
+    Some(quote! {
+        #[inline]
+        fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
+            #body
+        }
+    })
+}
+
+/// The coefficients whose sign is not known yet, with what is said if it is negative.
+pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Damping) -> Vec<(Id, String)> {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let mut entries: Vec<Id> = (0..damping.matrix.len()).map(|i| damping.matrix[i][i]).collect();
+    entries.sort();
+    entries.dedup();
+    entries.retain(|entry| graph.as_number(*entry).is_none());
+    entries.into_iter().map(|entry| (entry, format!("damping that is negative: {}", printer.excerpt(entry)))).collect()
+}
+
+/// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
+pub(super) fn open_matrix(graph: &Graph, damping: &Damping) -> Vec<Id> {
+    let entries: Vec<Id> = damping.matrix.iter().flatten().copied().collect();
+    let known = entries.iter().all(|entry| graph.as_number(*entry).is_some());
+    if known || damping.diagonal { vec![] } else { entries }
+}
+
+/// The statement that tests such a matrix.
+pub(super) fn matrix_test(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+    if values.is_empty() {
+        return TokenStream::new();
+    }
+    let rows = values.chunks(context.energy.degrees() as usize).map(|row| quote!([#(#row),*]));
+    let message = "damping that is not positive semidefinite";
+    quote!(if !is_positive_semidefinite([#(#rows),*]) { return ::core::option::Option::Some(#message); })
+}
+
+/// What becomes of the energy.
+pub(super) fn section<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    damping: &Damping,
+    autonomous: bool,
+) -> std::fmt::Result {
+    let entry = |id: &Id| printer.excerpt(*id);
+    let row = |row: &[Id]| row.iter().map(entry).collect::<Vec<_>>().join(", ");
+    let diagonal: Vec<Id> = (0..damping.matrix.len()).map(|i| damping.matrix[i][i]).collect();
+    let matrix = match damping.diagonal {
+        true if diagonal.iter().all(|entry| *entry == diagonal[0]) => entry(&diagonal[0]),
+        true => format!("diag({})", row(&diagonal)),
+        false => {
+            let rows: Vec<String> = damping.matrix.iter().map(|entries| format!("[{}]", row(entries))).collect();
+            format!("[{}]", rows.join(", "))
+        }
+    };
+    let explicit = if autonomous { "" } else { " + ∂H/∂t" };
+    writeln!(text, "\nDamping")?;
+    writeln!(text, "- p' = −∂H/∂q − C ∂H/∂p with C = {matrix}")?;
+    writeln!(text, "- dH/dt = −∂H/∂p·C ∂H/∂p{explicit}")?;
+    if autonomous {
+        writeln!(text, "- in a step of `DiscreteGradient` the energy falls by exactly h ∇̄H·C ∇̄H, for every h")?;
+    }
+    writeln!(text, "- kick and drift do not exist: damping is no part of either")
+}

@@ -1,0 +1,339 @@
+//! Damped systems: the energy falls by exactly what is dissipated, whatever the step size; damping that is none is refused.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Collocation, DiscreteField};
+use geoint_runtime::{Conservative, Separable};
+use geoint_tests::measure::{distance, extrapolated, observed_order};
+use geoint_tests::problems::{flat, state};
+use geoint_tests::scalars::{Double, Scalar};
+use std::marker::PhantomData;
+
+/// Duffing's oscillator with the same damping everywhere.
+#[hamiltonian(damping = c)]
+fn duffing(q: f64, p: f64, m: f64, k: f64, c: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0 + q.powi(4) / 4.0
+}
+
+/// Two masses, one of them in a medium that changes from place to place and with time.
+#[hamiltonian(damping = [c * (1.0 + q[0] * q[0]) * (1.0 + 0.5 * (1.3 * t).sin()), 0.0])]
+fn medium(q: [f64; 2], p: [f64; 2], t: f64, m: [f64; 2], k: f64, c: f64) -> f64 {
+    let d = q[1] - q[0];
+    p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + k * (q[0] * q[0] + d * d) / 2.0 + q[1].powi(4) / 4.0
+}
+
+/// A mass that depends on position, and a full matrix that depends on momenta.
+#[hamiltonian(damping = [[a, b], [b, d * (1.0 + p[0] * p[0])]])]
+fn swing(q: [f64; 2], p: [f64; 2], m: [f64; 2], a: f64, b: f64, d: f64) -> f64 {
+    let kinetic = p[0] * p[0] / (2.0 * m[0] * (1.0 + q[1] * q[1])) + p[1] * p[1] / (2.0 * m[1]);
+    kinetic + (q[0] * q[0] + q[1] * q[1]) / 2.0 + q[0] * q[0] * q[1] * q[1] + q[0].powi(4) / 4.0
+}
+
+/// Two masses on a spring between them that loses energy when it changes its length.
+#[hamiltonian(damping = [[c, -c], [-c, c]])]
+fn shock_absorber(q: [f64; 2], p: [f64; 2], m: [f64; 2], c: f64) -> f64 {
+    let d = q[1] - q[0];
+    p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + d * d / 2.0 + d.powi(4) / 4.0
+}
+
+/// Everything is linear.
+#[hamiltonian(damping = c)]
+fn oscillator(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: [f64; 2], c: [f64; 2]) -> f64 {
+    (0..2).map(|i| p[i] * p[i] / (2.0 * m[i]) + k[i] * q[i] * q[i] / 2.0).sum::<f64>()
+}
+
+/// Damping only beyond q = ±1; closer to the origin it would feed energy, as in van der Pol's oscillator.
+#[hamiltonian(damping = c * (q * q - 1.0))]
+fn van_der_pol(q: f64, p: f64, m: f64, c: f64) -> f64 {
+    p * p / (2.0 * m) + q * q / 2.0
+}
+
+/// Damping that feeds energy where coordinates are coupled by more than each is damped: beyond q[0] = ±1.
+#[hamiltonian(damping = [[c, c * q[0]], [c * q[0], c]])]
+fn twist(q: [f64; 2], p: [f64; 2], m: [f64; 2], c: f64) -> f64 {
+    p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + (q[0] * q[0] + q[1] * q[1]) / 2.0
+}
+
+/// What a damped system is by hand: velocity, force and coefficients at a point.
+type ByHand<R> = (Vec<R>, Vec<R>, Vec<Vec<R>>);
+
+/// A damped system, and what it is by hand.
+trait Damped {
+    type Over<R: Scalar>: DiscreteField<R>;
+    const START: (&'static [f64], &'static [f64]);
+    fn system<R: Scalar>() -> Self::Over<R>;
+    fn by_hand<R: Scalar>(t: R, q: &[R], p: &[R]) -> ByHand<R>;
+}
+
+impl Damped for Duffing {
+    type Over<R: Scalar> = Duffing<R>;
+    const START: (&'static [f64], &'static [f64]) = (&[1.2], &[0.3]);
+    fn system<R: Scalar>() -> Duffing<R> {
+        Duffing { m: R::from_f64(1.3), k: R::from_f64(0.8), c: R::from_f64(0.1) }
+    }
+    fn by_hand<R: Scalar>(_: R, q: &[R], p: &[R]) -> ByHand<R> {
+        let r = R::from_f64;
+        (vec![p[0] / r(1.3)], vec![-(r(0.8) * q[0] + q[0] * q[0] * q[0])], vec![vec![r(0.1)]])
+    }
+}
+
+impl Damped for Medium {
+    type Over<R: Scalar> = Medium<R>;
+    const START: (&'static [f64], &'static [f64]) = (&[0.7, -0.5], &[0.4, 0.9]);
+    fn system<R: Scalar>() -> Medium<R> {
+        Medium { m: [1.4, 0.6].map(R::from_f64), k: R::from_f64(1.1), c: R::from_f64(0.3) }
+    }
+    fn by_hand<R: Scalar>(t: R, q: &[R], p: &[R]) -> ByHand<R> {
+        let r = R::from_f64;
+        let stretch = r(1.1) * (q[1] - q[0]);
+        let drag = r(0.3) * (r(1.0) + q[0] * q[0]) * (r(1.0) + r(0.5) * (r(1.3) * t).sin());
+        (
+            vec![p[0] / r(1.4), p[1] / r(0.6)],
+            vec![stretch - r(1.1) * q[0], -stretch - q[1] * q[1] * q[1]],
+            vec![vec![drag, r(0.0)], vec![r(0.0), r(0.0)]],
+        )
+    }
+}
+
+impl Damped for Swing {
+    type Over<R: Scalar> = Swing<R>;
+    const START: (&'static [f64], &'static [f64]) = (&[0.6, -0.8], &[0.5, -0.3]);
+    fn system<R: Scalar>() -> Swing<R> {
+        let [a, b, d] = [0.2, -0.1, 0.15].map(R::from_f64);
+        Swing { m: [1.4, 0.7].map(R::from_f64), a, b, d }
+    }
+    fn by_hand<R: Scalar>(_: R, q: &[R], p: &[R]) -> ByHand<R> {
+        let r = R::from_f64;
+        let (x, y) = (q[0], q[1]);
+        let swell = r(1.0) + y * y;
+        let speed = p[0] / (r(1.4) * swell);
+        (
+            vec![speed, p[1] / r(0.7)],
+            vec![-(x + r(2.0) * x * y * y + x * x * x), speed * p[0] * y / swell - y - r(2.0) * x * x * y],
+            vec![vec![r(0.2), r(-0.1)], vec![r(-0.1), r(0.15) * (r(1.0) + p[0] * p[0])]],
+        )
+    }
+}
+
+/// The largest h·v·Cv + H₁ − H₀ of a run with v = (q₁ − q₀)/h, which the first half of the step says is ∇̄_pH, and C at the
+/// mean of both ends, relative to the energy at the start. Every step must take energy away.
+fn imbalance<D: Damped>(h: f64, steps: u64) -> f64 {
+    let (system, (q, p)) = (D::system::<f64>(), D::START);
+    let mut sim = system.integrator(DiscreteGradient, h, state::<D::Over<f64>, f64>(0.4, q, p));
+    let start = sim.energy();
+    let mut largest = 0.0_f64;
+    for _ in 0..steps {
+        let (t, before, energy) = (sim.time(), flat(&sim.state()), sim.energy());
+        sim.step().unwrap_or_else(|error| panic!("h = {h}: {error}"));
+        let after = flat(&sim.state());
+        let mean: Vec<f64> = before.iter().zip(&after).map(|(a, b)| (a + b) / 2.0).collect();
+        let (q, p) = mean.split_at(q.len());
+        let (_, _, c) = D::by_hand(t + h / 2.0, q, p);
+        let v: Vec<f64> = before.iter().zip(&after).take(q.len()).map(|(a, b)| (b - a) / h).collect();
+        let lost: f64 = (0..v.len()).map(|i| (0..v.len()).map(|j| v[i] * c[i][j] * v[j]).sum::<f64>()).sum();
+        let rounding = 1e-15 * start;
+        assert!(sim.energy() <= energy + rounding, "h = {h}: {} after {energy}", sim.energy());
+        largest = largest.max((sim.energy() - energy + h * lost).abs() / start);
+    }
+    assert!(sim.energy() < 0.9 * start, "h = {h}: {} of {start} is left", sim.energy());
+    largest
+}
+
+#[test]
+fn energy_falls_by_what_is_dissipated() {
+    fn check<D: Damped>(name: &str, sizes: &[f64]) {
+        for h in sizes {
+            let imbalance = imbalance::<D>(*h, 400);
+            println!("{name}: h = {h}: imbalance {imbalance:.1e}");
+            assert!(imbalance <= 2e-15, "{name}: h = {h}: {imbalance:.1e}");
+        }
+    }
+    check::<Duffing>("Duffing", &[0.1, 1.0, 3.0, 10.0]);
+    check::<Medium>("Medium", &[0.1, 0.3, 1.0, 3.0]);
+    check::<Swing>("Swing", &[0.1, 0.3, 1.0, 3.0]);
+}
+
+/// The order of a method in double-double against the equation by hand.
+fn order<D: Damped, M: Method<D::Over<Double>, Double>>(method: M) -> f64 {
+    let (from, duration, (q, p)) = (0.4, 2.3, D::START);
+    let n = q.len();
+    let field = |t: Double, y: &[Double]| {
+        let (q, p) = y.split_at(n);
+        let (v, force, c) = D::by_hand(t, q, p);
+        let drag = |i: usize| (0..n).fold(Double::from(0.0), |sum, j| sum + c[i][j] * v[j]);
+        v.iter().copied().chain((0..n).map(|i| force[i] - drag(i))).collect::<Vec<_>>()
+    };
+    let start = state::<D::Over<Double>, Double>(from, q, p);
+    let exact = extrapolated(field, from.into(), flat(&start), duration.into(), 40);
+    observed_order(|n| {
+        let mut sim = D::system::<Double>().integrator(method, Double::from(duration) / n as f64, start);
+        sim.advance(n).map_or(f64::INFINITY, |()| distance(&flat(&sim.state()), &exact))
+    })
+}
+
+#[test]
+fn orders_are_those_without_damping() {
+    fn check<D: Damped>(name: &str)
+    where
+        ExplicitEuler: Method<D::Over<Double>, Double>,
+    {
+        let observed = [
+            ("ExplicitEuler", 1.0, order::<D, _>(ExplicitEuler)),
+            ("ImplicitMidpoint", 2.0, order::<D, _>(ImplicitMidpoint)),
+            ("DiscreteGradient", 2.0, order::<D, _>(DiscreteGradient)),
+            ("Gauss::<2>", 4.0, order::<D, _>(Gauss::<2>)),
+            ("Gauss::<4>", 8.0, order::<D, _>(Gauss::<4>)),
+            ("Suzuki4.of(DiscreteGradient)", 4.0, order::<D, _>(Suzuki4.of(DiscreteGradient))),
+        ];
+        for (method, expected, observed) in observed {
+            println!("{name}: {method} {observed:.3}");
+            assert!((observed - expected).abs() <= 0.15, "{name}: {method}: {observed:.3}");
+        }
+    }
+    check::<Duffing>("Duffing");
+    check::<Medium>("Medium");
+    check::<Swing>("Swing");
+}
+
+/// What damps differences alone leaves the sum of momenta alone; and a matrix that is singular on paper is not refused.
+#[test]
+fn relative_damping_keeps_total_momentum() {
+    let system = ShockAbsorber { m: [1.3, 0.7], c: 0.3 };
+    let mut sim = system.integrator(DiscreteGradient, 0.2, State::new([0.0, 1.0], [0.4, -0.1]));
+    let rest = 0.3 * 0.3 / (2.0 * 2.0);
+    for state in sim.sampled(1).take(500) {
+        let state = state.unwrap();
+        assert!((state.p[0] + state.p[1] - 0.3).abs() < 1e-14);
+    }
+    // What is left is the motion of both together.
+    assert!((sim.energy() - rest).abs() < 1e-8, "{}", sim.energy());
+}
+
+/// Without a Newton iteration: the step of a linear system is that of the implicit midpoint rule.
+#[test]
+fn linear_systems_are_solved_at_once() {
+    const { assert!(<Oscillator as DiscreteField>::LINEAR) };
+    const { assert!(!<VanDerPol as DiscreteField>::LINEAR && !<Duffing as DiscreteField>::LINEAR) };
+    let system = Oscillator { m: [1.3, 0.7], k: [0.9, 1.6], c: [0.2, 0.0] };
+    let start = State::new([0.4, -0.6], [0.3, 0.8]);
+    let mut sim = system.integrator(DiscreteGradient, 0.7, start);
+    let mut other = system.integrator(ImplicitMidpoint, 0.7, start);
+    sim.advance(50).unwrap();
+    other.advance(50).unwrap();
+    assert!(distance(&flat(&sim.state()), &flat(&other.state())) < 1e-13);
+    // (1 + hc/2m) p₁ = (1 − hc/2m) p₀ − hk (q₀ + q₁)/2 and q₁ = q₀ + h (p₀ + p₁)/2m by hand.
+    let [mut q, mut p, m, k, c, h] = [0.4, 0.3, 1.3, 0.9, 0.2, 0.7_f64];
+    for _ in 0..50 {
+        let next = (p * (1.0 - h * c / (2.0 * m) - h * h * k / (4.0 * m)) - h * k * q)
+            / (1.0 + h * c / (2.0 * m) + h * h * k / (4.0 * m));
+        (q, p) = (q + h * (p + next) / (2.0 * m), next);
+    }
+    assert!((q - sim.state().q[0]).abs() + (p - sim.state().p[0]).abs() < 1e-13);
+}
+
+#[test]
+fn parameters_that_feed_energy_are_refused() {
+    fn check<S: Collocation<f64> + DiscreteField<f64>>(system: S, start: State<S::Coordinates>, reason: &str)
+    where
+        S::Coordinates: PartialEq,
+    {
+        let refused = |error: StepError| matches!(error, StepError::OutsideDomain { what, .. } if what == reason);
+        let mut sim = system.integrator(DiscreteGradient, 0.1, start);
+        assert!(refused(sim.advance(10).unwrap_err()), "{reason}");
+        assert_eq!(sim.state(), start);
+        assert!(refused(system.integrator(Gauss::<2>, 0.1, start).step().unwrap_err()), "{reason}");
+    }
+    check(Duffing { m: 1.3, k: 0.8, c: -1e-9 }, State::new(0.5, 0.2), "damping that is negative: c");
+    let swing = |a, b, d| Swing { m: [1.4, 0.7], a, b, d };
+    let start = State::new([0.5, 0.2], [0.0, 0.1]);
+    check(swing(-0.1, 0.0, 0.1), start, "damping that is negative: a");
+    check(swing(0.1, 0.2001, 0.4), start, "damping that is not positive semidefinite");
+    swing(0.1, 0.2, 0.4).integrator(DiscreteGradient, 0.1, start).advance(10).unwrap();
+    check(ShockAbsorber { m: [1.3, 0.7], c: -0.1 }, start, "damping that is negative: c");
+}
+
+/// Where damping turns into its opposite on the way, the last state on the right side is kept.
+#[test]
+fn damping_that_feeds_energy_on_the_way() {
+    fn check<S: Collocation<f64>, M: Method<S, f64>>(start: Integrator<S, M>, reason: &str, good: fn(&[f64]) -> bool)
+    where
+        S::Coordinates: PartialEq + std::fmt::Debug,
+    {
+        let (mut sim, name) = (start, std::any::type_name::<M>());
+        let mut energy = sim.energy();
+        let error = loop {
+            match sim.step() {
+                Ok(()) => assert!(sim.energy() <= energy && good(&flat(&sim.state())), "{name}: {:?}", sim.state()),
+                Err(error) => break error,
+            }
+            energy = sim.energy();
+            assert!(sim.steps() < 100, "{name}");
+        };
+        assert!(sim.steps() > 10, "{name}: {:?}", sim.state());
+        assert!(error.to_string().contains(reason), "{name}: {error}");
+        // Nor does a long run come out on the other side, where the sign is right again.
+        for n in sim.steps() + 1..400 {
+            let mut through = start;
+            assert_eq!(through.advance(n), Err(error), "{name}: {n} steps");
+            assert_eq!(through.state(), sim.state(), "{name}: {n} steps");
+        }
+    }
+    let (system, start) = (VanDerPol { m: 1.3, c: 0.4 }, State::new(1.8, 0.2));
+    let negative = "damping that is negative: c·(q² - 1)";
+    check(system.integrator(DiscreteGradient, 0.05, start), negative, |x| x[0] >= 1.0);
+    check(system.integrator(ImplicitMidpoint, 0.05, start), negative, |x| x[0] >= 1.0);
+    check(system.integrator(Gauss::<3>, 0.05, start), negative, |x| x[0] >= 1.0);
+    let (system, start) = (Twist { m: [1.3, 0.7], c: 0.2 }, State::new([0.2, 0.1], [1.7, 0.0]));
+    let indefinite = "damping that is not positive semidefinite";
+    check(system.integrator(DiscreteGradient, 0.05, start), indefinite, |x| x[0].abs() <= 1.0);
+    check(system.integrator(Gauss::<3>, 0.05, start), indefinite, |x| x[0].abs() <= 1.0);
+}
+
+/// Whether a system has a property, decided by the compiler: the inherent constant, if it exists, hides that of the trait.
+struct Has<S>(PhantomData<S>);
+trait Lacks {
+    const FLOWS: bool = false;
+    const CONSERVATIVE: bool = false;
+}
+impl<S> Lacks for Has<S> {}
+impl<S: Separable> Has<S> {
+    const FLOWS: bool = true;
+}
+impl<S: Conservative> Has<S> {
+    const CONSERVATIVE: bool = true;
+}
+
+/// All coefficients are zero: nothing is damped.
+#[hamiltonian(damping = [0.0, 0.0])]
+fn free(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + q[0].powi(4)
+}
+
+/// A central force with friction in one direction.
+#[hamiltonian(damping = [c, 0.0])]
+fn turntable(q: [f64; 2], p: [f64; 2], c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 + (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+/// No force in the second direction, nor in the third but for friction.
+#[hamiltonian(damping = [c, 0.0, c])]
+fn carriage(q: [f64; 3], p: [f64; 3], c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0 + q[0].powi(4)
+}
+
+#[test]
+fn damped_systems_have_neither_flows_nor_a_conserved_energy() {
+    assert_eq!([Has::<Duffing>::FLOWS, Has::<Duffing>::CONSERVATIVE], [false, false]);
+    assert_eq!([Has::<Free>::FLOWS, Has::<Free>::CONSERVATIVE], [true, true]);
+    assert!(Free::REPORT.contains("- the energy") && !Free::REPORT.contains("Damping"));
+    assert!(!Duffing::REPORT.contains("- the energy"));
+    assert!(Duffing::REPORT.contains("with C = c\n"), "{}", Duffing::REPORT);
+    assert!(ShockAbsorber::REPORT.contains("with C = [[c, -c], [-c, c]]\n"), "{}", ShockAbsorber::REPORT);
+    // Angular momentum of the one, but for damping; a coordinate that damping leaves alone in the other.
+    assert!(Turntable::REPORT.contains("\nConserved by the flow\n- nothing that was found\n"), "{}", Turntable::REPORT);
+    assert!(
+        Carriage::REPORT.contains("\nConserved by the flow\n- p[1]: H does not read q[1]\n"),
+        "{}",
+        Carriage::REPORT
+    );
+    assert!(Swing::REPORT.contains("C = [[a, b], [b, d·(p[0]² + 1)]]"), "{}", Swing::REPORT);
+}
