@@ -161,11 +161,8 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Start: Copy + core::fmt::Debug;
     /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
     const LINEAR: bool;
-    /// The degree of H as a polynomial in (q, p), if it is one.
-    const DEGREE: Option<u32> = None;
-    /// Whether ∇̄H is the mean of ∇H along the segment from y to y + d: H is a sum of functions of linear forms and of a polynomial
-    /// of degree 2.
-    const MEAN_VALUE: bool = false;
+    /// The number of Gauss points with which the mean of ∇H along the line from y to y + d is exact, 0 if it is ∇̄H; if known.
+    const MEAN_POINTS: Option<usize> = None;
 
     /// What depends on parameters only.
     fn parameters(&self) -> Self::Parameters;

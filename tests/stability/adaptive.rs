@@ -1,7 +1,7 @@
 //! Steps of different lengths: what is kept whatever they are, and how the adaptive integrator chooses, refuses and ends.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method, Reason};
+use geoint_runtime::{Method, Reason};
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Double;

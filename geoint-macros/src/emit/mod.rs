@@ -35,8 +35,14 @@ pub(crate) fn items(
     let (discrete, discrete_cost) = match &derivatives.discrete {
         Ok(discrete) => {
             let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
+            let points = match structure.mean_value {
+                MeanValue::Tree => Some(0),
+                MeanValue::Gauss(points) => Some(points),
+                MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
+            };
             let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
-            let (tokens, cost) = implicit::discrete_field(context, graph, (discrete, &field.unknowns), linear, &bounds);
+            let (tokens, cost) =
+                implicit::discrete_field(context, graph, (discrete, &field.unknowns), (linear, points), &bounds);
             (tokens, Some(cost))
         }
         Err(missing) => {

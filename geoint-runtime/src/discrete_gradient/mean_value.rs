@@ -27,7 +27,7 @@ where
     const CURL_FREE: bool = true;
 
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
-        S::MEAN_VALUE || S::DEGREE.is_some_and(|degree| degree as usize <= 2 * K)
+        S::MEAN_POINTS.is_some_and(|points| points <= K)
     }
 
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
@@ -36,7 +36,7 @@ where
         x: &[S::Array; 2],
         d: &[S::Array; 2],
     ) -> Result<Slope<S::Array>, Refusal> {
-        if S::MEAN_VALUE {
+        if S::MEAN_POINTS == Some(0) {
             return Ok(energy.tree(x, d));
         }
         let points = Gauss::<K>::TABLEAU;
