@@ -11,7 +11,7 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{Reads, Structure};
+use crate::analyze::{MeanValue, Reads, Structure};
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
