@@ -68,6 +68,12 @@ impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
             assert!(sim.step().is_err());
             sim.set_step_size(1e200);
             black_box(sim.advance(3).is_err());
+
+            let mut sim = P::system::<f64>().adaptive(method, 1e-3, P::initial(0.0)).first_step(1e3);
+            sim.step().unwrap();
+            assert!(sim.rejections() > 0, "{name}");
+            black_box(sim.until(0.3).filter(Result::is_ok).count());
+            assert!(sim.steps_between(10.0, 10.0).step().is_err());
         });
         assert_eq!(count, 0, "{} with {name}", P::NAME);
     }
@@ -80,17 +86,21 @@ fn stepping_allocates_nothing() {
     let mut steps = Steps::<HenonHeiles>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
+    methods::projected(&mut steps);
+    methods::relaxed(&mut steps);
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
     methods::itoh_abe(&mut steps);
     methods::itoh_abe_one_way(&mut steps);
     methods::cubic(&mut steps);
-    assert_eq!(steps.0, 65);
+    assert_eq!(steps.0, 71);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);
     methods::discrete_gradient(&mut steps);
-    assert_eq!(steps.0, 30);
+    methods::projected(&mut steps);
+    methods::relaxed(&mut steps);
+    assert_eq!(steps.0, 36);
 
     let mut steps = Steps::<SwingingMass>(0, PhantomData);
     methods::coordinate_increment(&mut steps);

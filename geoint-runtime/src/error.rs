@@ -1,5 +1,6 @@
 //! Why a step was refused.
 
+use crate::method::Refusal;
 use core::fmt;
 
 /// Why a step was refused. The integrator still holds the last good state and may go on, for instance with a smaller
@@ -51,6 +52,67 @@ pub enum StepError {
         /// The last correction, relative to what it corrects.
         correction: f64,
     },
+    /// The tolerance is not a positive number.
+    InvalidTolerance {
+        /// The tolerance as given.
+        tolerance: f64,
+    },
+    /// Not even the shortest step that is allowed, or that changes time at all, could be taken.
+    StepTooSmall {
+        /// Time of the last good state.
+        t: f64,
+        /// The step that was refused last.
+        h: f64,
+        /// Why it was refused.
+        reason: Reason,
+    },
+}
+
+/// Why a step of an adaptive integrator was refused.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// The estimated error is beyond the tolerance.
+    Inaccurate {
+        /// The estimate, in units of what is tolerated.
+        error: f64,
+    },
+    /// It looks at the energy where that is not defined.
+    OutsideDomain {
+        /// The function and the term.
+        what: &'static str,
+    },
+    /// It leads to a state that is not finite.
+    NonFinite,
+    /// Its implicit equation has no solution that is continuous in h from h = 0 on.
+    Singular,
+    /// It moves at right angles to the gradient along which it is to change the energy.
+    SingularDirection,
+    /// Its implicit equation was not solved to rounding.
+    NotConverged,
+}
+
+impl From<Refusal> for Reason {
+    fn from(refusal: Refusal) -> Self {
+        match refusal {
+            Refusal::Singular => Reason::Singular,
+            Refusal::SingularDirection => Reason::SingularDirection,
+            Refusal::NotConverged { .. } => Reason::NotConverged,
+        }
+    }
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Reason::Inaccurate { error } => write!(f, "its error is about {error:.1e} times what is tolerated"),
+            Reason::OutsideDomain { what } => write!(f, "it looks at the energy where it is not defined: {what}"),
+            Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
+            Reason::Singular => write!(f, "its equation has no solution, or several"),
+            Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Reason::NotConverged => write!(f, "its equation was not solved"),
+        }
+    }
 }
 
 impl fmt::Display for StepError {
@@ -83,6 +145,12 @@ impl fmt::Display for StepError {
                 "the step from t = {t} was not solved in {iterations} iterations \
                  (last correction {correction:.1e}); try a smaller step"
             ),
+            StepError::InvalidTolerance { tolerance } => {
+                write!(f, "the tolerance {tolerance} is not a positive number")
+            }
+            StepError::StepTooSmall { t, h, reason } => {
+                write!(f, "from t = {t} not even a step of {h:.1e} can be taken: {reason}")
+            }
         }
     }
 }

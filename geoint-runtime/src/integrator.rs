@@ -206,7 +206,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
 }
 
 /// A scalar as a plain number, with its sign.
-fn real<R: Real>(x: R) -> f64 {
+pub(crate) fn real<R: Real>(x: R) -> f64 {
     if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }
 

@@ -26,6 +26,7 @@
 //! - **q' = ∂H/∂p, p' = −∂H/∂q**. Coordinates always come in the order q, p, t, and as named fields.
 //! - A *kick* of length h is the flow of V(q, t): p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t): q ← q + h ∂T/∂p.
 //! - `h` may be negative. Time is `t0 + n·h`, never a running sum; output never changes the step.
+//!   With [`Adaptive`] it is a compensated sum, and the last step ends at the time asked for.
 //! - Division by something known before the loop becomes multiplication by its reciprocal (about one rounding), and
 //!   `a·b + c` is fused where the processor of the build does that; the feature `strict-math` forbids the latter.
 //!
@@ -39,7 +40,9 @@
 //!
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
-//! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]. Methods of one's own implement [`method::Method`]; systems written by hand implement the traits of
+//! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
+//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps. Methods of
+//! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -57,6 +60,7 @@ mod linear;
 mod newton;
 mod quasi_newton;
 mod predictor;
+mod stagnation;
 pub mod splitting;
 pub mod composition;
 mod tables;
@@ -65,10 +69,18 @@ pub mod gauss;
 pub mod discrete_gradient;
 pub mod kahan;
 pub mod explicit;
+pub mod runge_kutta;
+pub mod invariants;
+pub mod projection;
+pub mod relaxation;
 pub mod integrator;
+mod step_size;
+pub mod adaptive;
 #[doc(hidden)]
 pub mod private;
 
+#[doc(inline)]
+pub use adaptive::Adaptive;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
@@ -77,7 +89,7 @@ pub use discrete_gradient::{
     SymmetrisedItohAbe,
 };
 #[doc(inline)]
-pub use error::StepError;
+pub use error::{Reason, StepError};
 #[doc(inline)]
 pub use explicit::ExplicitEuler;
 #[doc(inline)]
@@ -86,26 +98,35 @@ pub use geoint_macros::hamiltonian;
 #[doc(inline)]
 pub use integrator::Integrator;
 #[doc(inline)]
+pub use invariants::{Energy, Invariants};
+#[doc(inline)]
 pub use kahan::Kahan;
 #[doc(inline)]
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
+pub use projection::Projection;
+#[doc(inline)]
 pub use real::Real;
+#[doc(inline)]
+pub use relaxation::Relaxation;
+#[doc(inline)]
+pub use runge_kutta::{DOP853, RK4, RungeKutta};
 #[doc(inline)]
 pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 #[doc(inline)]
 pub use state::{Coordinates, State};
 #[doc(inline)]
-pub use system::{Conservative, Hamiltonian, QuadraticKinetic, Separable};
+pub use system::{Autonomous, Conservative, Hamiltonian, QuadraticKinetic, Separable};
 pub use tables::*;
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        CoordinateIncrement, DiscreteGradient, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian,
-        ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PositionVerlet,
-        State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        Adaptive, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
+        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
+        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

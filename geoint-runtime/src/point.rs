@@ -36,6 +36,13 @@ pub struct Compensated<A> {
     carry: A,
 }
 
+impl<A: Array> Compensated<A> {
+    /// What the sum is too small by.
+    pub(crate) fn carry(&self) -> A {
+        self.carry
+    }
+}
+
 impl<A: Array> Summation<A> for Compensated<A> {
     const PLAIN: bool = false;
     fn new() -> Self {
@@ -83,14 +90,16 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
     /// q ← q + dq, p ← p + dp.
     #[inline(always)]
     pub fn add(&mut self, dq: &A, dp: &A) {
-        let mut sums = self.sums;
-        self.add_with(&mut sums, dq, dp);
-        self.sums = sums;
+        self.sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
+        self.sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }
 
-    /// The same with sums of the method's own.
+    /// The same with sums of the method's own, unless those of the point carry: they outlive a change of the step size.
     #[inline(always)]
     pub fn add_with<D: Summation<A>>(&mut self, sums: &mut [D; 2], dq: &A, dp: &A) {
+        if !C::PLAIN {
+            return self.add(dq, dp);
+        }
         sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
         sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }

@@ -3,6 +3,7 @@
 //! Each trait is a proven property. A method asks for the traits that it needs, so using it on a system without the
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
+use crate::adaptive::Adaptive;
 use crate::array::{Array, Square};
 use crate::integrator::Integrator;
 use crate::method::Method;
@@ -50,6 +51,18 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     ) -> Integrator<Self, M, R> {
         Integrator::new(self, method, h, state)
     }
+
+    /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+    fn adaptive<M: Method<Self, R>>(
+        self,
+        method: M,
+        tolerance: f64,
+        state: State<Self::Coordinates>,
+    ) -> Adaptive<Self, M, R> {
+        Adaptive::new(self, method, tolerance, state)
+    }
 }
 
 /// Nothing damps the system: H changes with explicit time alone.
@@ -59,6 +72,13 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
 )]
 pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
+
+/// The flow keeps H: time does not appear in it, and nothing damps.
+#[diagnostic::on_unimplemented(
+    message = "the flow of `{Self}` was not proven to keep the energy",
+    label = "H depends on time, or is damped: there is nothing to project onto"
+)]
+pub trait Autonomous<R: Real = f64>: Conservative<R> {}
 
 /// H = T(p, t) + V(q, t): each part has an exact flow.
 #[diagnostic::on_unimplemented(

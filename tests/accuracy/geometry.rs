@@ -78,9 +78,9 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient separable nystrom cubic itoh_abe;
-    Relativistic, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way separable;
-    DoublePendulum, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way;
+    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom cubic itoh_abe;
+    Relativistic, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected relaxed separable;
+    DoublePendulum, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected;
     Breathing, 0.1, general discrete_gradient separable;
     SwingingMass, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way coordinate_increment;
     Magnetic, 0.1, general;

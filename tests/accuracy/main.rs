@@ -4,6 +4,7 @@ mod language;
 mod derivatives;
 mod tables;
 mod orders;
+mod corrected;
 mod geometry;
 mod discrete_gradients;
 mod clock;

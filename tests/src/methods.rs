@@ -2,7 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
-use geoint_runtime::{Hamiltonian, Method, QuadraticKinetic, Real, Separable};
+use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
 pub trait Visitor<S: Hamiltonian<R>, R: Real> {
@@ -29,7 +29,8 @@ pub fn general<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
     S: Collocation<R>,
 {
-    visit!(visitor: ExplicitEuler, ImplicitMidpoint, Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
+    visit!(visitor: ExplicitEuler, RK4, DOP853);
+    visit!(visitor: ImplicitMidpoint, Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
     compositions!(visitor: ImplicitMidpoint);
 }
 
@@ -79,6 +80,23 @@ where
 {
     visit!(visitor: Kahan);
     compositions!(visitor: Kahan; Suzuki4);
+}
+
+/// Methods that keep the energy because each step is projected.
+pub fn projected<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Autonomous<R>,
+{
+    visit!(visitor: Projection(RK4, Energy), Projection(DOP853, Energy));
+}
+
+/// Methods that keep the energy because each step is scaled. They need an energy that is nowhere straight along the flow: some
+/// are refused steps elsewhere, and have no order there.
+pub fn relaxed<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: DiscreteField<R> + Autonomous<R>,
+{
+    visit!(visitor: Relaxation(RK4), Relaxation(DOP853));
 }
 
 /// Methods for H = T(p, t) + V(q, t).

@@ -4,7 +4,7 @@
 //! and without explicit time, cyclic coordinates, branches, every shape of coordinates.
 
 use crate::scalars::Scalar;
-use geoint_runtime::system::{Collocation, Cubic};
+use geoint_runtime::system::Collocation;
 use geoint_runtime::{Coordinates, Hamiltonian, State, array::Array, hamiltonian};
 use nalgebra::{SVector, Vector2, Vector3};
 
@@ -33,8 +33,6 @@ pub fn henon_heiles(q: [f64; 2], p: [f64; 2], m: [f64; 2], lambda: f64) -> f64 {
     let kinetic = p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]);
     kinetic + (x * x + y * y) / 2.0 + lambda * (x * x * y - y * y * y / 3.0)
 }
-
-impl<R: Scalar> Cubic<R> for HenonHeiles<R> {}
 
 /// Two masses on quartic springs; the parameters are reciprocal masses and stiffnesses, so `+ − ·` are enough.
 #[hamiltonian]

@@ -105,9 +105,10 @@ fn energy_is_kept_by_those_that_claim_it() {
     let mut energy = Energy(0);
     methods::general(&mut energy);
     methods::discrete_gradient(&mut energy);
+    methods::projected(&mut energy);
     methods::itoh_abe(&mut energy);
     methods::itoh_abe_one_way(&mut energy);
-    assert_eq!(energy.0, 19);
+    assert_eq!(energy.0, 21);
 }
 
 /// The momentum of a cyclic coordinate is not touched, not even by rounding.
@@ -128,6 +129,7 @@ fn cyclic_momentum_is_kept_bitwise() {
     let mut cyclic = Cyclic;
     methods::general(&mut cyclic);
     methods::discrete_gradient(&mut cyclic);
+    methods::relaxed(&mut cyclic);
     methods::itoh_abe(&mut cyclic);
     methods::itoh_abe_one_way(&mut cyclic);
 }

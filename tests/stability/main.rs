@@ -2,5 +2,6 @@
 
 mod conservation;
 mod damping;
+mod adaptive;
 mod refusals;
 mod trajectories;

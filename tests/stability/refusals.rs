@@ -47,6 +47,8 @@ impl Visitor<Pendulum, f64> for BadSteps {
 fn unusable_step_sizes() {
     methods::general(&mut BadSteps);
     methods::discrete_gradient(&mut BadSteps);
+    methods::projected(&mut BadSteps);
+    methods::relaxed(&mut BadSteps);
     methods::separable(&mut BadSteps);
     methods::nystrom(&mut BadSteps);
 }

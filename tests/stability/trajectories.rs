@@ -51,6 +51,8 @@ fn advance_is_so_many_steps() {
     }
     lists::<HenonHeiles>(&mut Bulk);
     lists::<Breathing>(&mut Bulk);
+    methods::projected::<HenonHeiles, f64, _>(&mut Bulk);
+    methods::relaxed::<HenonHeiles, f64, _>(&mut Bulk);
     methods::nystrom::<HenonHeiles, f64, _>(&mut Bulk);
 }
 

@@ -40,7 +40,7 @@ pub(super) fn discrete_field(
     context: &Context<'_>,
     graph: &mut Graph,
     (field, start): (&Field, &[Symbol]),
-    linear: bool,
+    (linear, mean_points): (bool, Option<u32>),
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
     let name = self_type(context);
@@ -50,12 +50,17 @@ pub(super) fn discrete_field(
     let parameters = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let begin = context.planned(&plan.stores[1], (start, "y"), |values| quote!([#(#values),*]));
     let slope = context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(field, &places, &values));
+    let mean_points = match mean_points.map(|points| Literal::u32_unsuffixed(points)) {
+        Some(points) => quote!(::core::option::Option::Some(#points)),
+        None => quote!(::core::option::Option::None),
+    };
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
         impl<R: #bounds> DiscreteField<R> for #name {
             type Parameters = [R; #prepared];
             type Start = [R; #started];
             const LINEAR: bool = #linear;
+            const MEAN_POINTS: ::core::option::Option<usize> = #mean_points;
 
             #[inline]
             fn parameters(&self) -> [R; #prepared] {

@@ -11,7 +11,7 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{Reads, Structure};
+use crate::analyze::{MeanValue, Reads, Structure};
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
@@ -35,8 +35,14 @@ pub(crate) fn items(
     let (discrete, discrete_cost) = match &derivatives.discrete {
         Ok(discrete) => {
             let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
+            let points = match structure.mean_value {
+                MeanValue::Tree => Some(0),
+                MeanValue::Gauss(points) => Some(points),
+                MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
+            };
             let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
-            let (tokens, cost) = implicit::discrete_field(context, graph, (discrete, &field.unknowns), linear, &bounds);
+            let (tokens, cost) =
+                implicit::discrete_field(context, graph, (discrete, &field.unknowns), (linear, points), &bounds);
             (tokens, Some(cost))
         }
         Err(missing) => {
@@ -61,7 +67,7 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
+                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
                 Separable, Square, State, is_positive_semidefinite, slope,
             };
 

@@ -173,7 +173,10 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
         MeanValue::Mixed { polynomial, points, .. } => {
             let (polynomial, gauss) = (printer.excerpt(polynomial), gauss(points));
-            writeln!(text, "- `MeanValue` has a closed form but for {polynomial}, for which it is exact with {gauss}")
+            writeln!(
+                text,
+                "- `MeanValue` is a quadrature, exact with {gauss} for {polynomial} and with none for the rest"
+            )
         }
         MeanValue::NotClosed(term) => {
             writeln!(text, "- `MeanValue` is a quadrature; no closed form was found for {}", printer.excerpt(term))

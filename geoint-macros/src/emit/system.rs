@@ -61,6 +61,18 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
             ) -> Integrator<Self, M, #float> {
                 Hamiltonian::integrator(self, method, h, state)
             }
+
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float>>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: State<#coordinates>,
+            ) -> Adaptive<Self, M, #float> {
+                Hamiltonian::adaptive(self, method, tolerance, state)
+            }
         }
     }
 }
@@ -99,9 +111,15 @@ pub(super) fn hamiltonian(
         let (q, p) = (write("dq", &places, q), write("dp", &places, p));
         quote!(#q #p)
     });
-    let conservative = structure.damping.is_none().then(|| quote!(impl<R: #bounds> Conservative<R> for #name {}));
+    // What was proven, and needs no kernel.
+    let proven = [
+        (structure.damping.is_none(), quote!(Conservative)),
+        (structure.conserves_energy(), quote!(Autonomous)),
+        (structure.degree.is_some_and(|degree| degree <= 3), quote!(Cubic)),
+    ];
+    let markers = proven.iter().filter(|(holds, _)| *holds).map(|(_, marker)| marker);
     quote! {
-        #conservative
+        #(impl<R: #bounds> #markers<R> for #name {})*
         impl<R: #bounds> Hamiltonian<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;

@@ -54,8 +54,9 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
+        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -78,6 +79,17 @@ const _: () = {
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
             Hamiltonian::integrator(self, method, h, state)
+        }
+        /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+        pub fn adaptive<M: Method<Self, f64>>(
+            self,
+            method: M,
+            tolerance: f64,
+            state: State<f64>,
+        ) -> Adaptive<Self, M, f64> {
+            Hamiltonian::adaptive(self, method, tolerance, state)
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}

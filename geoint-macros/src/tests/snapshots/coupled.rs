@@ -55,8 +55,9 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
+        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -80,8 +81,20 @@ const _: () = {
         ) -> Integrator<Self, M, f64> {
             Hamiltonian::integrator(self, method, h, state)
         }
+        /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+        pub fn adaptive<M: Method<Self, f64>>(
+            self,
+            method: M,
+            tolerance: f64,
+            state: State<[f64; 2]>,
+        ) -> Adaptive<Self, M, f64> {
+            Hamiltonian::adaptive(self, method, tolerance, state)
+        }
     }
     impl<R: Real> Conservative<R> for Coupled {}
+    impl<R: Real> Autonomous<R> for Coupled {}
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Coordinates = [R; 2];
         type Array = [R; 2];
@@ -161,6 +174,9 @@ const _: () = {
         type Parameters = [R; 0];
         type Start = [R; 8];
         const LINEAR: bool = false;
+        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
+            2,
+        );
         #[inline]
         fn parameters(&self) -> [R; 0] {
             []

@@ -68,8 +68,9 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Array, Collocation, Conservative, DiscreteField, Hamiltonian, Integrator, Method,
-        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
+        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -93,8 +94,20 @@ const _: () = {
         ) -> Integrator<Self, M, f64> {
             Hamiltonian::integrator(self, method, h, state)
         }
+        /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+        pub fn adaptive<M: Method<Self, f64>>(
+            self,
+            method: M,
+            tolerance: f64,
+            state: State<f64>,
+        ) -> Adaptive<Self, M, f64> {
+            Hamiltonian::adaptive(self, method, tolerance, state)
+        }
     }
     impl<R: Real> Conservative<R> for Pendulum<R> {}
+    impl<R: Real> Autonomous<R> for Pendulum<R> {}
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
@@ -204,6 +217,9 @@ const _: () = {
         type Parameters = [R; 1];
         type Start = [R; 1];
         const LINEAR: bool = false;
+        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
+            0,
+        );
         #[inline]
         fn parameters(&self) -> [R; 1] {
             let a1 = self.l;

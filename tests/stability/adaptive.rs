@@ -1,0 +1,304 @@
+//! Steps of different lengths: what is kept whatever they are, and how the adaptive integrator chooses, refuses and ends.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, Reason};
+use geoint_tests::measure::{Noise, distance, solution};
+use geoint_tests::problems::*;
+use geoint_tests::scalars::Double;
+use std::f64::consts::TAU;
+
+/// An ellipse of eccentricity `e` and half axis 1.3 from its nearest point, and its period.
+fn ellipse(e: f64) -> (Kepler, State<[f64; 2]>, f64) {
+    let (mass, mu, a) = (1.6, 2.3, 1.3_f64);
+    let speed = (mu / (mass * a) * (1.0 + e) / (1.0 - e)).sqrt();
+    let period = TAU * (mass * a.powi(3) / mu).sqrt();
+    (Kepler { mass, mu }, State::new([a * (1.0 - e), 0.0], [0.0, mass * speed]), period)
+}
+
+fn spin(state: &State<[f64; 2]>) -> f64 {
+    state.q[0] * state.p[1] - state.q[1] * state.p[0]
+}
+
+/// Largest relative errors of energy and angular momentum on the way to `t`.
+fn drift<M: Method<Kepler>>(sim: &mut Adaptive<Kepler, M>, t: f64) -> (f64, f64) {
+    let (system, start) = (*sim.system(), sim.state());
+    let (energy, momentum) = (system.energy(&start), spin(&start));
+    sim.until(t).map(Result::unwrap).fold((0.0, 0.0), |(h, l), state| {
+        let (gap_h, gap_l) = (system.energy(&state) / energy - 1.0, spin(&state) / momentum - 1.0);
+        (f64::max(h, gap_h.abs()), f64::max(l, gap_l.abs()))
+    })
+}
+
+/// A thousand periods of a comet: both to rounding, and the wider steps are where it is slow.
+#[test]
+fn discrete_gradient_keeps_energy_and_angular_momentum_of_a_comet() {
+    let (system, start, period) = ellipse(0.9);
+    let mut sim = system.adaptive(DiscreteGradient, 1e-4, start);
+    let (energy, momentum) = drift(&mut sim, 1000.0 * period);
+    println!(
+        "energy {energy:.1e}, angular momentum {momentum:.1e}; {} steps, {} rejected",
+        sim.steps(),
+        sim.rejections()
+    );
+    assert!(energy <= 1e-12 && momentum <= 1e-12, "energy {energy:.1e}, angular momentum {momentum:.1e}");
+    assert_eq!(sim.time(), 1000.0 * period);
+    assert!(sim.steps() < 150_000 && 10 * sim.rejections() < sim.steps());
+    // Neither comes for free: not even what symplectic methods keep with equal steps.
+    let (energy, momentum) = drift(&mut system.adaptive(StormerVerlet, 1e-4, start), 10.0 * period);
+    assert!(energy > 1e-4 && momentum < 1e-12, "{energy:.1e} {momentum:.1e}");
+    let (energy, momentum) = drift(&mut system.adaptive(RK4, 1e-4, start), 10.0 * period);
+    assert!(energy > 1e-6 && momentum > 1e-6, "{energy:.1e} {momentum:.1e}");
+}
+
+/// What keeps the energy by correction keeps it here as well, and ends at the time asked for although steps are scaled.
+#[test]
+fn corrected_methods_adapt() {
+    fn check<M: Method<Kepler>>(name: &str, method: M, e: f64) {
+        let (system, start, period) = ellipse(e);
+        let mut sim = system.adaptive(method, 1e-6, start);
+        let (energy, _) = drift(&mut sim, 20.0 * period);
+        println!("{name}: energy {energy:.1e}; {} steps, {} rejected", sim.steps(), sim.rejections());
+        assert!(energy <= 5e-13, "{name}: {energy:.1e}");
+        assert_eq!(sim.time(), 20.0 * period, "{name}");
+    }
+    check("projection", Projection(RK4, Energy), 0.9);
+    check("projection", Projection(DOP853, Energy), 0.9);
+    check("relaxation", Relaxation(RK4), 0.2);
+    check("relaxation", Relaxation(DOP853), 0.2);
+    check("composition", Suzuki4.of(DiscreteGradient), 0.9);
+}
+
+/// Any sequence of steps keeps the energy; a symplectic method needs equal ones.
+#[test]
+fn random_steps_keep_the_energy() {
+    fn largest<M: Method<HenonHeiles>>(method: M, compensated: bool) -> f64 {
+        let (system, start) = (HenonHeiles::system::<f64>(), HenonHeiles::initial::<f64>(0.0));
+        let energy = system.energy(&start);
+        let mut plain = system.integrator(method, 0.1, start);
+        let mut carried = plain.compensated();
+        let mut error = 0.0_f64;
+        for noise in Noise::new(5).take(2000) {
+            let h = 0.16 + 0.14 * noise;
+            let now = if compensated {
+                carried.set_step_size(h);
+                carried.step().map(|()| carried.energy())
+            } else {
+                plain.set_step_size(h);
+                plain.step().map(|()| plain.energy())
+            };
+            error = error.max((now.unwrap() - energy).abs());
+        }
+        error
+    }
+    for compensated in [false, true] {
+        let error = largest(DiscreteGradient, compensated);
+        println!("compensated {compensated}: {error:.1e}");
+        assert!(error < 1e-14, "{error:.1e}");
+    }
+    let error = largest(StormerVerlet, false);
+    assert!(error > 1e-4, "{error:.1e}");
+}
+
+/// The error at the end is at most that of all steps, and falls with the tolerance, for methods of every order.
+#[test]
+fn errors_follow_the_tolerance() {
+    let (start, t) = (DoublePendulum::initial::<f64>(0.4), 3.4);
+    let lifted = DoublePendulum::initial::<Double>(0.4);
+    let exact = solution(&DoublePendulum::system::<Double>(), &lifted, Double::from(t) - lifted.t, 40);
+    let exact: Vec<f64> = exact.iter().map(|x| x.value()).collect();
+    let run = |method: &dyn Fn(f64) -> (Vec<f64>, u64), name: &str| {
+        let mut before: Option<(f64, u64)> = None;
+        for tolerance in [1e-5, 1e-7, 1e-9] {
+            let (end, steps) = method(tolerance);
+            let error = distance(&end, &exact);
+            println!("{name} {tolerance:.0e}: {error:.1e} in {steps} steps");
+            assert!(error < steps as f64 * tolerance, "{name} {tolerance:.0e}: {error:.1e}");
+            if let Some((error_before, steps_before)) = before {
+                assert!(error < 0.1 * error_before && steps > steps_before, "{name} {tolerance:.0e}: {error:.1e}");
+            }
+            before = Some((error, steps));
+        }
+    };
+    macro_rules! check {
+        ($($method:expr),*) => { $( run(&|tolerance| {
+            let mut sim = DoublePendulum::system::<f64>().adaptive($method, tolerance, start);
+            sim.advance_to(t).unwrap();
+            assert_eq!(sim.time(), t);
+            (flat(&sim.state()), sim.steps())
+        }, stringify!($method)); )* };
+    }
+    check!(DiscreteGradient, RK4, Gauss::<2>, DOP853, Projection(RK4, Energy));
+}
+
+/// Steps have lengths of a ladder, and change only when that is worth it; bounds hold.
+#[test]
+fn most_steps_are_like_the_one_before() {
+    let (system, start, period) = ellipse(0.6);
+    let mut sim = system.adaptive(DiscreteGradient, 1e-6, start).steps_between(1e-3, 0.01);
+    let (mut changes, mut before) = (0, sim.step_size());
+    while sim.time() < 3.0 * period {
+        let now = sim.step_size();
+        assert!((1e-3..=0.01).contains(&now), "{now}");
+        changes += u64::from(now != before);
+        (before, _) = (now, sim.step().unwrap());
+    }
+    assert!(changes > 10 && 4 * changes < sim.steps(), "{changes} of {}", sim.steps());
+}
+
+/// A first step that is much too long is not taken.
+#[test]
+fn long_steps_are_rejected() {
+    let mut sim =
+        DoublePendulum::system::<f64>().adaptive(DiscreteGradient, 1e-8, DoublePendulum::initial(0.0)).first_step(1e4);
+    sim.step().unwrap();
+    assert!(sim.rejections() >= 5 && sim.steps() == 1, "{} rejections", sim.rejections());
+    assert!(sim.time() < 0.1);
+    let rejected = sim.rejections();
+    sim.advance_to(1.0).unwrap();
+    assert!(sim.rejections() < rejected + sim.steps() / 5);
+}
+
+/// There and back; the sign of the step follows from the time asked for.
+#[test]
+fn backwards() {
+    let start = DoublePendulum::initial::<f64>(0.4);
+    let mut sim = DoublePendulum::system::<f64>().adaptive(DiscreteGradient, 1e-8, start);
+    sim.advance_to(2.0).unwrap();
+    assert!(sim.step_size() > 0.0 && distance(&flat(&sim.state()), &flat(&start)) > 0.1);
+    let times: Vec<f64> = sim.until(0.4).map(|state| state.unwrap().t).collect();
+    assert!(times.windows(2).all(|pair| pair[0] > pair[1]) && times.last() == Some(&0.4));
+    assert!(sim.step_size() < 0.0);
+    let gap = distance(&flat(&sim.state()), &flat(&start));
+    assert!(gap < 1e-6, "{gap:.1e}");
+    let mut sim = DoublePendulum::system::<f64>().adaptive(DiscreteGradient, 1e-8, start).first_step(-0.01);
+    sim.step().unwrap();
+    assert!(sim.time() < 0.4);
+}
+
+#[test]
+fn until_ends_at_the_time() {
+    for (from, to) in [(0.0, 1.0), (0.3, 0.1), (-0.7, 0.0), (1.0, 1.0 + 4.0 * f64::EPSILON), (1e6, 1e6 + 0.1)] {
+        let start = State { t: from, ..Pendulum::initial(0.0) };
+        let mut sim = Pendulum::system::<f64>().adaptive(DiscreteGradient, 1e-6, start);
+        let times: Vec<f64> = sim.until(to).map(|state| state.unwrap().t).collect();
+        assert_eq!(times.last(), Some(&to), "from {from}");
+        assert!(times.windows(2).all(|pair| (pair[0] < pair[1]) == (from < to)));
+        assert_eq!(sim.until(to).count(), 0);
+    }
+    // Whatever is looked at on the way.
+    let mut sim = Pendulum::system::<f64>().adaptive(DiscreteGradient, 1e-6, Pendulum::initial(0.0));
+    for n in 1..=200 {
+        sim.advance_to(f64::from(n) * 0.01).unwrap();
+        assert_eq!(sim.time(), f64::from(n) * 0.01);
+    }
+}
+
+/// A root that ends at q = 1.
+#[hamiltonian]
+fn rim(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) - (1.0 - q * q).sqrt()
+}
+
+/// A logarithmic wall at q = 0.
+#[hamiltonian]
+fn wall(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) - k * q.ln() + q
+}
+
+/// The edge of the domain is approached, and reported; the state is then the last good one.
+#[test]
+fn the_edge_of_the_domain_is_approached() {
+    fn check<M: Method<Rim>>(name: &str, method: M) {
+        let mut sim = Rim { m: 1.4 }.adaptive(method, 1e-6, State::new(0.2, 2.0));
+        let outcome: Vec<_> = sim.until(100.0).collect();
+        let (error, good) = outcome.split_last().unwrap();
+        let last = good.last().unwrap().unwrap();
+        let Err(error @ StepError::StepTooSmall { t, h, reason: Reason::OutsideDomain { what } }) = *error else {
+            panic!("{name}: {error:?}")
+        };
+        println!("{name}: q = 1 − {:.1e}, h = {h:.1e}", 1.0 - last.q);
+        assert!(what.contains("sqrt"), "{name}: {what}");
+        assert!(error.to_string().contains("sqrt"), "{error}");
+        assert!(h > 0.0 && h < 1e-14 && t == last.t, "{name}: {h:.1e}");
+        assert!(last.q <= 1.0 && last.q > 1.0 - 1e-6, "{name}: {}", last.q);
+        assert_eq!(sim.state(), last, "{name}");
+        assert!(sim.step().is_err() && sim.state() == last, "{name}");
+        sim.advance_to(0.0).unwrap();
+    }
+    check("DiscreteGradient", DiscreteGradient);
+    check("ImplicitMidpoint", ImplicitMidpoint);
+    check("RK4", RK4);
+    check("StormerVerlet", StormerVerlet);
+}
+
+/// Equal steps jump through this wall; these bounce.
+#[test]
+fn a_wall_is_bounced_off() {
+    fn check<M: Method<Wall>>(name: &str, method: M) {
+        let mut sim = Wall { m: 1.3, k: 0.5 }.adaptive(method, 1e-6, State::new(2.0, -1.0)).first_step(0.31);
+        let energy = sim.energy();
+        let nearest = sim.until(30.0).map(|state| state.unwrap().q).fold(f64::INFINITY, f64::min);
+        assert!(nearest > 0.0 && nearest < 0.02, "{name}: {nearest}");
+        assert!((sim.energy() - energy).abs() < 1e-2, "{name}");
+    }
+    check("StormerVerlet", StormerVerlet);
+    check("RK4", RK4);
+    check("DiscreteGradient", DiscreteGradient);
+}
+
+/// The shortest step that is allowed is too long.
+#[test]
+fn the_shortest_step_is_too_long() {
+    let start = DoublePendulum::initial::<f64>(0.4);
+    let mut sim = DoublePendulum::system::<f64>()
+        .adaptive(DiscreteGradient, 1e-13, start)
+        .steps_between(0.05, 1.0)
+        .first_step(1.0);
+    for _ in 0..2 {
+        let error = sim.advance_to(2.0).unwrap_err();
+        let StepError::StepTooSmall { t, h, reason: Reason::Inaccurate { error } } = error else { panic!("{error}") };
+        assert!(t == 0.4 && h == 0.05 && error > 1.0, "{t} {h} {error}");
+        assert_eq!((sim.state(), sim.steps()), (start, 0));
+    }
+    assert!(sim.rejections() > 2);
+    // What it refuses is within reach of shorter steps.
+    let mut sim = sim.steps_between(1e-6, 1.0);
+    sim.step().unwrap();
+}
+
+#[test]
+fn unusable_input() {
+    let start = Pendulum::initial::<f64>(0.3);
+    let with = |tolerance: f64| Pendulum::system::<f64>().adaptive(DiscreteGradient, tolerance, start);
+    for tolerance in [0.0, -1e-6, f64::NAN, f64::INFINITY] {
+        let mut sim = with(tolerance);
+        assert!(matches!(sim.step(), Err(StepError::InvalidTolerance { .. })), "{tolerance}");
+        assert_eq!(sim.state(), start);
+    }
+    for h in [0.0, f64::NAN, f64::INFINITY] {
+        let error = with(1e-6).first_step(h).step().unwrap_err();
+        assert!(matches!(error, StepError::InvalidStepSize { h: seen } if seen == h || h.is_nan()), "{h}: {error}");
+    }
+    for (shortest, longest) in
+        [(1.0, 0.1), (f64::NAN, 1.0), (0.1, f64::NAN), (f64::INFINITY, f64::INFINITY), (0.0, 0.0)]
+    {
+        let error = with(1e-6).steps_between(shortest, longest).step().unwrap_err();
+        assert!(matches!(error, StepError::InvalidStepSize { .. }), "{shortest} {longest}: {error}");
+    }
+    let outcome: Vec<_> = with(1e-6).until(f64::NAN).collect();
+    assert!(matches!(outcome[..], [Err(StepError::InvalidStepSize { .. })]), "{outcome:?}");
+    let mut sim = Pendulum::system::<f64>().adaptive(RK4, 1e-6, State::new(f64::NAN, 0.0));
+    assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
+    let mut sim = Rim { m: 1.4 }.adaptive(RK4, 1e-6, State::new(1.5, 0.0));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })));
+}
+
+/// A short type has short steps of its own.
+#[test]
+fn short_numbers() {
+    let mut sim = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 }.adaptive(DiscreteGradient, 1e-4, State::new(0.1_f32, 0.0));
+    let energy = sim.energy();
+    sim.advance_to(10.0).unwrap();
+    assert_eq!(sim.time(), 10.0);
+    assert!((sim.energy() - energy).abs() < 1e-6 && sim.steps() > 50, "{} {}", sim.energy() - energy, sim.steps());
+}
