@@ -9,6 +9,7 @@ use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Double;
+use std::marker::PhantomData;
 
 const SYSTEM: HenonHeiles = HenonHeiles { m: [1.0, 1.0], lambda: 1.0 };
 
@@ -255,5 +256,48 @@ fn angular_momentum_is_not_for_all() {
     for (name, (energy, momentum), expected) in table {
         println!("{name:32} energy {energy:.1e}, angular momentum {momentum:.2e}");
         assert!(energy <= 2e-14 && expected.contains(&momentum), "{name}: {energy:.1e} {momentum:.2e}");
+    }
+}
+
+/// A pendulum in honey.
+#[hamiltonian(damping = c)]
+fn honey(q: f64, p: f64, m: f64, c: f64) -> f64 {
+    p * p / (2.0 * m) - m * q.cos()
+}
+
+/// Whether one is a method for the other, decided by the compiler: the inherent constant, if it exists, hides that of the trait.
+struct Pair<M, S>(PhantomData<(M, S)>);
+trait Otherwise {
+    const IS_METHOD: bool = false;
+}
+impl<M, S> Otherwise for Pair<M, S> {}
+impl<M: Method<S>, S: Hamiltonian> Pair<M, S> {
+    const IS_METHOD: bool = true;
+}
+
+#[test]
+fn methods_are_refused_without_proof() {
+    macro_rules! assert_methods {
+        ($($Method:ty, $System:ty: $expected:literal;)*) => { $(
+            assert_eq!(Pair::<$Method, $System>::IS_METHOD, $expected, stringify!($Method, $System));
+        )* };
+    }
+    assert_methods! {
+        // What is to keep the energy is not for systems that lose it.
+        DiscreteGradient, Honey: true;
+        Gonzalez, Honey: false;
+        ItohAbePair, Honey: false;
+        FourthOrder<DiscreteGradient>, Honey: false;
+        Gonzalez, Pendulum: true;
+        // Only a symmetric map of order 2 has its order raised.
+        FourthOrder<DiscreteGradient>, Pendulum: true;
+        FourthOrder<MeanValue<6>>, Pendulum: true;
+        FourthOrder<ItohAbe>, Pendulum: false;
+        FourthOrder<FourthOrder<Gonzalez>>, Pendulum: false;
+        FourthOrder<ImplicitMidpoint>, Pendulum: false;
+        MeanValue<7>, Pendulum: false;
+        // Kahan's method is for quadratic fields.
+        Kahan, HenonHeiles: true;
+        Kahan, Pendulum: false;
     }
 }

@@ -29,7 +29,8 @@ pub trait MeanGradient: Copy {
         true
     }
 
-    /// g, and ∂g/∂d or something near it, which only has to make the solution converge.
+    /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`], which has
+    /// its order from it.
     ///
     /// # Errors
     /// Where g does not exist.
