@@ -121,7 +121,7 @@ where
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {
             core::array::from_fn(|i| look(probe, i, k, &mut Y::Unknown::fill(zero)))
         };
-        let k = newton.solve(&[visible; S], explicit, probe, image, |probe, k, derivative| {
+        let (k, _) = newton.solve(&[visible; S], explicit, probe, image, |probe, k, derivative| {
             let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(derivative);
             core::array::from_fn(|i| {
                 // f'(Yᵢ)·∂Yᵢ/∂kⱼ.

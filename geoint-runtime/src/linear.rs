@@ -11,6 +11,17 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<boo
     let n = A::LEN;
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
+    if n == 2 {
+        // Cramer's rule: one division in place of two that wait for each other.
+        let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
+        let determinant = a * d - b0 * c;
+        if determinant.magnitude() == 0.0 || determinant.magnitude().is_nan() {
+            return None;
+        }
+        let reciprocal = A::Real::from_f64(1.0) / determinant;
+        (b[0], b[1]) = ((d * b[0] - b0 * b[1]) * reciprocal, (a * b[1] - c * b[0]) * reciprocal);
+        return Some(!determinant.any_below(0.0));
+    }
     let mut positive = true;
     for k in 0..n {
         // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so that

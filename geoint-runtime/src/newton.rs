@@ -65,6 +65,9 @@ impl<A: Array> Newton<A> {
     /// correction is bound to be below the rounding of `origin + x`: symmetry of a step, and the order of its
     /// compositions, hold only at the solved point.
     ///
+    /// Returned as well is what the last correction could not subtract from the digits of x. That has a bias: what is left of x − g
+    /// is a multiple of the last digit of x, and so is, nearly, a small correction.
+    ///
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
@@ -75,24 +78,24 @@ impl<A: Array> Newton<A> {
         context: &mut Q,
         image: impl Fn(&mut Q, &A) -> A,
         derivative: impl Fn(&mut Q, &A, &mut Square<A>) -> A,
-    ) -> Result<A, Refusal> {
+    ) -> Result<(A, A), Refusal> {
         if A::LEN > MOST_UNKNOWNS && (!self.stiff || self.steps.is_multiple_of(ANOTHER_TRY)) {
             let guess = if self.predictor.started { self.predictor.predict() } else { explicit() };
             let found = fixed_point(guess, origin, |x| image(context, x));
             self.stiff = found.is_none();
             if let Some(x) = found {
                 self.push(&x);
-                return Ok(x);
+                return Ok((x, A::zero()));
             }
         }
         let mut extrapolated = !self.rough;
         loop {
             let guess = if extrapolated { self.predictor.predict() } else { explicit() };
             match self.iterate(guess, origin, |x, matrix| derivative(context, x, matrix)) {
-                Ok((x, iterations)) => {
+                Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);
-                    return Ok(x);
+                    return Ok((x, lost));
                 }
                 // Something may have happened that was not to be foreseen.
                 Err(_) if extrapolated => extrapolated = false,
@@ -113,7 +116,7 @@ impl<A: Array> Newton<A> {
         guess: A,
         origin: &A,
         mut derivative: impl FnMut(&A, &mut Square<A>) -> A,
-    ) -> Result<(A, u32), Refusal> {
+    ) -> Result<(A, A, u32), Refusal> {
         let rounding = A::Real::epsilon() * LEFT_OVER;
         // A guess may look beyond the domain of the energy where the solution need not.
         let mut x = if guess.is_finite() { guess } else { A::zero() };
@@ -126,10 +129,14 @@ impl<A: Array> Newton<A> {
             let Some(positive) = linear::solve(&mut matrix, &mut delta) else {
                 return Err(if delta.is_finite() { Refusal::Singular } else { not_converged(iterations, before) });
             };
-            x.add_scaled(A::Real::from_f64(-1.0), &delta);
+            let minus = A::Real::from_f64(-1.0);
+            let mut lost = x;
+            x.add_scaled(minus, &delta);
+            lost.add_scaled(minus, &x);
+            lost.add_scaled(minus, &delta);
             // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
             if iterations == 1 && within(&delta, &x, origin, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
-                return if positive { Ok((x, 1)) } else { Err(Refusal::Singular) };
+                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
             let square = relative_square(&delta, &x, origin);
             let shrunk = square / before;
@@ -142,7 +149,7 @@ impl<A: Array> Newton<A> {
                     || left <= rounding * rounding
                     || (shrunk > 0.0625 && square <= STAGNATION * STAGNATION));
             if done {
-                return if positive { Ok((x, iterations)) } else { Err(Refusal::Singular) };
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }
             if !square.is_finite() {
                 return Err(not_converged(iterations, square));

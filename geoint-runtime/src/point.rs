@@ -55,13 +55,21 @@ impl<A: Array> Summation<A> for Compensated<A> {
         flow(&mut increment);
         let carry = self.carry.as_mut_slice();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
-            let change = increment.as_slice()[i] + carry[i];
-            let sum = *x + change;
-            let added = sum - *x;
-            carry[i] = (*x - (sum - added)) + (change - added);
+            // Both roundings are kept: an increment has more digits than fit beside the carry.
+            let (change, first) = exact_sum(increment.as_slice()[i], carry[i]);
+            let (sum, second) = exact_sum(*x, change);
+            carry[i] = first + second;
             *x = sum;
         }
     }
+}
+
+/// a + b and its rounding error.
+#[inline(always)]
+fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
+    let sum = a + b;
+    let added = sum - a;
+    (sum, (a - (sum - added)) + (b - added))
 }
 
 /// A point with sums of kind `C`.

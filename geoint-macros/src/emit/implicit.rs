@@ -50,7 +50,7 @@ pub(super) fn discrete_field(
     let parameters = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let begin = context.planned(&plan.stores[1], (start, "y"), |values| quote!([#(#values),*]));
     let slope = context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(field, &places, &values));
-    let mean_points = match mean_points.map(|points| Literal::u32_unsuffixed(points)) {
+    let mean_points = match mean_points.map(Literal::u32_unsuffixed) {
         Some(points) => quote!(::core::option::Option::Some(#points)),
         None => quote!(::core::option::Option::None),
     };

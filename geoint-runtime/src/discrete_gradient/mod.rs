@@ -192,12 +192,14 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         };
         let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed };
         let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
-        let impulse = newton.solve(&changed, explicit, probe, image, |probe, impulse, derivative| {
+        let (impulse, lost) = newton.solve(&changed, explicit, probe, image, |probe, impulse, derivative| {
             let image = look.image(probe, impulse, derivative);
             prepared.derivative(derivative);
             image
         })?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
+        x.add_with(sums, &dq, &dp);
+        let [dq, dp] = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
         x.add_with(sums, &dq, &dp);
         Ok(())
     }
