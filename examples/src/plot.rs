@@ -41,7 +41,7 @@ const RIGHT: i32 = 20;
 const ABOVE: i32 = 60;
 const BELOW: i32 = 52;
 /// More space on the right for names at the ends of curves, and the least distance between two of them.
-const NAMES: i32 = 190;
+const NAMES: i32 = 206;
 const NAME_HEIGHT: i32 = 17;
 const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
 const GRID: RGBColor = RGBColor(0xE4, 0xE4, 0xE4);
