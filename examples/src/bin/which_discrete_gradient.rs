@@ -17,9 +17,6 @@ fn henon_heiles(q: [f64; 2], p: [f64; 2]) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / 2.0 + (x * x + y * y) / 2.0 + x * x * y - y * y * y / 3.0
 }
 
-// Nothing in H depends on time.
-impl geoint_runtime::Autonomous for HenonHeiles {}
-
 const DURATION: f64 = 2.0;
 const STEPS: [u64; 6] = [5, 10, 20, 40, 80, 160];
 
