@@ -148,7 +148,7 @@ impl Runs {
     fn row(&self) -> [String; 8] {
         let [a, b, c] = self.energy_errors.map(|x| format!("{x:.2e}"));
         let [d, e, f] = self.distances.map(|x| format!("{x:.2e}"));
-        [self.name.into(), a, b, c, d, e, f, format!("{:.2}", self.order() + 0.0)]
+        [self.name.into(), a, b, c, d, e, f, format!("{:.2}", (100.0 * self.order()).round() / 100.0 + 0.0)]
     }
 }
 
