@@ -29,6 +29,8 @@ pub mod palette {
     pub const VERMILION: Colour = Colour(0xD5, 0x5E, 0x00);
     /// Reddish purple.
     pub const PURPLE: Colour = Colour(0xCC, 0x79, 0xA7);
+    /// Grey, for what the others are compared with.
+    pub const GREY: Colour = Colour(0xB4, 0xB4, 0xB4);
 }
 
 /// Plotters places everything on whole pixels; a canvas this much finer than the figure makes curves smooth.
@@ -39,24 +41,36 @@ const RIGHT: i32 = 20;
 const ABOVE: i32 = 60;
 const BELOW: i32 = 52;
 /// More space on the right for names at the ends of curves, and the least distance between two of them.
-const NAMES: i32 = 190;
+const NAMES: i32 = 206;
 const NAME_HEIGHT: i32 = 17;
 const INK: RGBColor = RGBColor(0x33, 0x33, 0x33);
 const GRID: RGBColor = RGBColor(0xE4, 0xE4, 0xE4);
 
-/// A curve, and a dot at its end if `dot` is not zero.
+/// A curve, and a dot at its end if `dot` is not zero; without a width, dots at all of its points.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What it is called in the figure.
+    /// What it is called in the figure, if anything.
     pub name: String,
     /// Its colour, see [`palette`].
     pub colour: RGBColor,
     /// Width of the line in pixels.
     pub width: f64,
-    /// Radius of the dot at the end in pixels.
+    /// Radius of the dots in pixels.
     pub dot: f64,
     /// The points.
     pub points: Vec<(f64, f64)>,
+}
+
+impl Curve {
+    /// A line without dots.
+    pub fn line(name: impl Into<String>, colour: RGBColor, points: Vec<(f64, f64)>) -> Self {
+        Curve { name: name.into(), colour, width: 1.8, dot: 0.0, points }
+    }
+
+    /// Dots without a line.
+    pub fn dots(name: impl Into<String>, colour: RGBColor, points: Vec<(f64, f64)>) -> Self {
+        Curve { name: name.into(), colour, width: 0.0, dot: 1.6, points }
+    }
 }
 
 /// Where curves are named.
@@ -68,7 +82,7 @@ pub enum Names {
     Above,
 }
 
-/// What the second coordinate of a panel is.
+/// What the coordinates of a panel are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
     /// Itself.
@@ -77,6 +91,20 @@ pub enum Scale {
     Equal,
     /// A positive number by its decimal logarithm; the range counts decades.
     Logarithmic,
+    /// The same, and so is the first coordinate.
+    DoublyLogarithmic,
+}
+
+impl Scale {
+    /// Where a point is drawn, in the units of the ranges. What is too small for a logarithm is at the lower edge.
+    fn place(self, panel: &Panel, (x, y): (f64, f64)) -> (f64, f64) {
+        let decades = |x: f64, range: &Range<f64>| x.max(f64::MIN_POSITIVE).log10().max(range.start);
+        match self {
+            Scale::Linear | Scale::Equal => (x, y),
+            Scale::Logarithmic => (x, decades(y, &panel.y)),
+            Scale::DoublyLogarithmic => (decades(x, &panel.x), decades(y, &panel.y)),
+        }
+    }
 }
 
 /// A pair of axes with curves.
@@ -92,7 +120,7 @@ pub struct Panel {
     pub x: Range<f64>,
     /// From where to where, at least.
     pub y: Range<f64>,
-    /// What the second coordinate is.
+    /// What the coordinates are.
     pub scale: Scale,
     /// Where curves are named.
     pub names: Names,
@@ -141,12 +169,15 @@ fn draw(area: &Area<'_>, panel: &Panel) -> Drawn {
         .x_label_area_size((BELOW - 24) * FINE)
         .y_label_area_size(LEFT * FINE)
         .build_cartesian_2d(x, y)?;
-    let decades = |y: &f64| format!("10{}", superscript(*y));
+    let decades = |y: &f64| if y.fract() == 0.0 { format!("10{}", superscript(*y)) } else { String::new() };
     let plain = |x: &f64| number(*x);
     chart
         .configure_mesh()
-        .x_label_formatter(&plain)
-        .y_label_formatter(if panel.scale == Scale::Logarithmic { &decades } else { &plain })
+        .x_label_formatter(if panel.scale == Scale::DoublyLogarithmic { &decades } else { &plain })
+        .y_label_formatter(match panel.scale {
+            Scale::Logarithmic | Scale::DoublyLogarithmic => &decades,
+            Scale::Linear | Scale::Equal => &plain,
+        })
         .x_labels(if panel.scale == Scale::Equal { 14 } else { 7 })
         .y_labels(if panel.scale == Scale::Equal { 14 } else { 10 })
         .light_line_style(TRANSPARENT)
@@ -157,15 +188,17 @@ fn draw(area: &Area<'_>, panel: &Panel) -> Drawn {
         .draw()?;
 
     for curve in &panel.curves {
-        let points = curve.points.iter().map(|&(x, y)| match panel.scale {
-            Scale::Logarithmic => (x, y.max(f64::MIN_POSITIVE).log10().max(panel.y.start)),
-            Scale::Linear | Scale::Equal => (x, y),
-        });
-        let stroke = |width: f64| curve.colour.stroke_width((width * f64::from(FINE)) as u32);
-        chart.draw_series(LineSeries::new(points.clone(), stroke(curve.width)))?;
-        if let (true, Some(end)) = (curve.dot > 0.0, points.clone().next_back()) {
-            let radius = curve.dot * f64::from(FINE);
-            chart.draw_series([Circle::new(end, radius as i32, curve.colour.filled())])?;
+        let points = curve.points.iter().map(|point| panel.scale.place(panel, *point));
+        let mut dotted = 0;
+        if curve.width > 0.0 {
+            let stroke = curve.colour.stroke_width((curve.width * f64::from(FINE)) as u32);
+            chart.draw_series(LineSeries::new(points.clone(), stroke))?;
+            dotted = points.len().saturating_sub(1);
+        }
+        if curve.dot > 0.0 {
+            let radius = (curve.dot * f64::from(FINE)) as i32;
+            let dots = points.skip(dotted).map(|at| Circle::new(at, radius, curve.colour.filled()));
+            chart.draw_series(dots)?;
         }
     }
 
@@ -185,11 +218,10 @@ type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<RangedCoordf64
 fn names_at_ends(area: &Area<'_>, chart: &Chart<'_, '_>, panel: &Panel) -> Drawn {
     let base = area.get_base_pixel();
     let end_height = |curve: &Curve| {
-        let (x, y) = *curve.points.last().unwrap_or(&(0.0, 0.0));
-        let y = if panel.scale == Scale::Logarithmic { y.log10().max(panel.y.start) } else { y };
+        let (x, y) = panel.scale.place(panel, *curve.points.last().unwrap_or(&(0.0, 0.0)));
         chart.backend_coord(&(x, y.clamp(panel.y.start, panel.y.end))).1 - base.1
     };
-    let mut ends: Vec<_> = panel.curves.iter().map(|curve| (end_height(curve), curve)).collect();
+    let mut ends: Vec<_> = named(panel).map(|curve| (end_height(curve), curve)).collect();
     ends.sort_by_key(|end| end.0);
     for i in 1..ends.len() {
         ends[i].0 = ends[i].0.max(ends[i - 1].0 + NAME_HEIGHT * FINE);
@@ -199,9 +231,13 @@ fn names_at_ends(area: &Area<'_>, chart: &Chart<'_, '_>, panel: &Panel) -> Drawn
         .try_for_each(|(y, curve)| area.draw_text(&curve.name, &at(HPos::Left, bold(12).color(&curve.colour)), (x, *y)))
 }
 
+fn named(panel: &Panel) -> impl DoubleEndedIterator<Item = &Curve> {
+    panel.curves.iter().filter(|curve| !curve.name.is_empty())
+}
+
 fn names_above(area: &Area<'_>, panel: &Panel) -> Drawn {
     let mut x = area.dim_in_pixel().0 as i32 - RIGHT * FINE;
-    for curve in panel.curves.iter().rev() {
+    for curve in named(panel).rev() {
         // No fonts are measured here: 7 pixels are the mean width of a letter.
         x -= 7 * curve.name.chars().count() as i32 * FINE;
         area.draw_text(&curve.name, &at(HPos::Left, font(12).color(&INK)), (x, 44 * FINE))?;
