@@ -4,4 +4,5 @@ mod conservation;
 mod damping;
 mod adaptive;
 mod refusals;
+mod rounding;
 mod trajectories;

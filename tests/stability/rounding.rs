@@ -1,0 +1,104 @@
+//! What divided differences without cancellation are worth: small steps, large constants in the energy, very long runs.
+
+use geoint_runtime::method::{Method, Probe};
+use geoint_runtime::point::{Plain, Point};
+use geoint_runtime::prelude::*;
+use geoint_tests::measure::{Line, distance, regression};
+use geoint_tests::problems::flat;
+use geoint_tests::scalars::Double;
+
+/// A pendulum, and what else there is in the world.
+#[hamiltonian]
+fn swing(q: f64, p: f64, m: f64, g: f64, rest: f64) -> f64 {
+    p * p / (2.0 * m) - m * g * q.cos() + rest
+}
+
+const START: (f64, f64) = (1.5, 0.0);
+
+/// The same scheme as codes without divided differences have it: (H(q₁) − H(q₀))/(q₁ − q₀), the derivative where that is 0/0; by
+/// fixed-point iteration.
+fn by_quotients(rest: f64, h: f64, steps: usize) -> (f64, f64) {
+    let potential = |q: f64| rest - q.cos();
+    let (mut q, mut p) = START;
+    for _ in 0..steps {
+        let mut dq = h * p;
+        for _ in 0..7 {
+            let slope = if dq == 0.0 { q.sin() } else { (potential(q + dq) - potential(q)) / dq };
+            dq = h * (p - 0.5 * h * slope);
+        }
+        let slope = if dq == 0.0 { q.sin() } else { (potential(q + dq) - potential(q)) / dq };
+        (q, p) = (q + dq, p - h * slope);
+    }
+    (q, p)
+}
+
+/// Against the same scheme in double-double: what is left is rounding alone.
+#[test]
+fn small_steps_do_not_cost_digits() {
+    let mut before = 0.0;
+    for (h, steps) in [(1e-3, 5000), (1e-5, 5000)] {
+        let system = Swing { m: 1.0, g: 1.0, rest: 0.0 };
+        let mut sim = system.integrator(DiscreteGradient, h, State::new(START.0, START.1));
+        sim.advance(steps).unwrap();
+        let one = Double::from(1.0);
+        let exact = Swing { m: one, g: one, rest: one - one };
+        let start = State::new(Double::from(START.0), Double::from(START.1));
+        let mut exact = Hamiltonian::integrator(exact, DiscreteGradient, Double::from(h), start);
+        exact.advance(steps).unwrap();
+        let exact = flat(&exact.state());
+        let error = |q: f64, p: f64| distance(&[Double::from(q), Double::from(p)], &exact);
+        let own = error(sim.state().q, sim.state().p);
+        assert!(own <= 2e-14, "h = {h}: {own:.1e}");
+        // Quotients lose more, the smaller the step is.
+        let (q, p) = by_quotients(0.0, h, steps as usize);
+        assert!(error(q, p) > 4.0 * own && error(q, p) > before, "h = {h}: {:.1e}", error(q, p));
+        before = error(q, p);
+    }
+}
+
+/// A large constant in the energy is never seen.
+#[test]
+fn energy_in_the_background() {
+    struct Looks(u64);
+    impl Probe<Swing, f64> for Looks {
+        fn visit(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1]) {
+            self.0 += 1;
+        }
+    }
+    let moving = |q: f64, p: f64| p * p / 2.0 - q.cos();
+    let (rest, h, steps) = (1e6, 1e-3, 3000);
+    let mut prepared = Method::<Swing>::prepare(&DiscreteGradient, &Swing { m: 1.0, g: 1.0, rest }, h);
+    let mut x = Point::<[f64; 1], Plain>::new([START.0], [START.1]);
+    let mut looks = Looks(0);
+    let mut drift = 0.0_f64;
+    for _ in 0..steps {
+        <DiscreteGradient as Method<Swing>>::step(&mut prepared, 0.0, &mut x, &mut looks).unwrap();
+        drift = drift.max((moving(x.q[0], x.p[0]) - moving(START.0, START.1)).abs());
+    }
+    assert!(drift <= 2e-14, "{drift:.1e}");
+    // One look is at the start of the step.
+    assert!(looks.0 <= 4 * steps, "{} a step", looks.0 as f64 / steps as f64);
+    let (q, p) = by_quotients(rest, h, steps as usize);
+    let lost = (moving(q, p) - moving(START.0, START.1)).abs();
+    assert!(lost > 1e-11, "quotients see it: {lost:.1e}");
+}
+
+/// A walk of rounding errors without a trend.
+#[test]
+#[ignore = "takes half a minute in release, and an hour without"]
+fn energy_over_a_hundred_million_steps() {
+    let system = Swing { m: 1.0, g: 1.0, rest: 0.0 };
+    let mut sim = system.integrator(DiscreteGradient, 0.1, State::new(START.0, START.1)).compensated();
+    let start = sim.energy();
+    let mut points = vec![];
+    for _ in 0..1000 {
+        sim.advance(100_000).unwrap();
+        points.push((sim.time(), (sim.energy() - start) / start));
+    }
+    let largest = points.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+    let Line { slope, .. } = regression(&points);
+    let trend = slope * points[points.len() - 1].0;
+    println!("largest {largest:.1e}, trend over the run {trend:.1e}, at the end {:.1e}", points[points.len() - 1].1);
+    // Relative to an energy that is a fourteenth of its terms.
+    assert!(largest <= 2e-12, "{largest:.1e}");
+}
