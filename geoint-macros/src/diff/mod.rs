@@ -8,7 +8,8 @@ mod sweep;
 
 use crate::analyze::Structure;
 use crate::ir::{Graph, Id, Symbol};
-pub(crate) use slope::MissingSlope;
+#[cfg(test)]
+pub(crate) use forward::jacobian;
 
 /// The partial derivatives of a node with respect to positions and momenta.
 #[derive(Clone, Debug)]
@@ -19,15 +20,17 @@ pub(crate) struct Gradient {
 
 /// ∇ of `root` by one reverse sweep.
 pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
-    let Ok(entries) =
-        sweep::reverse(graph, root, &mut |graph, id| Ok::<_, std::convert::Infallible>(rules::rule(graph, id)));
+    let entries = sweep::gradient(graph, root);
     collect(graph, &entries, degrees)
 }
 
-/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp), or the term for which there is no slope.
+/// A term that has no divided difference: there is none.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct MissingSlope(pub(crate) Id);
+
+/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp).
 pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Result<Gradient, MissingSlope> {
-    let mut slopes = slope::Slopes::default();
-    let entries = sweep::reverse(graph, root, &mut |graph, id| slopes.rule(graph, id))?;
+    let entries = slope::Slopes::default().gradient(graph, root);
     Ok(collect(graph, &entries, degrees))
 }
 

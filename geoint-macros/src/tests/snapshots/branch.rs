@@ -25,12 +25,12 @@ Operations (a sine with its cosine counts as two)
 - kick: sums and products 6, functions 1
 - drift: sums and products 4, divisions and roots 2
 - stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1
+- Newton iteration of the discrete gradient: sums and products 43, divisions and roots 4
 
 Skipped
 - Newton's iteration in explicit methods: T and V have exact flows
 - recomputing what depends on parameters and the step size: prepared once
 - Runge–Kutta–Nyström tables: they need a quadratic T
-- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }
 ```*/
 #[derive(
     ::core::clone::Clone,
@@ -63,7 +63,7 @@ const _: () = {
     impl Spring {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }\n";
+        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 43, divisions and roots 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -210,48 +210,204 @@ const _: () = {
     pub trait QuadraticInSpring {}
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
-    #[diagnostic::on_unimplemented(
-        message = "`Spring`: this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`",
-        label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
-    )]
-    pub trait DividedDifferencesOfSpring {}
-    impl<
-        R: Real + ::core::cmp::PartialOrd + DividedDifferencesOfSpring,
-    > DiscreteGradientStep<R> for Spring {
-        type Increment = [R; 1];
-        type Prepared = ::core::convert::Infallible;
-        type Start = ::core::convert::Infallible;
-        fn prepare(&self, _: R) -> ::core::convert::Infallible {
-            ::core::unreachable!()
+    impl<R: Real + ::core::cmp::PartialOrd> DiscreteGradientStep<R> for Spring {
+        type Increment = [[R; 1]; 2];
+        type Prepared = [R; 4];
+        type Start = [R; 11];
+        #[inline]
+        fn prepare(&self, h: R) -> [R; 4] {
+            let k0 = R::from_f64(0.5);
+            let v0 = -h;
+            let v1 = k0 * h;
+            let v2 = -v1;
+            [v0, h, v2, v1]
         }
+        #[inline(always)]
         fn start(
-            never: &::core::convert::Infallible,
-            _: R,
-            _: &[R; 1],
-            _: &[R; 1],
-        ) -> (::core::convert::Infallible, [R; 1]) {
-            match *never {}
+            prepared: &[R; 4],
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+        ) -> ([R; 11], [[R; 1]; 2]) {
+            let k0 = R::from_f64(0.0);
+            let q0 = q[0];
+            let prepared_3 = prepared[3];
+            let k3 = R::from_f64(4.0);
+            let prepared_2 = prepared[2];
+            let p0 = p[0];
+            let k6 = R::from_f64(1.0);
+            let prepared_1 = prepared[1];
+            let prepared_0 = prepared[0];
+            let k9 = R::from_f64(2.0);
+            let k10 = R::from_f64(12.0);
+            let v0 = k0 < q0;
+            let v7 = prepared_3 + t;
+            let v8 = v7.cos();
+            let (v12, v13, v14) = if v0 {
+                let v1 = t.cos();
+                let v2 = q0 * q0;
+                let v3 = v2 * q0;
+                let v4 = k3 * v1;
+                let v5 = v4 * v3;
+                let v6 = v2 * v2;
+                let v9 = v6 * v8;
+                let v10 = k3 * v3;
+                let v11 = v10 * v8;
+                (v5, v9, v11)
+            } else {
+                (k0, k0, k0)
+            };
+            let v15 = prepared_2.multiply_add(v12, p0);
+            let v16 = v15 * v15;
+            let v17 = k6 + v16;
+            let v18 = v17.sqrt();
+            let v19 = prepared_1 * v15;
+            let v20 = v19 / v18;
+            let v21 = p0 * p0;
+            let v22 = k6 + v21;
+            let v23 = v22.sqrt();
+            let v24 = prepared_3 * p0;
+            let v25 = v24 / v23;
+            let v26 = q0 + v25;
+            let v27 = k0 < v26;
+            let (v32,) = if v27 {
+                let v28 = v26 * v26;
+                let v29 = v28 * v26;
+                let v30 = k3 * v8;
+                let v31 = v30 * v29;
+                (v31,)
+            } else {
+                (k0,)
+            };
+            let v33 = prepared_0 * v32;
+            let v34 = k9 * p0;
+            let v35 = k9 * q0;
+            let v36 = q0 * q0;
+            let v37 = k3 * v8;
+            let v38 = k10 * v8;
+            let mut guess = <[[R; 1]; 2] as Array>::zero();
+            guess[0][0] = v20;
+            guess[1][0] = v33;
+            ([v23, p0, v34, q0, v8, v35, v36, v14, v37, v38, v13], guess)
         }
-        fn origin(q: &[R; 1], _: &[R; 1]) -> [R; 1] {
-            *q
+        #[inline(always)]
+        fn origin(q: &[R; 1], p: &[R; 1]) -> [[R; 1]; 2] {
+            [*q, *p]
         }
+        #[inline(always)]
         fn residual(
-            never: &::core::convert::Infallible,
-            _: &::core::convert::Infallible,
-            _: &[R; 1],
-            _: &mut [R; 1],
-            _: &mut Square<[R; 1]>,
+            prepared: &[R; 4],
+            start: &[R; 11],
+            increment: &[[R; 1]; 2],
+            residual: &mut [[R; 1]; 2],
+            jacobian: &mut Square<[[R; 1]; 2]>,
         ) {
-            match *never {}
+            let start_1 = start[1];
+            let dp0 = increment[1][0];
+            let k2 = R::from_f64(1.0);
+            let start_0 = start[0];
+            let start_2 = start[2];
+            let prepared_0 = prepared[0];
+            let dq0 = increment[0][0];
+            let k7 = R::from_f64(0.0);
+            let start_3 = start[3];
+            let start_5 = start[5];
+            let start_6 = start[6];
+            let start_4 = start[4];
+            let k12 = R::from_f64(2.0);
+            let start_8 = start[8];
+            let start_9 = start[9];
+            let start_7 = start[7];
+            let k16 = R::from_f64(0.5);
+            let start_10 = start[10];
+            let k18 = R::from_f64(-0.5);
+            let prepared_1 = prepared[1];
+            let v0 = start_1 + dp0;
+            let v1 = v0 * v0;
+            let v2 = k2 + v1;
+            let v3 = v2.sqrt();
+            let v4 = start_0 + v3;
+            let v5 = k2 / v4;
+            let v6 = start_2 + dp0;
+            let v7 = prepared_0 * v5;
+            let v8 = v7.multiply_add(v6, dq0);
+            let v9 = k7 < start_3;
+            let v10 = start_3 + dq0;
+            let v11 = k7 < v10;
+            let v12 = v9 && v11;
+            let v13 = !v9;
+            let v14 = !v11;
+            let v15 = v13 && v14;
+            let v16 = v12 || v15;
+            let (v51, v52) = if v16 {
+                let (v25, v26) = if v9 {
+                    let v17 = start_5 + dq0;
+                    let v18 = v10 * v10;
+                    let v19 = start_6 + v18;
+                    let v20 = start_4 * v17;
+                    let v21 = v20 * v19;
+                    let v22 = k12 * v10;
+                    let v23 = v22.multiply_add(v17, v19);
+                    let v24 = start_4 * v23;
+                    (v21, v24)
+                } else {
+                    (k7, k7)
+                };
+                (v25, v26)
+            } else {
+                let (v33, v34, v35) = if v11 {
+                    let v27 = v10 * v10;
+                    let v28 = v27 * v10;
+                    let v29 = start_8 * v28;
+                    let v30 = v27 * v27;
+                    let v31 = start_4 * v30;
+                    let v32 = start_9 * v27;
+                    (v29, v31, v32)
+                } else {
+                    (k7, k7, k7)
+                };
+                let v36 = start_7 + v33;
+                let v37 = k2 / dq0;
+                let v38 = k16 * dq0;
+                let v39 = v34 - start_10;
+                let v40 = -v38;
+                let v41 = v40.multiply_add(v36, v39);
+                let v42 = k16 * v36;
+                let v43 = v37.multiply_add(v41, v42);
+                let v44 = v37 * v37;
+                let v45 = dq0.multiply_add(v35, v36);
+                let v46 = k18.multiply_add(v45, v33);
+                let v47 = v37 * v46;
+                let v48 = -v44;
+                let v49 = v48.multiply_add(v41, v47);
+                let v50 = k16.multiply_add(v35, v49);
+                (v43, v50)
+            };
+            let v53 = prepared_1.multiply_add(v51, dp0);
+            let v54 = v5 * v5;
+            let v55 = v6 * v0;
+            let v56 = v55 * v54;
+            let v57 = v56 / v3;
+            let v58 = v5 - v57;
+            let v59 = prepared_0 * v58;
+            let v60 = prepared_1 * v52;
+            residual[0][0] = v8;
+            residual[1][0] = v53;
+            jacobian[0][0][0][0] = k2;
+            jacobian[0][0][1][0] = v59;
+            jacobian[1][0][0][0] = v60;
+            jacobian[1][0][1][0] = k2;
         }
+        #[inline(always)]
         fn finish(
-            never: &::core::convert::Infallible,
-            _: &::core::convert::Infallible,
-            _: &[R; 1],
-            _: &mut [R; 1],
-            _: &mut [R; 1],
+            prepared: &[R; 4],
+            start: &[R; 11],
+            increment: &[[R; 1]; 2],
+            q: &mut [R; 1],
+            p: &mut [R; 1],
         ) {
-            match *never {}
+            q[0] += increment[0][0];
+            p[0] += increment[1][0];
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Collocation<R> for Spring {
