@@ -2,7 +2,12 @@
 
 mod cost;
 mod fuzz;
+mod precise;
 mod derivatives;
+mod rounding;
+mod slopes;
+mod edges;
+mod trees;
 mod schedules;
 mod meaning;
 mod snapshots;
