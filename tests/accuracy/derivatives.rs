@@ -192,8 +192,6 @@ fn every_problem() {
 #[test]
 fn every_discrete_gradient() {
     macro_rules! call {
-        // A branch has no divided difference yet.
-        (OneSided) => {};
         ($System:ident) => {
             check_discrete_gradient::<$System>();
         };

@@ -5,7 +5,7 @@
 //! with the force f = −∂V/∂q: T is then the same for every method.
 
 use super::forward::jacobian;
-use super::{Gradient, MissingSlope, discrete_gradient};
+use super::{Gradient, discrete_gradient};
 use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
@@ -61,9 +61,9 @@ fn share(graph: &mut Graph, jacobian: &mut [Vec<Id>], second_order: bool) {
 }
 
 /// f between two points, with the tree discrete gradient, and damping at their mean (time is that of the mean already).
-pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Result<Field, MissingSlope> {
+pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Field {
     let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
-    let gradient = discrete_gradient(graph, root, degrees)?;
+    let gradient = discrete_gradient(graph, root, degrees);
     let mut mean = Substitution::new(|graph, symbol| {
         let increment = match symbol {
             Symbol::Q(i) => Symbol::Dq(i),
@@ -77,7 +77,7 @@ pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -
     let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
     let unknowns = unknowns(structure, degrees, Symbol::Dq, Symbol::Dp);
     let jacobian = jacobian(graph, &f, &unknowns);
-    Ok(Field { unknowns, f, jacobian })
+    Field { unknowns, f, jacobian }
 }
 
 /// −∇_qH if that is enough; or (J − R)∇H, with entries of C where `at` puts them.

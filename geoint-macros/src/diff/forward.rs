@@ -8,7 +8,7 @@ use std::rc::Rc;
 type Row = Rc<[(usize, Id)]>;
 
 /// ∂root/∂symbol, a row a root.
-pub(super) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
+pub(crate) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
     let mut rows: Table<usize> = Table::default();
     let mut all: Vec<Row> = vec![];
     for root in roots {

@@ -9,7 +9,8 @@ mod sweep;
 use crate::analyze::Structure;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use field::{Field, SecondOrder};
-pub(crate) use slope::MissingSlope;
+#[cfg(test)]
+pub(crate) use forward::jacobian;
 
 /// The partial derivatives of a node with respect to positions and momenta.
 #[derive(Clone, Debug)]
@@ -20,16 +21,14 @@ pub(crate) struct Gradient {
 
 /// ∇ of `root` by one reverse sweep.
 pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
-    let Ok(entries) =
-        sweep::reverse(graph, root, &mut |graph, id| Ok::<_, std::convert::Infallible>(rules::rule(graph, id)));
+    let entries = sweep::gradient(graph, root);
     collect(graph, &entries, degrees)
 }
 
-/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp), or the term for which there is no slope.
-pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Result<Gradient, MissingSlope> {
-    let mut slopes = slope::Slopes::default();
-    let entries = sweep::reverse(graph, root, &mut |graph, id| slopes.rule(graph, id))?;
-    Ok(collect(graph, &entries, degrees))
+/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp).
+pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
+    let entries = slope::Slopes::default().gradient(graph, root);
+    collect(graph, &entries, degrees)
 }
 
 fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradient {
@@ -43,7 +42,7 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
 pub(crate) struct Derivatives {
     pub(crate) gradient: Gradient,
     pub(crate) field: Field,
-    pub(crate) discrete: Result<Field, MissingSlope>,
+    pub(crate) discrete: Field,
     pub(crate) second_order: Option<SecondOrder>,
 }
 

@@ -150,16 +150,60 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded => vec![one, g.zero()],
+        Function::Root => {
+            let reciprocal = g.recip(value);
+            vec![g.scale(Number::HALF, reciprocal)]
+        }
         Function::Sinc => vec![g.call(Function::SincDerivative, &[x])],
-        // f[a, b] = f[b, a].
-        Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, x, y),
-        Function::LnSlope => slope_partials(g, Function::LnSlopeDerivative, x, y),
-        Function::SincDerivative | Function::ExpSlopeDerivative | Function::LnSlopeDerivative => {
+        Function::Sinhc => vec![g.call(Function::SinhcDerivative, &[x])],
+        Function::Arc => {
+            // args are (y, x) of the point.
+            let squares = [square(g, x), square(g, y)];
+            let radius = g.sum(&squares);
+            let by_x = g.recip(radius);
+            vec![g.call(Function::ArcDerivative, &[x, y]), g.neg(by_x)]
+        }
+        Function::ExpSlope => slope_partials(g, Function::ExpSlopeDerivative, args),
+        // 2ˣ is exp(x ln 2).
+        Function::Exp2Slope => {
+            let ln_2 = Number::float(std::f64::consts::LN_2);
+            let ends = [g.scale(ln_2, x), g.scale(ln_2, y)];
+            let partials = slope_partials(g, Function::ExpSlopeDerivative, &ends);
+            partials.into_iter().map(|partial| g.scale(ln_2.mul(ln_2), partial)).collect()
+        }
+        Function::LnSlope => slope_partials(g, Function::LnSlopeDerivative, args),
+        Function::TanhSlope => slope_partials(g, Function::TanhSlopeDerivative, args),
+        // With respect to the ends only: the exponent is constant.
+        Function::PowfSlope => slope_partials(g, Function::PowfSlopeDerivative, args),
+        Function::AbsSlope => slope_partials(g, Function::AbsSlopeDerivative, args),
+        // (|a| − a sgn b)/(|a| + |b|)², a part of the slope of `signum`.
+        Function::AbsSlopeDerivative => {
+            let [sizes, signs] = [Function::Abs, Function::Signum].map(|f| [x, y].map(|end| g.call(f, &[end])));
+            let size = g.sum(&sizes);
+            let jump = g.sub(signs[0], signs[1]);
+            let jump = g.div(jump, size);
+            let [by_a, by_b] = signs.map(|sign| {
+                let product = g.mul(sign, value);
+                g.scale(Number::integer(-2), product)
+            });
+            let by_a = g.add(by_a, jump);
+            vec![g.div(by_a, size), g.div(by_b, size)]
+        }
+        Function::SincDerivative
+        | Function::SinhcDerivative
+        | Function::ArcDerivative
+        | Function::ExpSlopeDerivative
+        | Function::LnSlopeDerivative
+        | Function::TanhSlopeDerivative
+        | Function::PowfSlopeDerivative => {
             unreachable!("divided differences are differentiated once, for Newton's matrix")
         }
     }
 }
 
-fn slope_partials(g: &mut Graph, derivative: Function, a: Id, b: Id) -> Vec<Id> {
-    vec![g.call(derivative, &[b, a]), g.call(derivative, &[a, b])]
+/// f[a, b] = f[b, a], so that one helper is both partial derivatives.
+fn slope_partials(g: &mut Graph, derivative: Function, args: &[Id]) -> Vec<Id> {
+    let mut swapped = args.to_vec();
+    swapped.swap(0, 1);
+    vec![g.call(derivative, &swapped), g.call(derivative, args)]
 }

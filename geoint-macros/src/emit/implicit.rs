@@ -1,9 +1,8 @@
 //! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
 
-use super::flows::unsatisfied;
 use super::kernel::{Context, place, write};
 use super::system::self_type;
-use crate::diff::{Field, MissingSlope, SecondOrder};
+use crate::diff::{Field, SecondOrder};
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
@@ -84,39 +83,6 @@ pub(super) fn discrete_field(
     };
     (tokens, plan.last[0].operations())
 }
-
-/// An implementation that no scalar satisfies, whose message names the term that has no slope.
-pub(super) fn missing_discrete_field(
-    context: &Context<'_>,
-    graph: &Graph,
-    missing: MissingSlope,
-    unknowns: usize,
-    bounds: &TokenStream,
-) -> TokenStream {
-    let (name, unknown) = (self_type(context), context.unknown_type(unknowns));
-    let (marker, tokens) = unsatisfied(context, graph, "DividedDifferencesOf", missing.0, NO_SLOPE);
-    let never = quote!(::core::convert::Infallible);
-    quote! {
-        #tokens
-        impl<R: #bounds + #marker> DiscreteField<R> for #name {
-            type Parameters = #never;
-            type Start = #never;
-            const LINEAR: bool = false;
-            fn parameters(&self) -> #never {
-                ::core::unreachable!()
-            }
-            fn begin(never: &#never, _: R, _: &#unknown) -> #never {
-                match *never {}
-            }
-            fn slope(never: &#never, _: &#never, _: &#unknown, _: &mut #unknown, _: &mut Square<#unknown>) {
-                match *never {}
-            }
-        }
-    }
-}
-
-pub(super) const NO_SLOPE: &str = "this term has no divided difference yet, so the discrete gradient does not exist; use \
-                                   `ImplicitMidpoint` or `Gauss`";
 
 /// `impl Collocation`, and what one evaluation of the field with its derivative costs.
 pub(super) fn collocation(

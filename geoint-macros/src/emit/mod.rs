@@ -32,23 +32,15 @@ pub(crate) fn items(
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let (discrete, discrete_cost) = match &derivatives.discrete {
-        Ok(discrete) => {
-            let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
-            let points = match structure.mean_value {
-                MeanValue::Tree => Some(0),
-                MeanValue::Gauss(points) => Some(points),
-                MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
-            };
-            let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
-            let (tokens, cost) =
-                implicit::discrete_field(context, graph, (discrete, &field.unknowns), (linear, points), &bounds);
-            (tokens, Some(cost))
-        }
-        Err(missing) => {
-            (implicit::missing_discrete_field(context, graph, *missing, field.unknowns.len(), &bounds), None)
-        }
+    let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
+    let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
+    let points = match structure.mean_value {
+        MeanValue::Tree => Some(0),
+        MeanValue::Gauss(points) => Some(points),
+        MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
     };
+    let discrete = (&derivatives.discrete, &field.unknowns[..]);
+    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, (linear, points), &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };

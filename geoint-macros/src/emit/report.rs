@@ -1,6 +1,5 @@
 //! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
 
-use super::implicit::NO_SLOPE;
 use super::kernel::Context;
 use crate::analyze::{MeanValue, Split, Structure};
 use crate::diff::Derivatives;
@@ -14,7 +13,7 @@ pub(super) struct Costs {
     pub(super) flows: Option<[Operations; 2]>,
     /// The field of implicit methods with its derivative.
     pub(super) field: Operations,
-    pub(super) discrete: Option<Operations>,
+    pub(super) discrete: Operations,
 }
 
 /// The report. Lines are short enough for a terminal unless a formula is not.
@@ -93,7 +92,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     };
     let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
         .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
-    conserved(text, printer, structure, &unread, derivatives.discrete.is_ok())?;
+    conserved(text, printer, structure, &unread)?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
     writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
@@ -102,9 +101,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- drift: {}", counted(drift))?;
     }
     writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(costs.field))?;
-    if let Some(discrete) = costs.discrete {
-        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(discrete))?;
-    }
+    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(costs.discrete))?;
 
     writeln!(text, "\nSkipped")?;
     if structure.flows().is_some() {
@@ -120,16 +117,13 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- the force on {}: it is zero", listed(&p, &structure.cyclic))?;
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
-    match (&structure.split, &derivatives.discrete) {
+    match structure.split {
         _ if structure.damping.is_some() => {}
-        (Split::Coupled(_), _) => writeln!(text, "- kick and drift: they do not exist for this H")?,
+        Split::Coupled(_) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
         }
         _ => {}
-    }
-    if let Err(missing) = &derivatives.discrete {
-        writeln!(text, "- the discrete gradient; {NO_SLOPE}: {}", printer.excerpt(missing.0))?;
     }
     Ok(())
 }
@@ -141,7 +135,6 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     printer: &Printer<'_, F>,
     structure: &Structure,
     unread: &[(String, String)],
-    tree: bool,
 ) -> std::fmt::Result {
     let mut lines = vec![];
     if structure.conserves_energy() {
@@ -160,7 +153,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     }
 
     // `MeanValue` is for systems that keep their energy.
-    if !tree || structure.damping.is_some() {
+    if structure.damping.is_some() {
         return Ok(());
     }
     writeln!(text, "\nDiscrete gradients")?;

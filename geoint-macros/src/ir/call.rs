@@ -6,11 +6,13 @@ use super::op::{Function, Parity, Relation};
 
 impl Graph {
     pub(crate) fn call(&mut self, function: Function, args: &[Id]) -> Id {
+        let entry = function.entry();
         let numbers: Option<Vec<f64>> = args.iter().map(|id| self.as_number(*id).map(Number::to_f64)).collect();
-        if let Some(value) = numbers.map(|x| (function.entry().value)(&x)).filter(|value| value.is_finite()) {
+        let value = numbers.filter(|_| entry.public).map(|x| (entry.value)(&x));
+        if let Some(value) = value.filter(|value| value.is_finite()) {
             return self.number(Number::float(value));
         }
-        match (function.entry().parity, args) {
+        match (entry.parity, args) {
             (Parity::Odd, &[x]) if self.leads_negative(x) => {
                 let x = self.negated_sum(x);
                 let value = self.call(function, &[x]);

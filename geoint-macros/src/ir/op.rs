@@ -19,6 +19,13 @@ pub(crate) enum Symbol {
     Dp(u32),
 }
 
+impl Symbol {
+    /// Whether this is a position or a momentum.
+    pub(crate) fn is_coordinate(self) -> bool {
+        matches!(self, Symbol::Q(_) | Symbol::P(_))
+    }
+}
+
 /// How two numbers are compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Relation {
@@ -62,13 +69,13 @@ pub(crate) struct Entry {
     pub(crate) parity: Parity,
     pub(crate) domain: Domain,
     pub(crate) value: fn(&[f64]) -> f64,
-    /// Whether users may write it.
+    /// Whether users may write it; if not, it is a helper of the runtime, and `value` is not known to the macro.
     pub(crate) public: bool,
 }
 
 macro_rules! functions {
-    ($($function:ident $name:ident($($arg:ident),+) $parity:ident $domain:expr, $visibility:ident, $value:expr;)*) => {
-        /// A function of one or two numbers that is not a sum, a product or a power.
+    ($($function:ident $name:ident($($arg:ident),+) $parity:ident $domain:expr $(, $value:expr)?;)*) => {
+        /// A function of numbers that is not a sum, a product or a power.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub(crate) enum Function { $($function),* }
 
@@ -81,18 +88,32 @@ macro_rules! functions {
             domain: $domain,
             value: |x| {
                 let [$($arg),+] = *x else { return f64::NAN };
-                $value
+                value!($name($($arg),+) $($value)?)
             },
-            public: visibility!($visibility),
+            public: public!($($value)?),
         }),*];
     };
 }
 
-macro_rules! visibility {
-    (public) => {
+macro_rules! value {
+    ($name:ident($($arg:ident),+) $value:expr) => {
+        $value
+    };
+    // The runtime has the only formula of a helper, and nothing but tests can call it.
+    ($name:ident($($arg:ident),+)) => {{
+        #[cfg(test)]
+        let value = geoint_runtime::slope::$name($($arg),+);
+        #[cfg(not(test))]
+        let (value, _) = (f64::NAN, [$($arg),+]);
+        value
+    }};
+}
+
+macro_rules! public {
+    ($value:expr) => {
         true
     };
-    (helper) => {
+    () => {
         false
     };
 }
@@ -101,45 +122,56 @@ use Domain::{Everywhere, Interval};
 const INF: f64 = f64::INFINITY;
 
 functions! {
-    Sin sin(x) Odd Everywhere, public, x.sin();
-    Cos cos(x) Even Everywhere, public, x.cos();
-    Tan tan(x) Odd Everywhere, public, x.tan();
-    Asin asin(x) Odd Interval(-1.0, 1.0, "a number beyond ±1"), public, x.asin();
-    Acos acos(x) Neither Interval(-1.0, 1.0, "a number beyond ±1"), public, x.acos();
-    Atan atan(x) Odd Everywhere, public, x.atan();
-    Atan2 atan2(y, x) Neither Everywhere, public, y.atan2(x);
-    Sinh sinh(x) Odd Everywhere, public, x.sinh();
-    Cosh cosh(x) Even Everywhere, public, x.cosh();
-    Tanh tanh(x) Odd Everywhere, public, x.tanh();
-    Asinh asinh(x) Odd Everywhere, public, x.asinh();
-    Acosh acosh(x) Neither Interval(1.0, INF, "a number below 1"), public, x.acosh();
-    Atanh atanh(x) Odd Interval(-1.0, 1.0, "a number beyond ±1"), public, x.atanh();
-    Exp exp(x) Neither Everywhere, public, x.exp();
-    Exp2 exp2(x) Neither Everywhere, public, x.exp2();
-    ExpM1 exp_m1(x) Neither Everywhere, public, x.exp_m1();
-    Ln ln(x) Neither Interval(0.0, INF, "a number that is not positive"), public, x.ln();
-    Ln1p ln_1p(x) Neither Interval(-1.0, INF, "a number that is not above -1"), public, x.ln_1p();
-    Log2 log2(x) Neither Interval(0.0, INF, "a number that is not positive"), public, x.log2();
-    Log10 log10(x) Neither Interval(0.0, INF, "a number that is not positive"), public, x.log10();
-    Cbrt cbrt(x) Odd Everywhere, public, x.cbrt();
-    Hypot hypot(x, y) Neither Everywhere, public, x.hypot(y);
-    Powf powf(x, y) Neither Interval(0.0, INF, "a negative number"), public, x.powf(y);
-    Abs abs(x) Even Everywhere, public, x.abs();
-    Min min(x, y) Neither Everywhere, public, x.min(y);
-    Max max(x, y) Neither Everywhere, public, x.max(y);
-    Signum signum(x) Neither Everywhere, public, x.signum();
-    Sinc sinc(x) Even Everywhere, helper, if x == 0.0 { 1.0 } else { x.sin() / x };
-    RecipPositive recip_positive(x) Neither Everywhere, helper, if x > 0.0 { 1.0 / x } else { f64::NAN };
-    NotNegative not_negative(x) Neither Everywhere, helper, if x < 0.0 { f64::NAN } else { x };
-    Bounded bounded(x, y) Neither Everywhere, helper, if x * x > y * (1.0 + 8.0 * f64::EPSILON) { f64::NAN } else { x };
-    SincDerivative sinc_derivative(x) Odd Everywhere, helper,
-        if x == 0.0 { 0.0 } else { (x.cos() - x.sin() / x) / x };
-    ExpSlope exp(a, b) Neither Everywhere, helper, if a == b { a.exp() } else { (b.exp() - a.exp()) / (b - a) };
-    ExpSlopeDerivative exp_derivative(a, b) Neither Everywhere, helper,
-        if a == b { a.exp() / 2.0 } else { (b.exp() - (b.exp() - a.exp()) / (b - a)) / (b - a) };
-    LnSlope ln(a, b) Neither Everywhere, helper, if a == b { 1.0 / a } else { (b.ln() - a.ln()) / (b - a) };
-    LnSlopeDerivative ln_derivative(a, b) Neither Everywhere, helper,
-        if a == b { -0.5 / (a * a) } else { (1.0 / b - (b.ln() - a.ln()) / (b - a)) / (b - a) };
+    Sin sin(x) Odd Everywhere, x.sin();
+    Cos cos(x) Even Everywhere, x.cos();
+    Tan tan(x) Odd Everywhere, x.tan();
+    Asin asin(x) Odd Interval(-1.0, 1.0, "a number beyond ±1"), x.asin();
+    Acos acos(x) Neither Interval(-1.0, 1.0, "a number beyond ±1"), x.acos();
+    Atan atan(x) Odd Everywhere, x.atan();
+    Atan2 atan2(y, x) Neither Everywhere, y.atan2(x);
+    Sinh sinh(x) Odd Everywhere, x.sinh();
+    Cosh cosh(x) Even Everywhere, x.cosh();
+    Tanh tanh(x) Odd Everywhere, x.tanh();
+    Asinh asinh(x) Odd Everywhere, x.asinh();
+    Acosh acosh(x) Neither Interval(1.0, INF, "a number below 1"), x.acosh();
+    Atanh atanh(x) Odd Interval(-1.0, 1.0, "a number beyond ±1"), x.atanh();
+    Exp exp(x) Neither Everywhere, x.exp();
+    Exp2 exp2(x) Neither Everywhere, x.exp2();
+    ExpM1 exp_m1(x) Neither Everywhere, x.exp_m1();
+    Ln ln(x) Neither Interval(0.0, INF, "a number that is not positive"), x.ln();
+    Ln1p ln_1p(x) Neither Interval(-1.0, INF, "a number that is not above -1"), x.ln_1p();
+    Log2 log2(x) Neither Interval(0.0, INF, "a number that is not positive"), x.log2();
+    Log10 log10(x) Neither Interval(0.0, INF, "a number that is not positive"), x.log10();
+    Cbrt cbrt(x) Odd Everywhere, x.cbrt();
+    Hypot hypot(x, y) Neither Everywhere, x.hypot(y);
+    Powf powf(x, y) Neither Interval(0.0, INF, "a negative number"), x.powf(y);
+    Abs abs(x) Even Everywhere, x.abs();
+    Min min(x, y) Neither Everywhere, x.min(y);
+    Max max(x, y) Neither Everywhere, x.max(y);
+    Signum signum(x) Neither Everywhere, x.signum();
+    // Helpers of divided differences, in the runtime's module `slope`; users cannot write them.
+    RecipPositive recip_positive(x) Neither Everywhere;
+    // Of damping.
+    NotNegative not_negative(x) Neither Everywhere;
+    Bounded bounded(x, y) Neither Everywhere;
+    Root root(x) Neither Interval(0.0, INF, "a negative number");
+    Sinc sinc(x) Even Everywhere;
+    SincDerivative sinc_derivative(x) Odd Everywhere;
+    Sinhc sinhc(x) Even Everywhere;
+    SinhcDerivative sinhc_derivative(x) Odd Everywhere;
+    Arc arc(y, x) Neither Everywhere;
+    ArcDerivative arc_derivative(y, x) Neither Everywhere;
+    ExpSlope exp(a, b) Neither Everywhere;
+    ExpSlopeDerivative exp_derivative(a, b) Neither Everywhere;
+    Exp2Slope exp2(a, b) Neither Everywhere;
+    LnSlope ln(a, b) Neither Everywhere;
+    LnSlopeDerivative ln_derivative(a, b) Neither Everywhere;
+    TanhSlope tanh(a, b) Neither Everywhere;
+    TanhSlopeDerivative tanh_derivative(a, b) Neither Everywhere;
+    PowfSlope powf(a, b, r) Neither Everywhere;
+    PowfSlopeDerivative powf_derivative(a, b, r) Neither Everywhere;
+    AbsSlope abs(a, b) Neither Everywhere;
+    AbsSlopeDerivative abs_derivative(a, b) Neither Everywhere;
 }
 
 impl Function {
@@ -161,7 +193,7 @@ mod tests {
     fn the_table_is_in_order_and_names_are_unique() {
         for (i, entry) in FUNCTIONS.iter().enumerate() {
             assert_eq!(entry.function as usize, i);
-            assert!((1..=2).contains(&entry.arity));
+            assert!((1..=3).contains(&entry.arity));
             let same = FUNCTIONS.iter().filter(|e| e.name == entry.name && e.public == entry.public).count();
             assert_eq!(same, 1, "{}", entry.name);
         }

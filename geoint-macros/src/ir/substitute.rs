@@ -15,6 +15,16 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
         Substitution { replace, done: Table::default() }
     }
 
+    /// What of `root` has not been rebuilt yet, operands first.
+    pub(crate) fn unknown(&self, graph: &Graph, root: Id) -> Vec<Id> {
+        graph.unknown(root, &self.done)
+    }
+
+    /// Replaces a node, whatever it is built of.
+    pub(crate) fn insert(&mut self, id: Id, replacement: Id) {
+        self.done.insert(id, replacement);
+    }
+
     /// `root` with every symbol replaced for which there is a replacement.
     pub(crate) fn apply(&mut self, graph: &mut Graph, root: Id) -> Id {
         for id in graph.unknown(root, &self.done) {

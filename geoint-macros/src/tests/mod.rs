@@ -3,7 +3,12 @@
 mod cost;
 mod damping;
 mod fuzz;
+mod precise;
 mod derivatives;
+mod rounding;
+mod slopes;
+mod edges;
+mod trees;
 mod schedules;
 mod mean_value;
 mod meaning;

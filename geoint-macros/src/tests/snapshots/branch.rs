@@ -20,17 +20,20 @@ Structure
 Conserved by the flow
 - nothing that was found
 
+Discrete gradients
+- `MeanValue` has a closed form: it is `DiscreteGradient`
+
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 6, divisions and roots 2, functions 1
 - kick: sums and products 6, functions 1
 - drift: sums and products 4, divisions and roots 2
 - stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1
+- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4
 
 Skipped
 - Newton's iteration in explicit methods: T and V have exact flows
 - recomputing what depends on parameters and the step size: prepared once
 - Runge–Kutta–Nyström tables: they need a quadratic T
-- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }
 ```*/
 #[derive(
     ::core::clone::Clone,
@@ -64,7 +67,7 @@ const _: () = {
     impl Spring {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n- the discrete gradient; this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`: if 0 < q { q⁴·cos(t) } else { 0 }\n";
+        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nDiscrete gradients\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -223,34 +226,147 @@ const _: () = {
     pub trait QuadraticInSpring {}
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
-    #[diagnostic::on_unimplemented(
-        message = "`Spring`: this term has no divided difference yet, so the discrete gradient does not exist; use `ImplicitMidpoint` or `Gauss`",
-        label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
-    )]
-    pub trait DividedDifferencesOfSpring {}
-    impl<R: Real + ::core::cmp::PartialOrd + DividedDifferencesOfSpring> DiscreteField<R>
-    for Spring {
-        type Parameters = ::core::convert::Infallible;
-        type Start = ::core::convert::Infallible;
+    impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
+        type Parameters = [R; 0];
+        type Start = [R; 11];
         const LINEAR: bool = false;
-        fn parameters(&self) -> ::core::convert::Infallible {
-            ::core::unreachable!()
+        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
+            0,
+        );
+        #[inline]
+        fn parameters(&self) -> [R; 0] {
+            []
         }
-        fn begin(
-            never: &::core::convert::Infallible,
-            _: R,
-            _: &[[R; 1]; 2],
-        ) -> ::core::convert::Infallible {
-            match *never {}
+        #[inline(always)]
+        fn begin(prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+            let p0 = y[1][0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(2.0);
+            let q0 = y[0][0];
+            let k4 = R::from_f64(0.0);
+            let k5 = R::from_f64(4.0);
+            let k6 = R::from_f64(12.0);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
+            let v2 = v1.sqrt();
+            let v3 = k2 * p0;
+            let v4 = t.cos();
+            let v5 = k2 * q0;
+            let v6 = q0 * q0;
+            let v7 = k4 < q0;
+            let (v13, v14) = if v7 {
+                let v8 = v6 * q0;
+                let v9 = k5 * v4;
+                let v10 = v9 * v8;
+                let v11 = v6 * v6;
+                let v12 = v11 * v4;
+                (v10, v12)
+            } else {
+                (k4, k4)
+            };
+            let v15 = k5 * v4;
+            let v16 = k6 * v4;
+            [v2, p0, v3, q0, v4, v5, v6, v13, v15, v16, v14]
         }
+        #[inline(always)]
         fn slope(
-            never: &::core::convert::Infallible,
-            _: &::core::convert::Infallible,
-            _: &[[R; 1]; 2],
-            _: &mut [[R; 1]; 2],
-            _: &mut Square<[[R; 1]; 2]>,
+            prepared: &[R; 0],
+            start: &[R; 11],
+            d: &[[R; 1]; 2],
+            f: &mut [[R; 1]; 2],
+            jacobian: &mut Square<[[R; 1]; 2]>,
         ) {
-            match *never {}
+            let start_1 = start[1];
+            let dp0 = d[1][0];
+            let k2 = R::from_f64(1.0);
+            let start_0 = start[0];
+            let start_2 = start[2];
+            let k5 = R::from_f64(0.0);
+            let start_3 = start[3];
+            let dq0 = d[0][0];
+            let start_5 = start[5];
+            let start_6 = start[6];
+            let start_4 = start[4];
+            let k11 = R::from_f64(2.0);
+            let start_8 = start[8];
+            let start_9 = start[9];
+            let start_7 = start[7];
+            let k15 = R::from_f64(0.5);
+            let start_10 = start[10];
+            let k17 = R::from_f64(-0.5);
+            let v0 = start_1 + dp0;
+            let v1 = v0 * v0;
+            let v2 = k2 + v1;
+            let v3 = v2.sqrt();
+            let v4 = start_0 + v3;
+            let v5 = k2 / v4;
+            let v6 = start_2 + dp0;
+            let v7 = v5 * v6;
+            let v8 = k5 < start_3;
+            let v9 = start_3 + dq0;
+            let v10 = k5 < v9;
+            let v11 = v8 && v10;
+            let v12 = !v8;
+            let v13 = !v10;
+            let v14 = v12 && v13;
+            let v15 = v11 || v14;
+            let (v50, v51) = if v15 {
+                let (v24, v25) = if v8 {
+                    let v16 = start_5 + dq0;
+                    let v17 = v9 * v9;
+                    let v18 = start_6 + v17;
+                    let v19 = start_4 * v16;
+                    let v20 = v19 * v18;
+                    let v21 = k11 * v9;
+                    let v22 = v21.multiply_add(v16, v18);
+                    let v23 = start_4 * v22;
+                    (v20, v23)
+                } else {
+                    (k5, k5)
+                };
+                (v24, v25)
+            } else {
+                let (v32, v33, v34) = if v10 {
+                    let v26 = v9 * v9;
+                    let v27 = v26 * v9;
+                    let v28 = start_8 * v27;
+                    let v29 = v26 * v26;
+                    let v30 = start_4 * v29;
+                    let v31 = start_9 * v26;
+                    (v28, v30, v31)
+                } else {
+                    (k5, k5, k5)
+                };
+                let v35 = start_7 + v32;
+                let v36 = k15 * dq0;
+                let v37 = v33 - start_10;
+                let v38 = -v36;
+                let v39 = v38.multiply_add(v35, v37);
+                let v40 = k2 / dq0;
+                let v41 = k15 * v35;
+                let v42 = v39.multiply_add(v40, v41);
+                let v43 = v40 * v40;
+                let v44 = dq0.multiply_add(v34, v35);
+                let v45 = k17.multiply_add(v44, v32);
+                let v46 = v40 * v45;
+                let v47 = -v39;
+                let v48 = v47.multiply_add(v43, v46);
+                let v49 = k15.multiply_add(v34, v48);
+                (v42, v49)
+            };
+            let v52 = -v50;
+            let v53 = v5 * v5;
+            let v54 = v6 * v0;
+            let v55 = v54 * v53;
+            let v56 = v55 / v3;
+            let v57 = v5 - v56;
+            let v58 = -v51;
+            f[0][0] = v7;
+            f[1][0] = v52;
+            jacobian[0][0][0][0] = k5;
+            jacobian[0][0][1][0] = v57;
+            jacobian[1][0][0][0] = v58;
+            jacobian[1][0][1][0] = k5;
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Collocation<R> for Spring {

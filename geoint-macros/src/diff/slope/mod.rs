@@ -1,0 +1,63 @@
+//! Divided differences f[a, b] = (f(b) − f(a))/(b − a) of every operation, in closed form.
+//!
+//! A node has a value at both ends of a step and an increment; its rule gives coefficients c with
+//! Δnode = Σ c·Δoperand, exactly. Swept in reverse these are the tree discrete gradient: symmetric in both ends, the
+//! gradient where they meet, and without cancellation or 0/0. A denominator or argument of a logarithm that changes sign
+//! on the way has no slope: it is not a number then.
+//!
+//! W. Kahan & R. Fateman, SIGSAM Bulletin 33 (1999) 7; T. Matsubara, A. Ishikawa & T. Yaguchi, NeurIPS 2020.
+
+mod branch;
+mod ends;
+mod function;
+mod power;
+
+use super::sweep::{Entries, Step, reverse};
+use crate::ir::{Graph, Id, Node};
+pub(super) use ends::Slopes;
+
+impl Slopes {
+    /// The tree discrete gradient of `root`.
+    pub(super) fn gradient(&mut self, graph: &mut Graph, root: Id) -> Entries {
+        reverse(graph, root, &mut |graph, id| self.step(graph, id))
+    }
+
+    /// The slopes of a node with respect to its operands, or at once to the coordinates.
+    fn step(&mut self, graph: &mut Graph, id: Id) -> Step {
+        Step::Operands(match graph.node(id).clone() {
+            Node::Number(_)
+            | Node::Symbol(_)
+            | Node::Compare(..)
+            | Node::And(..)
+            | Node::Or(..)
+            | Node::Not(_)
+            | Node::Truth(_) => vec![],
+            Node::Linear(_, terms) => terms.into_iter().map(|(c, term)| (term, graph.number(c))).collect(),
+            Node::Product(factors) => self.product(graph, factors),
+            Node::Power(base, exponent) => {
+                let end = self.end(graph, base);
+                vec![(base, power::slope(graph, base, end, exponent))]
+            }
+            Node::Call(function, args) => self.function(graph, id, function, &args),
+            Node::Select(condition, first, second) => {
+                return Step::Coordinates(self.branch(graph, id, condition, first, second));
+            }
+        })
+    }
+
+    /// (f g)[a, b] = f[a, b]·mean(g) + mean(f)·g[a, b], factor after factor.
+    fn product(&mut self, graph: &mut Graph, factors: Vec<Id>) -> Vec<(Id, Id)> {
+        let one = graph.integer(1);
+        let (mut before, mut slopes) = (one, Vec::<(Id, Id)>::new());
+        for factor in factors {
+            let mean = self.mean(graph, factor);
+            let own = if slopes.is_empty() { one } else { self.mean(graph, before) };
+            for (_, slope) in &mut slopes {
+                *slope = graph.mul(*slope, mean);
+            }
+            slopes.push((factor, own));
+            before = graph.mul(before, factor);
+        }
+        slopes
+    }
+}

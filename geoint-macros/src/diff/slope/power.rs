@@ -1,0 +1,57 @@
+//! Powers whose exponent is an integer or half of one: exact polynomials of both ends.
+
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio};
+
+/// (xʳ)[a, b].
+pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
+    let n = exponent.numerator;
+    if !exponent.is_integer() {
+        // xᵐᐟ² = (√x)ᵐ and √[a, b] = 1/(√a + √b), which has to stay finite at 0 where xᵐᐟ² has a slope.
+        let [a, b] = [a, b].map(|x| if n > 1 { graph.call(Function::Root, &[x]) } else { graph.sqrt(x) });
+        let outer = slope(graph, a, b, Ratio::integer(n));
+        let sum = graph.add(a, b);
+        return graph.div(outer, sum);
+    }
+    if n < 0 {
+        // xⁿ = (1/x)⁻ⁿ and (1/x)[a, b] = −1/(ab).
+        let inner = reciprocal(graph, a, b);
+        let (a, b) = (graph.mul(b, inner), graph.mul(a, inner));
+        let outer = slope(graph, a, b, Ratio::integer(-n));
+        let product = graph.mul(outer, inner);
+        return graph.neg(product);
+    }
+    match n {
+        0 => graph.zero(),
+        1 => graph.integer(1),
+        // x²ᵐ = (xᵐ)²
+        _ if n % 2 == 0 => {
+            let half = Ratio::integer(n / 2);
+            let outer = slope(graph, a, b, half);
+            let sum = sum_of_powers(graph, a, b, half);
+            graph.mul(outer, sum)
+        }
+        // xⁿ = x·xⁿ⁻¹: two parts that are not negative.
+        _ => {
+            let even = Ratio::integer(n - 1);
+            let (outer, sum) = (slope(graph, a, b, even), graph.add(a, b));
+            let parts = [graph.mul(outer, sum), sum_of_powers(graph, a, b, even)];
+            let twice = graph.sum(&parts);
+            graph.scale(Number::HALF, twice)
+        }
+    }
+}
+
+/// aⁿ + bⁿ.
+fn sum_of_powers(graph: &mut Graph, a: Id, b: Id, n: Ratio) -> Id {
+    let (a, b) = (graph.pow(a, n), graph.pow(b, n));
+    graph.add(a, b)
+}
+
+/// 1/(ab), which is not a number if there is a pole between a and b. Roots have one sign.
+fn reciprocal(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let product = graph.mul(a, b);
+    match graph.node(a) {
+        Node::Power(_, exponent) if !exponent.is_integer() => graph.recip(product),
+        _ => graph.call(Function::RecipPositive, &[product]),
+    }
+}

@@ -1,0 +1,47 @@
+//! The circle: sines of half an increment, angles between two points.
+
+use super::{away, either, factorial, polynomial, series, tiny};
+use crate::real::Real;
+
+/// sin x / x.
+#[inline(always)]
+pub fn sinc<R: Real>(x: R) -> R {
+    let small = |x: R| polynomial(-(x * x), series!(9, |k| 1.0 / factorial(2 * k + 1)));
+    let large = || {
+        let x = away(x);
+        x.sin() / x
+    };
+    either(x, 1.0, small, large)
+}
+
+/// The derivative of [`sinc`].
+#[inline(always)]
+pub fn sinc_derivative<R: Real>(x: R) -> R {
+    let small = |x: R| -x * polynomial(-(x * x), series!(9, |k| (2 * k + 2) as f64 / factorial(2 * k + 3)));
+    let large = || {
+        let x = away(x);
+        (x.cos() - x.sin() / x) / x
+    };
+    either(x, 1.0, small, large)
+}
+
+/// atan2(y, x)/y, even in y: the angle of a point over its height, 1/x on the right half of the axis.
+#[inline(always)]
+pub fn arc<R: Real>(y: R, x: R) -> R {
+    // Not below the last digit of x, by far.
+    let y = y.abs() + x.abs() * R::from_f64(R::epsilon() * R::epsilon());
+    y.atan2(x) / y
+}
+
+/// ∂[`arc`]/∂y, odd in y.
+#[inline(always)]
+pub fn arc_derivative<R: Real>(y: R, x: R) -> R {
+    // The tangent of the angle, or something large on the left half of the plane.
+    let width = x.max(y.abs() * R::from_f64(1e-3)).max(tiny());
+    let small = |w: R| {
+        let sum = polynomial(-(w * w), series!(19, |k| (2 * k + 2) as f64 / (2 * k + 3) as f64));
+        -w * sum / (width * width)
+    };
+    let large = || (x / (x * x + y * y) - arc(y, x)) / away(y);
+    either(y / width, 0.375, small, large)
+}

@@ -1,0 +1,84 @@
+//! Exponentials, logarithms and powers.
+
+use super::{away, either, factorial, polynomial, recip_positive, series, tiny};
+use crate::real::Real;
+
+/// exp[a, b] = e^M·(1 − e^(−d))/d, M the larger argument, d = |b − a|.
+#[inline(always)]
+pub fn exp<R: Real>(a: R, b: R) -> R {
+    let gap = -((b - a).abs() + tiny());
+    a.max(b).exp() * (gap.exp_m1() / gap)
+}
+
+/// ∂exp[a, b]/∂b = e^b φ₂(a − b), φ₂(z) = (e^z − 1 − z)/z².
+#[inline(always)]
+pub fn exp_derivative<R: Real>(a: R, b: R) -> R {
+    let small = |z: R| polynomial(z, series!(17, |k| 1.0 / factorial(k + 2)));
+    let large = || {
+        let z = away(a - b);
+        (z.exp_m1() - z) / z / z
+    };
+    b.exp() * either(a - b, 1.0, small, large)
+}
+
+/// 2ˣ[a, b], in the same way. (The slope of exp(x ln 2) would round x ln 2.)
+#[inline(always)]
+pub fn exp2<R: Real>(a: R, b: R) -> R {
+    let gap = -((b - a).abs() + tiny());
+    a.max(b).exp2() * ((gap * R::from_f64(core::f64::consts::LN_2)).exp_m1() / gap)
+}
+
+/// ln[a, b] = log1p((M − m)/m)/(M − m), m the smaller and M the larger argument.
+#[inline(always)]
+pub fn ln<R: Real>(a: R, b: R) -> R {
+    let m = a.min(b);
+    let t = (b - a).abs() / m + tiny();
+    t.ln_1p() / t * recip_positive(m)
+}
+
+/// ∂ln[a, b]/∂b = (1/b − ln[a, b])/(b − a).
+#[inline(always)]
+pub fn ln_derivative<R: Real>(a: R, b: R) -> R {
+    let one = R::from_f64(1.0);
+    let large = || (one / b - ln(a, b)) / away(b - a);
+    // With ln(a/b) = 2 artanh w.
+    let small = |w: R| {
+        let square = w * w;
+        let sum = polynomial(square, series!(10, |k| 1.0 / (2 * k + 3) as f64));
+        R::from_f64(-0.5) * (one - w) * (one + (square - w) * sum) / (b * b)
+    };
+    either((a - b) / (a + b), 0.125, small, large)
+}
+
+/// (xʳ)[a, b] = M^r·(1 − (m/M)^r)/(M − m), based on m if r < 0; m is the smaller and M the larger argument, neither is
+/// negative.
+#[inline(always)]
+pub fn powf<R: Real>(a: R, b: R, r: R) -> R {
+    let (low, high) = (a.min(b), a.max(b) + tiny());
+    let gap = (b - a).abs() + high * R::from_f64(R::epsilon() * R::epsilon()) + tiny();
+    let exponent = r * (gap / low).ln_1p();
+    // The base on which the quotient of both powers is below 1.
+    if r.any_below(0.0) {
+        low.powf(r) * (exponent.exp_m1() / gap)
+    } else {
+        high.powf(r) * (-(-exponent).exp_m1() / gap)
+    }
+}
+
+/// ∂(xʳ)[a, b]/∂b = (r b^(r−1) − (xʳ)[a, b])/(b − a).
+#[inline(always)]
+pub fn powf_derivative<R: Real>(a: R, b: R, r: R) -> R {
+    let [one, two] = [1.0, 2.0].map(R::from_f64);
+    let base = b + tiny();
+    let large = || (r * base.powf(r - one) - powf(a, b, r)) / away(b - a);
+    // The binomial series Σ C(r, k + 2) sᵏ.
+    let small = |s: R| {
+        let mut sum = R::from_f64(0.0);
+        for k in (2..28).rev() {
+            let k = R::from_f64(k as f64);
+            sum = one + (r - k) / (k + one) * s * sum;
+        }
+        r * (r - one) / two * sum * base.powf(r - two)
+    };
+    either((a - b) / base, 0.25, small, large)
+}

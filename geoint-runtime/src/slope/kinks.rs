@@ -1,0 +1,44 @@
+//! Where functions end or are not smooth.
+
+use super::{away, tiny};
+use crate::real::Real;
+
+/// 1/x of a positive number, NaN of any other: of logarithms and of poles only one side belongs to a trajectory.
+#[inline(always)]
+pub fn recip_positive<R: Real>(x: R) -> R {
+    R::from_f64(if x.any_below(f64::MIN_POSITIVE) { f64::NAN } else { 1.0 }) / x
+}
+
+/// x, which must not be negative: NaN if it is, so that no step is made with it.
+#[inline(always)]
+pub fn not_negative<R: Real>(x: R) -> R {
+    if x.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
+/// x, whose square must not be above y but for rounding: NaN if it is.
+#[inline(always)]
+pub fn bounded<R: Real>(x: R, y: R) -> R {
+    let margin = R::from_f64(1.0 + 8.0 * R::epsilon());
+    if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
+/// √x, and at 0 something that can be divided by: (xᵐᐟ²)[a, b] has a limit there for m > 2.
+#[inline(always)]
+pub fn root<R: Real>(x: R) -> R {
+    x.sqrt() + tiny::<R>().cbrt()
+}
+
+/// abs[a, b] = (a + b)/(|a| + |b|); at 0 the sign that zero carries.
+#[inline(always)]
+pub fn abs<R: Real>(a: R, b: R) -> R {
+    let (a, b) = (away(a), away(b));
+    (a + b) / (a.abs() + b.abs())
+}
+
+/// ∂abs[a, b]/∂b = (|a| − a sgn b)/(|a| + |b|)²: zero on one side of the kink.
+#[inline(always)]
+pub fn abs_derivative<R: Real>(a: R, b: R) -> R {
+    let (a, b) = (away(a), away(b));
+    let size = a.abs() + b.abs();
+    (a.abs() - a * b.signum()) / size / size
+}
