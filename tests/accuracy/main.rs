@@ -2,6 +2,7 @@
 
 mod language;
 mod derivatives;
+mod slopes;
 mod tables;
 mod orders;
 mod corrected;

@@ -1,10 +1,12 @@
-//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits.
+//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits, one is two.
 
 mod double;
 mod dual;
+mod lanes;
 
 pub use double::Double;
 pub use dual::Dual;
+pub use lanes::Lanes;
 
 use geoint_runtime::Real;
 

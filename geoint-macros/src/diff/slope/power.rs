@@ -13,16 +13,20 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
         return graph.div(outer, sum);
     }
     if n < 0 {
-        // xⁿ = (1/x)⁻ⁿ and (1/x)[a, b] = −1/(ab).
-        let inner = reciprocal(graph, a, b);
-        let (a, b) = (graph.mul(b, inner), graph.mul(a, inner));
-        let outer = slope(graph, a, b, Ratio::integer(-n));
-        let product = graph.mul(outer, inner);
+        // −(x⁻ⁿ)[a, b]/(ab)⁻ⁿ
+        let slope = slope(graph, a, b, Ratio::integer(-n));
+        let reciprocal = reciprocal(graph, a, b);
+        let power = graph.pow(reciprocal, Ratio::integer(-n));
+        let product = graph.mul(slope, power);
         return graph.neg(product);
     }
     match n {
         0 => graph.zero(),
         1 => graph.integer(1),
+        3 => {
+            let (squares, product) = (sum_of_powers(graph, a, b, Ratio::integer(2)), graph.mul(a, b));
+            graph.sum(&[product, squares])
+        }
         // x²ᵐ = (xᵐ)²
         _ if n % 2 == 0 => {
             let half = Ratio::integer(n / 2);
