@@ -12,7 +12,7 @@ mod generators;
 mod momenta;
 mod mean_value;
 
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
@@ -31,6 +31,8 @@ pub(crate) struct Structure {
     pub(crate) cyclic: Vec<u32>,
     /// Momenta that H does not read: their coordinates stand still.
     pub(crate) resting: Vec<u32>,
+    /// Whether a condition in H reads the state.
+    pub(crate) switches: bool,
     /// The degree of H as a polynomial in (q, p), if it is one.
     pub(crate) degree: Option<u32>,
     /// What else is kept by the flow, and by the tree discrete gradient.
@@ -98,6 +100,12 @@ impl Structure {
         self.autonomous && !self.damping.as_ref().is_some_and(|damping| damping.reads.t)
     }
 
+    /// Whether the right-hand sides are linear and do not depend on time.
+    pub(crate) fn linear(&self) -> bool {
+        let constant = self.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
+        self.autonomous && constant && self.degree.is_some_and(|degree| degree <= 2)
+    }
+
     /// Whether H is the same at all times.
     pub(crate) fn conserves_energy(&self) -> bool {
         self.autonomous && self.damping.is_none()
@@ -124,6 +132,10 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         autonomous: !dependence.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
+        switches: graph.reachable(&[energy]).into_iter().any(|id| match graph.node(id) {
+            Node::Select(condition, ..) => dependence.reads(*condition).state(),
+            _ => false,
+        }),
         degree: degrees.get(energy),
         momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
         mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),

@@ -11,7 +11,7 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{MeanValue, Reads, Structure};
+use crate::analyze::{MeanValue, Structure};
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
@@ -32,15 +32,14 @@ pub(crate) fn items(
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let constant = structure.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
-    let linear = structure.autonomous && constant && structure.degree.is_some_and(|degree| degree <= 2);
     let points = match structure.mean_value {
         MeanValue::Tree => Some(0),
         MeanValue::Gauss(points) => Some(points),
         MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
     };
     let discrete = (&derivatives.discrete, &field.unknowns[..]);
-    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, (linear, points), &bounds);
+    let (discrete, discrete_cost) =
+        implicit::discrete_field(context, graph, discrete, (structure.linear(), points), &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };

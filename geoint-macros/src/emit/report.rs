@@ -103,6 +103,16 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(costs.field))?;
     writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(costs.discrete))?;
 
+    writeln!(text, "\nImplicit steps")?;
+    let unknowns = derivatives.field.unknowns.len();
+    let solver = match unknowns {
+        _ if structure.linear() => "the equation is linear, its matrix inverted once",
+        1 => "Newton's iteration for one number",
+        2..=12 => "Newton's iteration with elimination",
+        _ => "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond 12",
+    };
+    writeln!(text, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")?;
+
     writeln!(text, "\nSkipped")?;
     if structure.flows().is_some() {
         writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
@@ -152,15 +162,18 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- nothing that was found")?;
     }
 
-    // `MeanValue` is for systems that keep their energy.
-    if structure.damping.is_some() {
-        return Ok(());
-    }
     writeln!(text, "\nDiscrete gradients")?;
     if !lines.is_empty() {
         writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
     }
+    if structure.switches {
+        writeln!(
+            text,
+            "- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
+        )?;
+    }
     match structure.mean_value {
+        // It is for systems that keep their energy.
         _ if structure.damping.is_some() => Ok(()),
         MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
         MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
