@@ -80,7 +80,7 @@ impl<A: Array> Newton<A> {
         derivative: impl Fn(&mut Q, &A, &mut Square<A>) -> A,
     ) -> Result<(A, A), Refusal> {
         if A::LEN > MOST_UNKNOWNS && (!self.stiff || self.steps.is_multiple_of(ANOTHER_TRY)) {
-            let guess = if self.predictor.started { self.predictor.predict() } else { explicit() };
+            let guess = if self.predictor.started { self.predictor.predict() } else { aside(&explicit) };
             let found = fixed_point(guess, origin, |x| image(context, x));
             self.stiff = found.is_none();
             if let Some(x) = found {
@@ -90,7 +90,7 @@ impl<A: Array> Newton<A> {
         }
         let mut extrapolated = !self.rough;
         loop {
-            let guess = if extrapolated { self.predictor.predict() } else { explicit() };
+            let guess = if extrapolated { self.predictor.predict() } else { aside(&explicit) };
             match self.iterate(guess, origin, |x, matrix| derivative(context, x, matrix)) {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
@@ -193,6 +193,13 @@ fn fixed_point<A: Array>(guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -
         before = square;
     }
     None
+}
+
+/// Out of line: the optimiser takes a sine to be so cheap that it computes it before it knows whether it is needed.
+#[cold]
+#[inline(never)]
+fn aside<A>(explicit: &impl Fn() -> A) -> A {
+    explicit()
 }
 
 /// 1 − matrix.

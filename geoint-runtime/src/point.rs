@@ -12,6 +12,8 @@ pub trait Summation<A: Array>: Copy + Debug {
     fn new() -> Self;
     /// Lets `flow`, which adds something to its argument whatever that is, act on `x`.
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
+    /// Digits that the last increment has lost, for the next addition.
+    fn owe(&mut self, lost: &A);
 }
 
 /// Every addition is rounded.
@@ -27,6 +29,8 @@ impl<A: Array> Summation<A> for Plain {
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
         flow(x);
     }
+    #[inline(always)]
+    fn owe(&mut self, _: &A) {}
 }
 
 /// What an addition rounds off is carried to the next one: sums of many small increments grow errors of a single rounding.
@@ -61,6 +65,10 @@ impl<A: Array> Summation<A> for Compensated<A> {
             carry[i] = first + second;
             *x = sum;
         }
+    }
+    #[inline(always)]
+    fn owe(&mut self, lost: &A) {
+        self.carry.add_scaled(A::Real::from_f64(1.0), lost);
     }
 }
 
@@ -102,14 +110,18 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
         self.sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }
 
-    /// The same with sums of the method's own, unless those of the point carry: they outlive a change of the step size.
+    /// The same with sums of the method's own, unless those of the point carry: they outlive a change of the step size. And with digits that dq and dp have lost.
     #[inline(always)]
-    pub fn add_with<D: Summation<A>>(&mut self, sums: &mut [D; 2], dq: &A, dp: &A) {
+    pub fn add_with<D: Summation<A>>(&mut self, sums: &mut [D; 2], [dq, dp]: [&A; 2], lost: [&A; 2]) {
         if !C::PLAIN {
-            return self.add(dq, dp);
+            self.add(dq, dp);
+            self.sums[0].owe(lost[0]);
+            return self.sums[1].owe(lost[1]);
         }
         sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
         sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
+        sums[0].owe(lost[0]);
+        sums[1].owe(lost[1]);
     }
 
     /// Whether every coordinate is a finite number.

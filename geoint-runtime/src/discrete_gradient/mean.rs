@@ -87,7 +87,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             }
             Ok(())
         })?;
-        point.add_with(sums, &d[0], &d[1]);
+        point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
         Ok(())
     }
 }

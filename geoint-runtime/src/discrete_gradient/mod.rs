@@ -173,7 +173,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
                 }
             }
             let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
-            x.add_with(sums, &dq, &dp);
+            x.add_with(sums, [&dq, &dp], [&S::Array::zero(); 2]);
             return if impulse.is_finite() { Ok(()) } else { Err(Refusal::Singular) };
         }
 
@@ -198,9 +198,8 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
             image
         })?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
-        x.add_with(sums, &dq, &dp);
-        let [dq, dp] = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
-        x.add_with(sums, &dq, &dp);
+        let lost = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
+        x.add_with(sums, [&dq, &dp], lost.each_ref());
         Ok(())
     }
 }
