@@ -48,7 +48,7 @@ pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
 struct Looks(u64);
 
 impl<S: Hamiltonian> Probe<S, f64> for Looks {
-    fn visit(&mut self, _: f64, _: &S::Array, _: &S::Array) {
+    fn look(&mut self, _: f64, _: &S::Array, _: &S::Array, _: &()) {
         self.0 += 1;
     }
 }

@@ -7,7 +7,7 @@ use crate::array::Array;
 use crate::error::{Reason, StepError};
 use crate::integrator::real;
 use crate::invariants::{plus, size};
-use crate::method::{DomainWatch, Method, Probe, Unwatched};
+use crate::method::{Found, Method, Probe, Unwatched, Watch};
 use crate::point::{Compensated, Point, Summation};
 use crate::real::{Real, zero};
 use crate::state::{Coordinates, State};
@@ -195,7 +195,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
-            if let Some(what) = self.system.outside_domain(self.t + end + x.ahead, &x.q, &x.p) {
+            if let Some(what) = self.system.outside_domain(self.t + end + x.ahead, &x.q, &x.p, &()) {
                 return Err(Reason::OutsideDomain { what });
             }
         }
@@ -224,11 +224,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// Why a step is refused: once more, watched.
     #[cold]
     fn reason(&self, h: f64) -> Reason {
-        let mut watch = DomainWatch { system: &self.system, found: None };
+        let mut watch = Watch { system: &self.system, found: None };
         let outcome = self.attempt(&mut prepare(&self.system, &self.method, h), &mut watch);
         match (outcome, watch.found) {
             (Ok((_, error)), _) => Reason::Inaccurate { error },
-            (Err(_), Some(what)) => Reason::OutsideDomain { what },
+            (Err(_), Some(Found::OutsideDomain(what))) => Reason::OutsideDomain { what },
+            (Err(_), Some(Found::Pole(piece))) => Reason::Pole { piece },
             (Err(reason), None) => reason,
         }
     }
@@ -245,7 +246,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        match self.system.outside_domain(self.t, &self.x.q, &self.x.p) {
+        match self.system.outside_domain(self.t, &self.x.q, &self.x.p, &()) {
             Some(what) if self.steps == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),
         }
@@ -263,7 +264,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.t, &self.x.q, &self.x.p)
+        self.system.hamiltonian(self.t, &self.x.q, &self.x.p, &())
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.

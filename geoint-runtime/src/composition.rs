@@ -4,7 +4,7 @@ use crate::method::{Claims, Method, Probe, Refusal};
 use crate::point::{Point, Summation};
 use crate::real::Real;
 use crate::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
-use crate::system::Hamiltonian;
+use crate::system::PhaseSpace;
 
 /// Weights γ₁, …, γ_K, reading the same from both ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ pub struct Composed<M, const K: usize> {
     pub(crate) composition: Composition<K>,
 }
 
-impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
 
@@ -114,7 +114,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> f
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         prepared: &mut Self::Prepared,
         t: R,
-        x: &mut Point<S::Array, C>,
+        x: &mut Point<S::Array, C, S::Action>,
         probe: &mut P,
     ) -> Result<(), Refusal> {
         prepared.iter_mut().try_for_each(|(substep, after)| M::step(substep, t + *after, x, probe))

@@ -43,6 +43,13 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular.
+    Pole {
+        /// Time of the last good state.
+        t: f64,
+        /// The piece.
+        piece: &'static str,
+    },
     /// The implicit equation of the step was not solved to rounding.
     NotConverged {
         /// Time of the last good state.
@@ -88,6 +95,11 @@ pub enum Reason {
     Singular,
     /// It moves at right angles to the gradient along which it is to change the energy.
     SingularDirection,
+    /// The exact flow of a piece of the energy ends within it.
+    Pole {
+        /// The piece.
+        piece: &'static str,
+    },
     /// Its implicit equation was not solved to rounding.
     NotConverged,
 }
@@ -110,6 +122,7 @@ impl fmt::Display for Reason {
             Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
         }
     }
@@ -139,6 +152,9 @@ impl fmt::Display for StepError {
                     "the step from t = {t} moves at right angles to the gradient along which it is to change the energy; \
                      try another step size, or `Gonzalez` or `DiscreteGradient`"
                 )
+            }
+            StepError::Pole { t, piece } => {
+                write!(f, "the flow of the piece {piece} ends within the step from t = {t}; try a smaller step")
             }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,

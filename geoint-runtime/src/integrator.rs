@@ -1,11 +1,11 @@
 //! A system under a method: the object that users step.
 
 use crate::error::StepError;
-use crate::method::{Clock, DomainWatch, Method, Probe, Refusal};
+use crate::method::{Clock, Found, Method, Probe, Refusal, Watch};
 use crate::point::{Compensated, Plain, Point, Summation};
 use crate::real::{Real, zero};
-use crate::state::{Coordinates, State};
-use crate::system::Hamiltonian;
+use crate::state::{Action, Coordinates};
+use crate::system::{Hamiltonian, PhaseSpace, StateOf};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -16,7 +16,7 @@ const STEPS_BETWEEN_LOOKS: u64 = 1024;
 /// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
 /// on, with a smaller step if [`Integrator::set_step_size`] was called.
 #[derive(Clone, Copy, Debug)]
-pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
+pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     system: S,
     method: M,
     prepared: M::Prepared,
@@ -26,28 +26,22 @@ pub struct Integrator<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64, C = Pla
     n: u64,
     /// Steps since the beginning.
     steps: u64,
-    x: Point<S::Array, C>,
+    x: Point<S::Array, C, S::Action>,
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
-    pub(crate) fn new(system: S, method: M, h: R, state: State<S::Coordinates>) -> Self {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+    pub(crate) fn new(system: S, method: M, h: R, state: StateOf<S, R>) -> Self {
+        let (t0, q, p, s) = S::Action::parts(state);
         Integrator {
             system,
             method,
             prepared: method.prepare(&system, h),
-            t0: state.t,
+            t0,
             h,
             n: 0,
             steps: 0,
-            x: Point::new(state.q.into_array(), state.p.into_array()),
+            x: Point::with_action(q.into_array(), p.into_array(), s),
         }
-    }
-
-    /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
-    /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
-    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
-        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
-        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
     }
 
     /// One step.
@@ -85,16 +79,17 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     fn creep(&mut self, steps: u64) -> Result<(), StepError> {
         for _ in 0..steps {
             let (mut prepared, mut x) = (self.prepared, self.x);
-            let mut watch = DomainWatch { system: &self.system, found: None };
+            let mut watch = Watch { system: &self.system, found: None };
             let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
             if outcome.is_ok() && self.is_good(1, &x) {
                 self.accept(1, prepared, x);
                 continue;
             }
-            watch.visit(self.clock().at(1), &x.q, &x.p);
+            watch.look(self.clock().at(1), &x.q, &x.p, &x.s);
             let t = real(self.time());
             return Err(match (outcome, watch.found) {
-                (_, Some(what)) => StepError::OutsideDomain { t, what },
+                (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
+                (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
                 (Ok(()), None) => StepError::NonFinite { t },
                 (Err(Refusal::Singular), None) => StepError::Singular { t },
                 (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
@@ -116,7 +111,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
         }
         // Later states are good because the steps that led to them were.
         if self.steps == 0
-            && let Some(what) = self.system.outside_domain(self.t0, &self.x.q, &self.x.p)
+            && let Some(what) = self.system.outside_domain(self.t0, &self.x.q, &self.x.p, &self.x.s)
         {
             return Err(StepError::OutsideDomain { t: real(self.t0), what });
         }
@@ -125,12 +120,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
 
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
-    fn is_good(&self, steps: u64, x: &Point<S::Array, C>) -> bool {
-        x.is_finite() && self.system.outside_domain(self.clock().at(steps) + x.ahead, &x.q, &x.p).is_none()
+    fn is_good(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> bool {
+        x.is_finite() && self.system.outside_domain(self.clock().at(steps) + x.ahead, &x.q, &x.p, &x.s).is_none()
     }
 
     #[inline(always)]
-    fn accept(&mut self, steps: u64, prepared: M::Prepared, x: Point<S::Array, C>) {
+    fn accept(&mut self, steps: u64, prepared: M::Prepared, x: Point<S::Array, C, S::Action>) {
         (self.prepared, self.x) = (prepared, x);
         self.n += steps;
         self.steps += steps;
@@ -161,13 +156,14 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     }
 
     /// The state now.
-    pub fn state(&self) -> State<S::Coordinates> {
-        State::at(self.time(), Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
+    pub fn state(&self) -> StateOf<S, R> {
+        let (q, p) = (Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p));
+        S::Action::state(self.time(), q, p, self.x.s)
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p)
+        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &self.x.s)
     }
 
     /// The number of steps taken.
@@ -205,20 +201,29 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     }
 }
 
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+    /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
+    /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
+    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
+        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
+        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+    }
+}
+
 /// A scalar as a plain number, with its sign.
 pub(crate) fn real<R: Real>(x: R) -> f64 {
     if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }
 
 /// States along a trajectory; ends after the first error.
-pub struct Samples<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real, C = Plain> {
+pub struct Samples<'a, S: PhaseSpace<R>, M: Method<S, R>, R: Real, C = Plain> {
     sim: &'a mut Integrator<S, M, R, C>,
     stride: u64,
     left: u64,
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Iterator for Samples<'_, S, M, R, C> {
-    type Item = Result<State<S::Coordinates>, StepError>;
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Iterator for Samples<'_, S, M, R, C> {
+    type Item = Result<StateOf<S, R>, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
         self.left = self.left.checked_sub(1)?;

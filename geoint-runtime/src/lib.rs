@@ -115,18 +115,18 @@ pub use runge_kutta::{DOP853, RK4, RungeKutta};
 #[doc(inline)]
 pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 #[doc(inline)]
-pub use state::{Coordinates, State};
+pub use state::{ContactState, Coordinates, State};
 #[doc(inline)]
-pub use system::{Autonomous, Conservative, Hamiltonian, QuadraticKinetic, Separable};
+pub use system::{Autonomous, Conservative, Hamiltonian, PhaseSpace, QuadraticKinetic, Separable};
 pub use tables::*;
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
-        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
-        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
-        SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        Adaptive, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
+        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan,
+        MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
     };
 }

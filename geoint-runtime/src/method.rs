@@ -2,7 +2,7 @@
 
 use crate::point::{Point, Summation};
 use crate::real::Real;
-use crate::system::Hamiltonian;
+use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
 ///
@@ -25,7 +25,7 @@ pub struct Claims {
     note = "a composition becomes a method with the map that it composes: `Yoshida4.of(StormerVerlet)`",
     note = "`Gauss` has 1 to 6 stages"
 )]
-pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
+pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Everything that depends on the method, the parameters and h; and what implicit methods remember of earlier steps to
     /// guess the next one.
     type Prepared: Copy;
@@ -42,7 +42,7 @@ pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         prepared: &mut Self::Prepared,
         t: R,
-        x: &mut Point<S::Array, C>,
+        x: &mut Point<S::Array, C, S::Action>,
         probe: &mut P,
     ) -> Result<(), Refusal>;
 
@@ -52,7 +52,7 @@ pub trait Method<S: Hamiltonian<R>, R: Real = f64>: Copy {
         prepared: &mut Self::Prepared,
         clock: &Clock<R>,
         steps: u64,
-        x: &mut Point<S::Array, C>,
+        x: &mut Point<S::Array, C, S::Action>,
     ) -> Result<(), Refusal> {
         for i in 0..steps {
             let t = clock.at(i) + x.ahead;
@@ -96,30 +96,58 @@ pub enum Refusal {
 }
 
 /// Sees every point at which a step looks at the energy.
-pub trait Probe<S: Hamiltonian<R>, R: Real> {
+pub trait Probe<S: PhaseSpace<R>, R: Real> {
     /// The energy is about to be looked at here.
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array);
+    fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
+
+    /// The same, where there is no action.
+    #[inline(always)]
+    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array)
+    where
+        S: PhaseSpace<R, Action = ()>,
+    {
+        self.look(t, q, p, &());
+    }
+
+    /// An exact flow of a piece of the energy has been applied, with a result that is finite or not.
+    #[inline(always)]
+    fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
+        let _ = (piece, finite);
+    }
 }
 
 /// Sees nothing: the probe of the fast path.
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
-impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for Unwatched {
+impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     #[inline(always)]
-    fn visit(&mut self, _: R, _: &S::Array, _: &S::Array) {}
+    fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Remembers the first point outside the domain of the energy.
-pub(crate) struct DomainWatch<'a, S> {
+/// Remembers the first point outside the domain of the energy, or the first flow that ended before it was through.
+pub(crate) struct Watch<'a, S> {
     pub(crate) system: &'a S,
-    pub(crate) found: Option<&'static str>,
+    pub(crate) found: Option<Found>,
 }
 
-impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for DomainWatch<'_, S> {
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array) {
+/// What a watch has seen first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Found {
+    OutsideDomain(&'static str),
+    Pole(&'static str),
+}
+
+impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S> {
+    fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
         if self.found.is_none() {
-            self.found = self.system.outside_domain(t, q, p);
+            self.found = self.system.outside_domain(t, q, p, s).map(Found::OutsideDomain);
+        }
+    }
+
+    fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
+        if self.found.is_none() && !finite() {
+            self.found = Some(Found::Pole(piece));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::array::Array;
 use crate::real::{Real, zero};
+use crate::state::Action;
 use core::fmt::Debug;
 
 /// How an increment is added to a coordinate.
@@ -80,27 +81,42 @@ fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
     (sum, (a - (sum - added)) + (b - added))
 }
 
-/// A point with sums of kind `C`.
+/// A point with sums of kind `C`, and an action if its space has one.
 #[derive(Clone, Copy, Debug)]
-pub struct Point<A: Array, C> {
+pub struct Point<A: Array, C, Z = ()> {
     /// Positions.
     pub q: A,
     /// Momenta.
     pub p: A,
+    /// The action of a contact system.
+    pub s: Z,
     pub(crate) sums: [C; 2],
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: A::Real,
 }
 
-impl<A: Array, C: Summation<A>> Point<A, C> {
+impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
     /// A point at which nothing has been rounded off yet.
-    pub fn new(q: A, p: A) -> Self {
-        Point { q, p, sums: [C::new(), C::new()], ahead: zero() }
+    pub fn with_action(q: A, p: A, s: Z) -> Self {
+        Point { q, p, s, sums: [C::new(), C::new()], ahead: zero() }
     }
 
     /// The same point with sums of another kind, of which nothing has been rounded off yet.
-    pub(crate) fn with_sums<D: Summation<A>>(self) -> Point<A, D> {
-        Point { q: self.q, p: self.p, sums: [D::new(), D::new()], ahead: self.ahead }
+    pub(crate) fn with_sums<D: Summation<A>>(self) -> Point<A, D, Z> {
+        Point { q: self.q, p: self.p, s: self.s, sums: [D::new(), D::new()], ahead: self.ahead }
+    }
+
+    /// Whether every coordinate is a finite number.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        self.q.is_finite() && self.p.is_finite() && self.s.is_finite()
+    }
+}
+
+impl<A: Array, C: Summation<A>> Point<A, C> {
+    /// A point at which nothing has been rounded off yet.
+    pub fn new(q: A, p: A) -> Self {
+        Self::with_action(q, p, ())
     }
 
     /// q ← q + dq, p ← p + dp.
@@ -122,11 +138,5 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
         sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
         sums[0].owe(lost[0]);
         sums[1].owe(lost[1]);
-    }
-
-    /// Whether every coordinate is a finite number.
-    #[inline(always)]
-    pub fn is_finite(&self) -> bool {
-        self.q.is_finite() && self.p.is_finite()
     }
 }

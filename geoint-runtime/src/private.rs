@@ -7,7 +7,7 @@ pub use crate::integrator::Integrator;
 pub use crate::method::Method;
 pub use crate::real::Real;
 pub use crate::slope;
-pub use crate::state::State;
+pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, PhaseSpace, QuadraticKinetic, Separable,
 };

@@ -8,7 +8,7 @@
 use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
 use crate::point::{Point, Summation};
 use crate::real::Real;
-use crate::system::{QuadraticKinetic, Separable};
+use crate::system::{PhaseSpace, QuadraticKinetic, Separable};
 use core::marker::PhantomData;
 
 /// A table of fractions of h: outer₁, inner₁, outer₂, inner₂, …, inner_K, last, in order of application.
@@ -87,9 +87,9 @@ pub trait Order<S: Separable<R>, R: Real>: Copy {
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, h: R) -> Self::Inner;
     /// An outer flow.
-    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]);
+    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
     /// An inner flow.
-    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]);
+    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
 }
 
 impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
@@ -102,12 +102,12 @@ impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
         system.prepare_drift(h)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]) {
-        kick::<S, R, C>(flow, t, q, p, &mut sums[1]);
+    fn outer<C: Summation<S::Array>>(flow: &S::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
+        kick::<S, R, C>(flow, at, x, &mut sums[1]);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, t, q, p, &mut sums[0]);
+    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
+        drift::<S, R, C>(flow, at, x, &mut sums[0]);
     }
 }
 
@@ -121,13 +121,24 @@ impl<S: Separable<R>, R: Real> Order<S, R> for DriftFirst {
         system.prepare_kick(h)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Drift, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, t, q, p, &mut sums[0]);
+    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
+        drift::<S, R, C>(flow, at, x, &mut sums[0]);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, sums: &mut [C; 2]) {
-        kick::<S, R, C>(flow, t, q, p, &mut sums[1]);
+    fn inner<C: Summation<S::Array>>(flow: &S::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
+        kick::<S, R, C>(flow, at, x, &mut sums[1]);
     }
+}
+
+/// Positions, momenta and the action of a point.
+pub type Parts<'a, S, R> =
+    (&'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Action);
+
+/// The times of a flow: where its own kind of flow has come to, and where the other kind has.
+#[derive(Clone, Copy, Debug)]
+pub struct Times<R> {
+    own: R,
+    other: R,
 }
 
 /// A kick. Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
@@ -135,24 +146,23 @@ impl<S: Separable<R>, R: Real> Order<S, R> for DriftFirst {
 #[inline(always)]
 fn kick<S: Separable<R>, R: Real, C: Summation<S::Array>>(
     flow: &S::Kick,
-    t: R,
-    q: &S::Array,
-    p: &mut S::Array,
+    at: Times<R>,
+    (q, p, s): Parts<'_, S, R>,
     sum: &mut C,
 ) {
-    if C::PLAIN { S::kick(flow, t, q, p) } else { sum.add(p, |p| S::kick(flow, t, q, p)) }
+    if C::PLAIN { S::kick(flow, at.other, q, p, s) } else { sum.add(p, |p| S::kick(flow, at.other, q, p, s)) }
 }
 
 /// A drift, likewise.
 #[inline(always)]
 fn drift<S: Separable<R>, R: Real, C: Summation<S::Array>>(
     flow: &S::Drift,
-    t: R,
-    q: &mut S::Array,
-    p: &S::Array,
+    at: Times<R>,
+    (q, p, s): Parts<'_, S, R>,
     sum: &mut C,
 ) {
-    if C::PLAIN { S::drift(flow, t, q, p) } else { sum.add(q, |q| S::drift(flow, t, q, p)) }
+    let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
+    if C::PLAIN { S::drift(flow, t, q, p, s) } else { sum.add(q, |q| S::drift(flow, t, q, p, s)) }
 }
 
 /// A table multiplied by h: the flows of a step and the times in it at which they happen.
@@ -184,48 +194,64 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         }
     }
 
+    /// The times of the i-th inner flow of a step from `t`, and of the outer flow behind it.
+    #[inline(always)]
+    fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
+        let before = if i == 0 { t } else { t + self.outer_at[i - 1] };
+        let (outers, inners) = (t + self.inner_at[i], t + self.outer_at[i]);
+        [Times { own: before, other: outers }, Times { own: outers, other: inners }]
+    }
+
     /// inner₁, outer₂, inner₂, …, inner_K, last.
     #[inline(always)]
-    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C>, probe: &mut P) {
+    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(
+        &self,
+        t: R,
+        x: &mut Point<S::Array, C, S::Action>,
+        probe: &mut P,
+    ) {
         for i in 0..K {
-            probe.visit(t + self.inner_at[i], &x.q, &x.p);
-            O::inner(&self.inner[i], t + self.inner_at[i], &mut x.q, &mut x.p, &mut x.sums);
+            let [inner_at, outer_at] = self.times(t, i);
+            probe.look(inner_at.other, &x.q, &x.p, &x.s);
+            O::inner(&self.inner[i], inner_at, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
             let next = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
             if let Some(outer) = next {
-                probe.visit(t + self.outer_at[i], &x.q, &x.p);
-                O::outer(outer, t + self.outer_at[i], &mut x.q, &mut x.p, &mut x.sums);
+                probe.look(outer_at.other, &x.q, &x.p, &x.s);
+                O::outer(outer, outer_at, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
             }
         }
     }
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C>, probe: &mut P) {
-        probe.visit(t, &x.q, &x.p);
-        O::outer(&self.first, t, &mut x.q, &mut x.p, &mut x.sums);
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C, S::Action>, probe: &mut P) {
+        probe.look(t, &x.q, &x.p, &x.s);
+        O::outer(&self.first, Times { own: t, other: t }, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
         self.finish(t, x, probe);
     }
 
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(&self, clock: &Clock<R>, steps: u64, point: &mut Point<S::Array, C>) {
+    fn advance<C: Summation<S::Array>>(&self, clock: &Clock<R>, steps: u64, point: &mut Point<S::Array, C, S::Action>) {
         let Some(final_step) = steps.checked_sub(1) else { return };
         // In locals of this loop, q and p stay in registers.
-        let (mut x, mut y, mut sums) = (point.q, point.p, point.sums);
-        O::outer(&self.first, clock.at(0), &mut x, &mut y, &mut sums);
+        let (mut q, mut p, mut s, mut sums) = (point.q, point.p, point.s, point.sums);
+        let start = clock.at(0);
+        O::outer(&self.first, Times { own: start, other: start }, (&mut q, &mut p, &mut s), &mut sums);
         for n in 0..final_step {
             let t = clock.at(n);
             for i in 0..K {
-                O::inner(&self.inner[i], t + self.inner_at[i], &mut x, &mut y, &mut sums);
-                O::outer(&self.outer[i], t + self.outer_at[i], &mut x, &mut y, &mut sums);
+                let [inner_at, outer_at] = self.times(t, i);
+                O::inner(&self.inner[i], inner_at, (&mut q, &mut p, &mut s), &mut sums);
+                O::outer(&self.outer[i], outer_at, (&mut q, &mut p, &mut s), &mut sums);
             }
         }
-        (point.q, point.p, point.sums) = (x, y, sums);
+        (point.q, point.p, point.s, point.sums) = (q, p, s, sums);
         self.end(clock.at(final_step), point);
     }
 
     /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
     /// makes the loop over six bodies up to a fifth slower.
     #[inline(never)]
-    fn end<C: Summation<S::Array>>(&self, t: R, x: &mut Point<S::Array, C>) {
+    fn end<C: Summation<S::Array>>(&self, t: R, x: &mut Point<S::Array, C, S::Action>) {
         self.finish(t, x, &mut Unwatched);
     }
 }
@@ -245,7 +271,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         prepared: &mut Self::Prepared,
         t: R,
-        x: &mut Point<S::Array, C>,
+        x: &mut Point<S::Array, C, S::Action>,
         probe: &mut P,
     ) -> Result<(), Refusal> {
         prepared.step(t, x, probe);
@@ -257,7 +283,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         prepared: &mut Self::Prepared,
         clock: &Clock<R>,
         steps: u64,
-        x: &mut Point<S::Array, C>,
+        x: &mut Point<S::Array, C, S::Action>,
     ) -> Result<(), Refusal> {
         prepared.advance(clock, steps, x);
         Ok(())
@@ -286,7 +312,7 @@ macro_rules! delegate {
             fn step<C: Summation<S::Array>, P: Probe<S, R>>(
                 prepared: &mut Self::Prepared,
                 t: R,
-                x: &mut Point<S::Array, C>,
+                x: &mut Point<S::Array, C, S::Action>,
                 probe: &mut P,
             ) -> Result<(), Refusal> {
                 <$inner>::step(prepared, t, x, probe)
@@ -296,7 +322,7 @@ macro_rules! delegate {
                 prepared: &mut Self::Prepared,
                 clock: &Clock<R>,
                 steps: u64,
-                x: &mut Point<S::Array, C>,
+                x: &mut Point<S::Array, C, S::Action>,
             ) -> Result<(), Refusal> {
                 <$inner as Method<S, R>>::advance(prepared, clock, steps, x)
             }

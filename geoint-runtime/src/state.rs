@@ -2,6 +2,7 @@
 
 use crate::array::Array;
 use crate::real::{Real, zero};
+use core::fmt::Debug;
 use nalgebra::SVector;
 
 /// What a coordinate may be: a scalar, an array, an array of arrays, a vector of nalgebra, an array of those.
@@ -107,5 +108,70 @@ impl<Q: Coordinates> State<Q> {
     /// The point (`q`, `p`) at time `t`.
     pub fn at(t: Q::Real, q: Q, p: Q) -> Self {
         State { t, q, p }
+    }
+}
+
+/// A point of contact phase space at a time: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactState<Q: Coordinates> {
+    /// Time.
+    pub t: Q::Real,
+    /// Positions.
+    pub q: Q,
+    /// Momenta, in the shape of `q`.
+    pub p: Q,
+    /// The action, s' = p·q' − H.
+    pub s: Q::Real,
+}
+
+impl<Q: Coordinates> ContactState<Q> {
+    /// The point (`q`, `p`, `s`) at t = 0.
+    pub fn new(q: Q, p: Q, s: Q::Real) -> Self {
+        ContactState { t: zero(), q, p, s }
+    }
+
+    /// The point (`q`, `p`, `s`) at time `t`.
+    pub fn at(t: Q::Real, q: Q, p: Q, s: Q::Real) -> Self {
+        ContactState { t, q, p, s }
+    }
+}
+
+/// What phase space has beside positions and momenta: nothing, or the action of a contact system.
+pub trait Action<R: Real>: Copy + Debug + PartialEq {
+    /// Points of such a phase space.
+    type State<Q: Coordinates<Real = R>>: Copy + Debug + PartialEq;
+    /// Whether it is a finite number.
+    fn is_finite(&self) -> bool;
+    /// A point from its parts.
+    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, action: Self) -> Self::State<Q>;
+    /// The parts of a point.
+    fn parts<Q: Coordinates<Real = R>>(state: Self::State<Q>) -> (R, Q, Q, Self);
+}
+
+impl<R: Real> Action<R> for () {
+    type State<Q: Coordinates<Real = R>> = State<Q>;
+    #[inline(always)]
+    fn is_finite(&self) -> bool {
+        true
+    }
+    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
+        State { t, q, p }
+    }
+    fn parts<Q: Coordinates<Real = R>>(State { t, q, p }: State<Q>) -> (R, Q, Q, ()) {
+        (t, q, p, ())
+    }
+}
+
+impl<R: Real> Action<R> for R {
+    type State<Q: Coordinates<Real = R>> = ContactState<Q>;
+    #[inline(always)]
+    fn is_finite(&self) -> bool {
+        self.magnitude() < f64::INFINITY
+    }
+    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, s: R) -> ContactState<Q> {
+        ContactState { t, q, p, s }
+    }
+    fn parts<Q: Coordinates<Real = R>>(ContactState { t, q, p, s }: ContactState<Q>) -> (R, Q, Q, R) {
+        (t, q, p, s)
     }
 }

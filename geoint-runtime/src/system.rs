@@ -8,18 +8,42 @@ use crate::array::{Array, Square};
 use crate::integrator::Integrator;
 use crate::method::Method;
 use crate::real::Real;
-use crate::state::{Coordinates, State};
+use crate::state::{Action, Coordinates};
 
-/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
-pub trait Hamiltonian<R: Real = f64>: Copy {
+/// A phase space with an energy on it.
+pub trait PhaseSpace<R: Real = f64>: Copy {
     /// Positions and momenta as the user writes them.
     type Coordinates: Coordinates<Real = R, Array = Self::Array>;
     /// Positions and momenta as kernels see them.
     type Array: Array<Real = R>;
+    /// What phase space has beside them: the action `R` of a contact system, or nothing.
+    type Action: Action<R>;
 
     /// H at a point.
-    fn hamiltonian(&self, t: R, q: &Self::Array, p: &Self::Array) -> R;
+    fn hamiltonian(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> R;
 
+    /// The first function of H, if any, that is not defined at a point, and of which term.
+    fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> Option<&'static str>;
+
+    /// The energy of a state.
+    fn energy(&self, state: &StateOf<Self, R>) -> R {
+        let (t, q, p, s) = Self::Action::parts(*state);
+        self.hamiltonian(t, &q.into_array(), &p.into_array(), &s)
+    }
+
+    /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+    fn integrator<M: Method<Self, R>>(self, method: M, h: R, state: StateOf<Self, R>) -> Integrator<Self, M, R> {
+        Integrator::new(self, method, h, state)
+    }
+}
+
+/// Points of the phase space of a system: [`State`](crate::State), or [`ContactState`](crate::ContactState).
+pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S as PhaseSpace<R>>::Coordinates>;
+
+/// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
+pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
 
@@ -32,26 +56,6 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
         }
     }
 
-    /// The first function of H, if any, that is not defined at a point, and of which term.
-    fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array) -> Option<&'static str>;
-
-    /// The energy of a state.
-    fn energy(&self, state: &State<Self::Coordinates>) -> R {
-        self.hamiltonian(state.t, &state.q.into_array(), &state.p.into_array())
-    }
-
-    /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
-    ///
-    /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-    fn integrator<M: Method<Self, R>>(
-        self,
-        method: M,
-        h: R,
-        state: State<Self::Coordinates>,
-    ) -> Integrator<Self, M, R> {
-        Integrator::new(self, method, h, state)
-    }
-
     /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
     ///
     /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
@@ -59,7 +63,7 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
         self,
         method: M,
         tolerance: f64,
-        state: State<Self::Coordinates>,
+        state: crate::state::State<Self::Coordinates>,
     ) -> Adaptive<Self, M, R> {
         Adaptive::new(self, method, tolerance, state)
     }
@@ -80,26 +84,28 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
 )]
 pub trait Autonomous<R: Real = f64>: Conservative<R> {}
 
-/// H = T(p, t) + V(q, t): each part has an exact flow.
+/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems T + g·s is one part, with quadratic T.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
     label = "H was not proven to be T(p) + V(q)",
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
-pub trait Separable<R: Real = f64>: Hamiltonian<R> {
+pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     /// What a kick of given length needs from the parameters.
     type Kick: Copy;
     /// What a drift of given length needs from the parameters.
     type Drift: Copy;
+    /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
+    const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
 
     /// Coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;
     /// Coefficients of a drift of length `h`.
     fn prepare_drift(&self, h: R) -> Self::Drift;
-    /// The flow of V at frozen time: p ← p − h ∂V/∂q.
-    fn kick(kick: &Self::Kick, t: R, q: &Self::Array, p: &mut Self::Array);
-    /// The flow of T at frozen time: q ← q + h ∂T/∂p.
-    fn drift(drift: &Self::Drift, t: R, q: &mut Self::Array, p: &Self::Array);
+    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV.
+    fn kick(kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
+    fn drift(drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
 }
 
 /// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.

@@ -48,12 +48,12 @@ pub(crate) fn check_gradient<S, D>(
     D: Hamiltonian<Dual>,
 {
     let n = q.len();
-    let value = plain.hamiltonian(t, &array(q), &array(p));
+    let value = plain.hamiltonian(t, &array(q), &array(p), &());
     assert_near("H", value, written(q, p), 16.0 * f64::EPSILON);
     let x = [q, p].concat();
     for (i, slope) in gradient(plain, t, q, p).into_iter().enumerate() {
         let y = seeded(&x, i);
-        let kernel = dual.hamiltonian(t.into(), &array(&y[..n]), &array(&y[n..]));
+        let kernel = dual.hamiltonian(t.into(), &array(&y[..n]), &array(&y[n..]), &());
         assert_near("∇H and dual numbers", slope, kernel.derivative(), 1e-13);
         // Differences of order 8.
         let h = 1e-3;

@@ -4,7 +4,7 @@
 //! references from an explicit solver of order 8 at a relative tolerance of 10⁻¹³.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method};
+use geoint_runtime::Method;
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;

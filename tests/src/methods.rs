@@ -102,7 +102,7 @@ where
 /// Methods for H = T(p, t) + V(q, t).
 pub fn separable<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: Separable<R>,
+    S: Separable<R> + Hamiltonian<R>,
 {
     visit!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet);
     visit!(visitor: ForestRuth4, PEFRL, BlanesMoan4, BlanesMoan6);
@@ -113,7 +113,7 @@ where
 /// Methods that need a T quadratic in p with a constant mass matrix.
 pub fn nystrom<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: QuadraticKinetic<R>,
+    S: QuadraticKinetic<R> + Hamiltonian<R>,
 {
     visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
 }

@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use geoint_runtime::system::Collocation;
-use geoint_runtime::{Coordinates, Hamiltonian, State, array::Array, hamiltonian};
+use geoint_runtime::{Coordinates, Hamiltonian, PhaseSpace, State, array::Array, hamiltonian};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// Planar pendulum; q in rad.
@@ -174,7 +174,7 @@ pub trait Problem {
 }
 
 /// Positions or momenta of a problem over `R`.
-pub type Coords<P, R> = <<P as Problem>::Over<R> as Hamiltonian<R>>::Coordinates;
+pub type Coords<P, R> = <<P as Problem>::Over<R> as PhaseSpace<R>>::Coordinates;
 
 /// A point from plain numbers.
 pub fn state<S: Hamiltonian<R>, R: Scalar>(t: f64, q: &[f64], p: &[f64]) -> State<S::Coordinates> {

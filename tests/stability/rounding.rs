@@ -43,7 +43,7 @@ fn small_steps_do_not_cost_digits() {
         let one = Double::from(1.0);
         let exact = Swing { m: one, g: one, rest: one - one };
         let start = State::new(Double::from(START.0), Double::from(START.1));
-        let mut exact = Hamiltonian::integrator(exact, DiscreteGradient, Double::from(h), start);
+        let mut exact = PhaseSpace::integrator(exact, DiscreteGradient, Double::from(h), start);
         exact.advance(steps).unwrap();
         let exact = flat(&exact.state());
         let error = |q: f64, p: f64| distance(&[Double::from(q), Double::from(p)], &exact);
@@ -61,7 +61,7 @@ fn small_steps_do_not_cost_digits() {
 fn energy_in_the_background() {
     struct Looks(u64);
     impl Probe<Swing, f64> for Looks {
-        fn visit(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1]) {
+        fn look(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1], _: &()) {
             self.0 += 1;
         }
     }

@@ -73,11 +73,11 @@ fn separable(
                 #prepare_drift
             }
             #[inline(always)]
-            fn kick(prepared: &[R; #kick_slots], t: R, q: &#array, p: &mut #array) {
+            fn kick(prepared: &[R; #kick_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
                 #kick_body
             }
             #[inline(always)]
-            fn drift(prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &#array) {
+            fn drift(prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
                 #drift_body
             }
         }
@@ -135,10 +135,10 @@ fn none(
             fn prepare_drift(&self, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn kick(never: &#never, _: R, _: &#array, _: &mut #array) {
+            fn kick(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
                 match *never {}
             }
-            fn drift(never: &#never, _: R, _: &mut #array, _: &#array) {
+            fn drift(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
                 match *never {}
             }
         }

@@ -59,7 +59,7 @@ pub(crate) fn items(
         const _: () = {
             use #runtime::private::{
                 Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
-                Separable, Square, State, is_positive_semidefinite, slope,
+                Separable, Square, State, PhaseSpace, is_positive_semidefinite, slope,
             };
 
             // The function is the source of all this, and the user need not call it.

@@ -47,7 +47,7 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
 
             /// The energy of a state.
             pub fn energy(&self, state: &State<#coordinates>) -> #float {
-                Hamiltonian::energy(self, state)
+                PhaseSpace::energy(self, state)
             }
 
             /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
@@ -59,7 +59,7 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 h: #float,
                 state: State<#coordinates>,
             ) -> Integrator<Self, M, #float> {
-                Hamiltonian::integrator(self, method, h, state)
+                PhaseSpace::integrator(self, method, h, state)
             }
 
             /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
@@ -120,22 +120,25 @@ pub(super) fn hamiltonian(
     let markers = proven.iter().filter(|(holds, _)| *holds).map(|(_, marker)| marker);
     quote! {
         #(impl<R: #bounds> #markers<R> for #name {})*
-        impl<R: #bounds> Hamiltonian<R> for #name {
+        impl<R: #bounds> PhaseSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
+            type Action = ();
 
             #[inline]
-            fn hamiltonian(&self, t: R, q: &#array, p: &#array) -> R {
+            fn hamiltonian(&self, t: R, q: &#array, p: &#array, _: &()) -> R {
                 #value
             }
+            fn outside_domain(&self, t: R, q: &#array, p: &#array, _: &()) -> ::core::option::Option<&'static str> {
+                #outside
+            }
+        }
+        impl<R: #bounds> Hamiltonian<R> for #name {
             #[inline]
             fn gradient(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
                 #slopes
             }
             #rate
-            fn outside_domain(&self, t: R, q: &#array, p: &#array) -> ::core::option::Option<&'static str> {
-                #outside
-            }
         }
     }
 }
