@@ -62,7 +62,7 @@ struct Motion {
 impl Motion {
     fn new<S>(name: &'static str, system: S, h: f64, start: State<S::Coordinates>) -> Self
     where
-        S: Separable,
+        S: Hamiltonian + Separable,
         DiscreteGradient: Method<S>,
     {
         let runs = [

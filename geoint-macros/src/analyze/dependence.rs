@@ -8,18 +8,19 @@ use std::collections::BTreeSet;
 pub(crate) struct Reads {
     pub(crate) q: bool,
     pub(crate) p: bool,
+    pub(crate) s: bool,
     pub(crate) t: bool,
 }
 
 impl Reads {
-    /// Whether a position or momentum is read.
+    /// Whether a position, a momentum or the action is read.
     pub(crate) fn state(self) -> bool {
-        self.q || self.p
+        self.q || self.p || self.s
     }
 
     /// What one or the other reads.
     pub(crate) fn or(self, other: Reads) -> Reads {
-        Reads { q: self.q || other.q, p: self.p || other.p, t: self.t || other.t }
+        Reads { q: self.q || other.q, p: self.p || other.p, s: self.s || other.s, t: self.t || other.t }
     }
 }
 
@@ -33,6 +34,7 @@ impl Dependence {
             let own = match graph.node(id) {
                 Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
                 Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
+                Node::Symbol(Symbol::S | Symbol::Ds) => Reads { s: true, ..Reads::default() },
                 Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
                 node => {
                     let mut all = Reads::default();

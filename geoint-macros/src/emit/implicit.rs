@@ -17,8 +17,8 @@ fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
 fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::T | Symbol::H => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) => 2,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T | Symbol::H => 1,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
     }
 }
 

@@ -95,11 +95,12 @@ impl Context<'_> {
         match symbol {
             Symbol::Q(i) => place(quote!(q), &self.coordinate(i)),
             Symbol::P(i) => place(quote!(p), &self.coordinate(i)),
+            Symbol::S => quote!(*s),
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
             Symbol::Parameter(i) => self.parameter(i),
             // Increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Dp(_) => TokenStream::new(),
+            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => TokenStream::new(),
         }
     }
 
@@ -116,10 +117,12 @@ impl Context<'_> {
         match symbol {
             Symbol::Q(i) => of_role(Role::Position, i),
             Symbol::P(i) => of_role(Role::Momentum, i),
+            Symbol::S => of_role(Role::Action, 0),
             Symbol::T => of_role(Role::Time, 0),
             Symbol::H => "h".into(),
             Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
             Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
+            Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),
             Symbol::Parameter(index) => {
                 let mut rest = index as usize;
                 for argument in self.energy.parameters() {

@@ -176,6 +176,8 @@ impl Writer<'_> {
             Operand::Input(Symbol::Parameter(i)) => format_ident!("a{i}"),
             Operand::Input(Symbol::Dq(i)) => format_ident!("dq{i}"),
             Operand::Input(Symbol::Dp(i)) => format_ident!("dp{i}"),
+            Operand::Input(Symbol::S) => format_ident!("action"),
+            Operand::Input(Symbol::Ds) => format_ident!("ds"),
             // Not `p0`, as momenta are called.
             Operand::Slot(level, i) => format_ident!("{}_{i}", SLOTS[level]),
             _ => format_ident!("k{}", self.names.len()),

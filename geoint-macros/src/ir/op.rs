@@ -7,6 +7,8 @@ pub(crate) enum Symbol {
     Q(u32),
     /// A momentum.
     P(u32),
+    /// The action of a contact system.
+    S,
     /// Time.
     T,
     /// A scalar of a parameter, or a constant that the macro cannot see into.
@@ -17,12 +19,14 @@ pub(crate) enum Symbol {
     Dq(u32),
     /// The increment of a momentum over a step.
     Dp(u32),
+    /// The increment of the action over a step.
+    Ds,
 }
 
 impl Symbol {
-    /// Whether this is a position or a momentum.
+    /// Whether this is a position, a momentum or the action.
     pub(crate) fn is_coordinate(self) -> bool {
-        matches!(self, Symbol::Q(_) | Symbol::P(_))
+        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::S)
     }
 }
 

@@ -33,6 +33,8 @@ pub(crate) struct Lowered {
     pub(crate) energy: Id,
     /// The square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
+    /// The pieces that the user wants, and where they are written.
+    pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
     /// Nodes that are not defined everywhere and are computed whatever the conditions are, simplified away or not.
@@ -91,11 +93,16 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let arguments = lowering.scopes.clone();
     let value = lowering.block(&energy.item.block);
     let root = lowering.real(&energy.item.block, value);
-    // Damping sees the arguments as they were given.
+    // Damping and pieces see the arguments as they were given.
     lowering.scopes = arguments;
     let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
+    let group = |lowering: &mut Lowering, expr: &syn::Expr| {
+        let value = lowering.expr(expr);
+        (lowering.real(expr, value), place(expr))
+    };
+    let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| group(&mut lowering, expr)).collect());
     let Lowering { graph, errors, places, partial, constants, .. } = lowering;
-    errors.or(Lowered { graph, energy: root, damping, places, partial, constants })
+    errors.or(Lowered { graph, energy: root, damping, groups, places, partial, constants })
 }
 
 /// The evaluator.

@@ -13,11 +13,19 @@ use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 use shape::{float_type, plain, shape};
 use syn::ext::IdentExt;
-use syn::parse::{Parse, Parser};
+use syn::parse::{ParseStream, Parser};
 use syn::{FnArg, ItemFn, Pat, ReturnType, Type};
+
+/// What kind of system an attribute makes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    Hamiltonian,
+    Contact,
+}
 
 /// An annotated function, understood up to its body.
 pub(crate) struct Energy {
+    pub(crate) form: Form,
     pub(crate) item: ItemFn,
     /// The generated struct.
     pub(crate) name: Ident,
@@ -32,6 +40,10 @@ pub(crate) struct Energy {
     pub(crate) requirements: Vec<(Requirement, Span)>,
     /// The coefficients of damping, in terms of the arguments.
     pub(crate) damping: Option<syn::Expr>,
+    /// How a contact Hamiltonian is to be split into pieces, in terms of the arguments.
+    pub(crate) split: Option<Vec<syn::Expr>>,
+    /// Whether momenta of a contact Hamiltonian are not followed.
+    pub(crate) lift: Option<Span>,
 }
 
 /// What an argument of the function is.
@@ -39,6 +51,7 @@ pub(crate) struct Energy {
 pub(crate) enum Role {
     Position,
     Momentum,
+    Action,
     Time,
     Parameter,
 }
@@ -68,6 +81,7 @@ impl Energy {
         let symbol = |i: usize| match role {
             Role::Position => Symbol::Q(i as u32),
             Role::Momentum => Symbol::P(i as u32),
+            Role::Action => Symbol::S,
             Role::Time => Symbol::T,
             Role::Parameter => Symbol::Parameter((before + i) as u32),
         };
@@ -97,14 +111,14 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
 }
 
 /// Reads the attribute's arguments and the signature.
-pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
-    let options = Options::parse.parse2(args)?;
+pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
+    let options = (|input: ParseStream<'_>| Options::parse(form, input)).parse2(args)?;
     let mut errors = Diagnostics::default();
     plain_function(&item, &mut errors);
     // What follows from a parameter of the signature is not a mistake of its own.
     let mut errors = errors.or(Diagnostics::default())?;
     let float = returned_float(&item, &mut errors);
-    let arguments = arguments(&item, &options, &float, &mut errors);
+    let arguments = arguments(form, &item, &options, &float, &mut errors);
     let coordinates = coordinates(&item, &options, &arguments, &mut errors);
     let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
@@ -116,8 +130,8 @@ pub(crate) fn energy(args: TokenStream, item: ItemFn) -> Result<Energy> {
     }
     match coordinates {
         Some(coordinates) => {
-            let Options { requirements, damping, .. } = options;
-            errors.or(Energy { name, runtime, float, coordinates, arguments, requirements, damping, item })
+            let Options { requirements, damping, split, lift, .. } = options;
+            errors.or(Energy { form, name, runtime, float, coordinates, arguments, requirements, damping, split, lift, item })
         }
         None => Err(errors),
     }
@@ -162,7 +176,13 @@ fn returned_float(item: &ItemFn, errors: &mut Diagnostics) -> Ident {
     format_ident!("f64")
 }
 
-fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagnostics) -> Vec<(Role, Argument)> {
+fn arguments(
+    form: Form,
+    item: &ItemFn,
+    options: &Options,
+    float: &Ident,
+    errors: &mut Diagnostics,
+) -> Vec<(Role, Argument)> {
     let renamed = |role: Role| options.roles.iter().find(|(r, _)| *r == role).map(|(_, name)| name);
     let mut refused: Vec<String> = vec![];
     let mut arguments: Vec<(Role, Argument)> = vec![];
@@ -175,6 +195,10 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
         let name = &pattern.ident;
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
         let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
+        if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
+            errors.at(name, ACTION);
+            continue;
+        }
         let role = match (explicit, by_name) {
             (Some(role), _) => role,
             (None, Some((default, letter, _))) => match renamed(*default) {
@@ -194,6 +218,10 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
                 errors
                     .at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
             }
+            Ok(shape) if role == Role::Action && !shape.extents.is_empty() => {
+                errors
+                    .at(&typed.ty, format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`"));
+            }
             Ok(shape) => arguments.push((role, Argument { name: name.clone(), ty: (*typed.ty).clone(), shape })),
             // One message a type: q and p share theirs.
             Err(error) => {
@@ -209,6 +237,9 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
         if let Some((other, _)) = options.roles[..i].iter().find(|(_, n)| n == name) {
             let message = match (role, other) {
                 (Role::Time, _) | (_, Role::Time) => format!("`{name}` is time and cannot be a coordinate as well"),
+                (Role::Action, _) | (_, Role::Action) => {
+                    format!("`{name}` is the action and cannot be a coordinate as well")
+                }
                 _ => format!("`{name}` cannot be both positions and momenta"),
             };
             errors.at(name, message);
@@ -231,8 +262,15 @@ fn arguments(item: &ItemFn, options: &Options, float: &Ident, errors: &mut Diagn
 }
 
 /// Who an argument is by its name alone.
-const DEFAULTS: [(Role, &str, &str); 3] =
-    [(Role::Position, "q", "the positions"), (Role::Momentum, "p", "the momenta"), (Role::Time, "t", "time")];
+const DEFAULTS: [(Role, &str, &str); 4] = [
+    (Role::Position, "q", "the positions"),
+    (Role::Momentum, "p", "the momenta"),
+    (Role::Action, "s", "the action"),
+    (Role::Time, "t", "time"),
+];
+
+const ACTION: &str = "`s` is the action of a contact system: for a system that dissipates by it use `#[contact_hamiltonian]`; a \
+                      parameter needs another name";
 
 /// Whether an argument has a name, or that name as an argument that is not used.
 fn is_called(name: &Ident, default: &str) -> bool {

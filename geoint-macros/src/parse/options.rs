@@ -1,7 +1,7 @@
 //! The arguments of the attribute.
 
-use super::Role;
-use proc_macro2::{Ident, Span};
+use super::{Form, Role};
+use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
@@ -15,13 +15,18 @@ pub(super) struct Options {
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
+    pub(super) split: Option<Vec<syn::Expr>>,
+    pub(super) lift: Option<Span>,
 }
 
-const OPTIONS: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                       `damping = coefficients`, `crate = path` and `require(separable, quadratic_kinetic)`";
+const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
+                           `damping = coefficients`, `crate = path` and `require(separable, quadratic_kinetic)`";
 
-impl Parse for Options {
-    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
+                       `t = argument`, `split = \"terms | terms\"`, `lift` and `crate = path`";
+
+impl Options {
+    pub(super) fn parse(form: Form, input: ParseStream<'_>) -> syn::Result<Self> {
         let mut options = Options::default();
         let mut given: Vec<Ident> = vec![];
         while !input.is_empty() {
@@ -30,8 +35,9 @@ impl Parse for Options {
                 return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
             }
             given.push(key.clone());
+            let contact = form == Form::Contact;
             match key.to_string().as_str() {
-                "require" => {
+                "require" if !contact => {
                     let inner;
                     syn::parenthesized!(inner in input);
                     for name in Punctuated::<Ident, Token![,]>::parse_terminated(&inner)? {
@@ -50,27 +56,56 @@ impl Parse for Options {
                     input.parse::<Token![=]>()?;
                     options.runtime = Some(input.parse()?);
                 }
+                "damping" if contact => {
+                    let message = "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`";
+                    return Err(syn::Error::new_spanned(key, message));
+                }
+                "split" if contact => {
+                    input.parse::<Token![=]>()?;
+                    options.split = Some(groups(&input.parse()?)?);
+                }
+                "lift" if contact => options.lift = Some(key.span()),
                 "damping" => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                name @ ("name" | "q" | "p" | "t") => {
+                name @ ("name" | "q" | "p" | "s" | "t") if contact || name != "s" => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
                         "name" => options.name = Some(value),
                         "q" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
+                        "s" => options.roles.push((Role::Action, value)),
                         _ => options.roles.push((Role::Time, value)),
                     }
                 }
-                _ => return Err(syn::Error::new_spanned(key, OPTIONS)),
+                _ => return Err(syn::Error::new_spanned(key, if contact { CONTACT } else { HAMILTONIAN })),
             }
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;
             }
         }
         Ok(options)
+    }
+}
+
+/// `"terms | terms"` as expressions.
+fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {
+    let groups = text.parse_with(Punctuated::<Group, Token![|]>::parse_separated_nonempty)?;
+    Ok(groups.into_iter().map(|Group(expr)| expr).collect())
+}
+
+/// An expression that ends before a `|`.
+struct Group(syn::Expr);
+
+impl Parse for Group {
+    fn parse(input: ParseStream<'_>) -> syn::Result<Self> {
+        let mut tokens = TokenStream::new();
+        while !input.is_empty() && !input.peek(Token![|]) {
+            tokens.extend([input.parse::<TokenTree>()?]);
+        }
+        syn::parse2(tokens).map(Group)
     }
 }
 

@@ -390,7 +390,7 @@ fn said(body: String) -> String {
     let run = move || {
         let item = tokens(&format!("fn energy(q: f64, p: f64) -> f64 {{ {body} }}")).expect("tokens");
         holds(quote!(), item.clone());
-        let energy = parse::energy(quote!(), syn::parse2(item).expect("a function"));
+        let energy = parse::energy(parse::Form::Hamiltonian, quote!(), syn::parse2(item).expect("a function"));
         let energy = energy.unwrap_or_else(|errors| panic!("{:?}", errors.messages()));
         lower::body(&energy).err().map_or_else(String::new, |errors| errors.messages().join("; "))
     };

@@ -59,7 +59,7 @@ fn mean_value(item: TokenStream) -> (MeanValue, Option<String>, f64) {
             Symbol::Dq(i) => values[8 + i as usize],
             Symbol::Dp(i) => values[24 + i as usize],
             Symbol::Parameter(i) => values[32 + i as usize],
-            Symbol::T | Symbol::H => values[63],
+            _ => values[63],
         }
     };
     let quadrature = |root: Id, points: u32| -> f64 {

@@ -70,8 +70,8 @@ impl Machine<'_> {
 fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::T => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) => 2,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
     }
 }
 

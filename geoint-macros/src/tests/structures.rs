@@ -18,6 +18,7 @@ fn structure(item: TokenStream) -> (Structure, Option<String>) {
     let name = |symbol| match symbol {
         Symbol::Q(i) => format!("q{i}"),
         Symbol::P(i) => format!("p{i}"),
+        Symbol::S => "s".into(),
         Symbol::T => "t".into(),
         _ => "c".into(),
     };

@@ -175,7 +175,7 @@ proptest! {
         text in arithmetic(&["q", "p", "q", "p", "t", "a", "w[1]", "0.5", "2.0"]),
         steps in prop::collection::vec(step(), 2),
     ) {
-        let energy = parse::energy(quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
+        let energy = parse::energy(parse::Form::Hamiltonian, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
         // Constants without a value are refused.
         if let Ok(lowered) = lower::body(&energy) {
             let mut tree = Tree::new(lowered);

@@ -1,0 +1,135 @@
+//! An expression as a sum of powers of some of its symbols, with coefficients that are free of them.
+
+use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use std::collections::BTreeMap;
+
+/// Which symbols to which powers; those to the power 0 left out.
+pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
+
+/// Σ coefficient·monomial. Powers may be negative, or half of an odd number.
+#[derive(Clone, Debug)]
+pub(super) struct Polynomial(BTreeMap<Vec<(Symbol, (i128, i128))>, (Monomial, Id)>);
+
+/// Products of sums have this many terms at most.
+const MAX_TERMS: usize = 64;
+
+impl Polynomial {
+    /// `root` as powers of the symbols that `counts` picks, if it is such a sum.
+    pub(super) fn of(graph: &mut Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> Option<Polynomial> {
+        match graph.node(root).clone() {
+            Node::Symbol(symbol) if counts(symbol) => {
+                let one = graph.integer(1);
+                Some(Self::term(Monomial::from([(symbol, Ratio::ONE)]), one))
+            }
+            _ if is_free(graph, root, counts) => Some(Self::term(Monomial::new(), root)),
+            Node::Linear(constant, terms) => {
+                let constant = graph.number(constant);
+                let mut sum = Self::term(Monomial::new(), constant);
+                for (c, term) in terms {
+                    for (monomial, coefficient) in Self::of(graph, term, counts)?.0.into_values() {
+                        let coefficient = graph.scale(c, coefficient);
+                        sum.add(graph, monomial, coefficient);
+                    }
+                }
+                Some(sum.cleaned(graph))
+            }
+            Node::Product(ids) => {
+                let one = graph.integer(1);
+                ids.into_iter().try_fold(Self::term(Monomial::new(), one), |product, id| {
+                    let factor = Self::of(graph, id, counts)?;
+                    product.times(graph, &factor)
+                })
+            }
+            Node::Power(base, exponent) => {
+                let base = Self::of(graph, base, counts)?;
+                if let Some((monomial, coefficient)) = base.single() {
+                    let powers: Option<Monomial> =
+                        monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
+                    // √(x²) is |x|.
+                    let signed = exponent.is_integer() || monomial.values().all(|r| !r.is_integer());
+                    let plain = monomial.values().all(|r| *r == Ratio::ONE);
+                    if signed || plain && is_one(graph, coefficient) {
+                        let coefficient = graph.pow(coefficient, exponent);
+                        return Some(Self::term(powers?, coefficient));
+                    }
+                    return None;
+                }
+                let times = u32::try_from(exponent.numerator).ok().filter(|_| exponent.is_integer())?;
+                let one = graph.integer(1);
+                (0..times).try_fold(Self::term(Monomial::new(), one), |power, _| power.times(graph, &base))
+            }
+            _ => None,
+        }
+    }
+
+    fn term(monomial: Monomial, coefficient: Id) -> Polynomial {
+        Polynomial(BTreeMap::from([(key(&monomial), (monomial, coefficient))]))
+    }
+
+    fn add(&mut self, graph: &mut Graph, monomial: Monomial, coefficient: Id) {
+        let entry = self.0.entry(key(&monomial));
+        entry.and_modify(|(_, sum)| *sum = graph.add(*sum, coefficient)).or_insert((monomial, coefficient));
+    }
+
+    fn cleaned(mut self, graph: &Graph) -> Polynomial {
+        self.0.retain(|_, (_, coefficient)| !graph.is_zero(*coefficient));
+        self
+    }
+
+    fn times(&self, graph: &mut Graph, other: &Polynomial) -> Option<Polynomial> {
+        let mut product = Polynomial(BTreeMap::new());
+        for (left, a) in self.0.values() {
+            for (right, b) in other.0.values() {
+                let mut monomial = left.clone();
+                for (symbol, power) in right {
+                    let sum = monomial.get(symbol).map_or(Some(*power), |own| own.add(*power))?;
+                    monomial.insert(*symbol, sum);
+                }
+                monomial.retain(|_, power| power.numerator != 0);
+                let coefficient = graph.mul(*a, *b);
+                product.add(graph, monomial, coefficient);
+            }
+        }
+        (product.0.len() <= MAX_TERMS).then(|| product.cleaned(graph))
+    }
+
+    /// The terms: powers and coefficient.
+    pub(super) fn terms(&self) -> impl Iterator<Item = (&Monomial, Id)> {
+        self.0.values().map(|(monomial, coefficient)| (monomial, *coefficient))
+    }
+
+    /// The only term, if there is just one.
+    fn single(&self) -> Option<(&Monomial, Id)> {
+        let mut terms = self.terms();
+        terms.next().filter(|_| terms.next().is_none())
+    }
+
+    /// The coefficient of a product of powers; zero if there is no such term.
+    pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i64)]) -> Id {
+        let monomial: Monomial = powers.iter().map(|(symbol, power)| (*symbol, Ratio::integer(*power))).collect();
+        self.0.get(&key(&monomial)).map_or_else(|| graph.zero(), |(_, coefficient)| *coefficient)
+    }
+
+    /// Whether all terms have one of these powers.
+    pub(super) fn has_only(&self, allowed: impl Fn(&Monomial) -> bool) -> bool {
+        self.terms().all(|(monomial, _)| allowed(monomial))
+    }
+}
+
+fn key(monomial: &Monomial) -> Vec<(Symbol, (i128, i128))> {
+    monomial.iter().map(|(symbol, r)| (*symbol, (i128::from(r.numerator), i128::from(r.denominator)))).collect()
+}
+
+fn is_one(graph: &Graph, id: Id) -> bool {
+    graph.as_number(id).is_some_and(|x| x.to_f64() == 1.0)
+}
+
+/// Whether a node reads none of the symbols.
+pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
+    graph.reachable(&[root]).into_iter().all(|id| !matches!(graph.node(id), Node::Symbol(symbol) if counts(*symbol)))
+}
+
+/// The exponents of one symbol in a monomial.
+pub(super) fn power(monomial: &Monomial, symbol: Symbol) -> Ratio {
+    monomial.get(&symbol).copied().unwrap_or(Ratio::integer(0))
+}
