@@ -11,7 +11,7 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{MeanValue, Structure};
+use crate::analyze::Structure;
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
@@ -32,14 +32,8 @@ pub(crate) fn items(
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let points = match structure.mean_value {
-        MeanValue::Tree => Some(0),
-        MeanValue::Gauss(points) => Some(points),
-        MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
-    };
     let discrete = (&derivatives.discrete, &field.unknowns[..]);
-    let (discrete, discrete_cost) =
-        implicit::discrete_field(context, graph, discrete, (structure.linear(), points), &bounds);
+    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, structure, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
@@ -58,7 +52,7 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
+                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real,
                 Separable, Square, State, is_positive_semidefinite, slope,
             };
 

@@ -62,7 +62,7 @@ struct Spring;
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
         State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
@@ -234,9 +234,7 @@ const _: () = {
         type Parameters = [R; 0];
         type Start = [R; 11];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            0,
-        );
+        const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self) -> [R; 0] {
             []

@@ -59,7 +59,7 @@ struct Coupled;
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
         State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
@@ -177,9 +177,7 @@ const _: () = {
         type Parameters = [R; 0];
         type Start = [R; 8];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            2,
-        );
+        const MEAN: Mean = Mean::Gauss(2);
         #[inline]
         fn parameters(&self) -> [R; 0] {
             []
