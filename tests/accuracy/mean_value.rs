@@ -3,7 +3,7 @@
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Hamiltonian, Method, Real};
 use geoint_tests::measure::{Noise, distance};
-use geoint_tests::problems::flat;
+use geoint_tests::problems::{HenonHeiles, flat};
 use geoint_tests::scalars::Double;
 
 /// Functions of linear forms beside a polynomial in several coordinates, of degree 4.
@@ -82,8 +82,9 @@ fn energy_is_kept_where_the_mean_is_exact() {
 #[test]
 fn reports_say_which_mean_is_exact() {
     let lines = [
-        (Mixed::REPORT, "`MeanValue` has a closed form from `MeanValue::<2>` on"),
-        (Coupled::REPORT, "`MeanValue` has a closed form from `MeanValue::<3>` on"),
+        (HenonHeiles::REPORT, "`MeanValue::<2>` is exact: Gauss points"),
+        (Mixed::REPORT, "`MeanValue::<2>` is exact: `DiscreteGradient` over parts of a step"),
+        (Coupled::REPORT, "`MeanValue::<3>` is exact: `DiscreteGradient` over parts of a step"),
         (
             Control::REPORT,
             "`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for sin(q[0]·q[1])",

@@ -177,16 +177,9 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         _ if structure.damping.is_some() => Ok(()),
         MeanValue::Parts(1) => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
         MeanValue::Parts(parts) => {
-            writeln!(
-                text,
-                "- `MeanValue` has a closed form from `MeanValue::<{parts}>` on: `DiscreteGradient` over up to {parts} parts of a step, \
-                 extrapolated"
-            )
+            writeln!(text, "- `MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
         }
-        MeanValue::Gauss(points) => {
-            let plural = if points == 1 { "" } else { "s" };
-            writeln!(text, "- `MeanValue` is exact with {points} Gauss point{plural}")
-        }
+        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
         MeanValue::NotClosed(term) => {
             let term = printer.excerpt(term);
             writeln!(
