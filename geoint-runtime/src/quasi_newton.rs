@@ -3,6 +3,7 @@
 use crate::array::{Array, Square};
 use crate::linear;
 use crate::method::Refusal;
+use crate::newton::relative_square;
 use crate::real::Real;
 
 /// Reached only where there is no convergence worth the name.
@@ -35,7 +36,7 @@ pub(crate) fn solve<A: Array>(
             return Err(if delta.is_finite() { Refusal::Singular } else { not_converged });
         };
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
-        let correction = relative(&delta, &x, origin);
+        let correction = relative_square(&delta, &x, origin).sqrt();
         let next = correction * (correction / before);
         let stuck = correction >= before && correction * correction <= epsilon;
         if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck) {
@@ -47,22 +48,4 @@ pub(crate) fn solve<A: Array>(
         before = correction;
     }
     Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: before })
-}
-
-/// The largest entry of `delta`, each relative to the entry of `origin + x` that it corrects; of that no less counts than a
-/// millionth of the largest one.
-#[inline(always)]
-fn relative<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
-    let size = |i: usize| origin.as_slice()[i].magnitude() + x.as_slice()[i].magnitude();
-    let least = 1e-6 * (0..A::LEN).map(size).fold(0.0, f64::max);
-    let mut largest = 0.0;
-    for (i, change) in delta.as_slice().iter().enumerate() {
-        let change = change.magnitude();
-        let ratio = change / size(i).max(least);
-        // Not `max`: that would lose a NaN. Nothing to correct is no correction, even of zero.
-        if change != 0.0 && (ratio > largest || ratio.is_nan()) {
-            largest = ratio;
-        }
-    }
-    largest
 }
