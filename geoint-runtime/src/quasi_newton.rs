@@ -12,6 +12,9 @@ const MAX_ITERATIONS: u32 = 100;
 /// An error of so many roundings cannot be seen in the result.
 const LEFT_OVER: f64 = 1.0 / 1024.0;
 
+/// A correction of so many roundings that does not shrink any more is nothing else.
+const ROUNDINGS: f64 = 1024.0;
+
 /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on.
 ///
 /// `residual` writes the residual and a matrix near its derivative. What is left after a correction is about the next one:
@@ -38,8 +41,10 @@ pub(crate) fn solve<A: Array>(
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         let correction = relative_square(&delta, &x, origin).sqrt();
         let next = correction * (correction / before);
-        let stuck = correction >= before && correction * correction <= epsilon;
-        if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck) {
+        // On the way, too, a correction may now and then be larger than the one before.
+        let stuck = correction >= before && correction <= ROUNDINGS * epsilon;
+        let last = iterations == MAX_ITERATIONS && correction * correction <= epsilon;
+        if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck || last) {
             return if positive { Ok(x) } else { Err(Refusal::Singular) };
         }
         if !correction.is_finite() {

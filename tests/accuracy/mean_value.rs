@@ -38,10 +38,10 @@ macro_rules! with_masses {
 const START: State<[f64; 2]> = State { q: [0.9, -0.4], p: [0.3, 0.8], t: 0.0 };
 
 /// The largest relative error of the energy in 2000 steps, and what the method claims.
-fn energy<S: Hamiltonian<Coordinates = [f64; 2]>, M: Method<S>>(system: S, method: M) -> (f64, bool) {
+fn energy<S: Hamiltonian<Coordinates = [f64; 2]>, M: Method<S>>(system: S, method: M, h: f64) -> (f64, bool) {
     let claims = method.claims().conserves_energy;
     let before = system.energy(&START);
-    let mut sim = system.integrator(method, 0.1, START);
+    let mut sim = system.integrator(method, h, START);
     let largest = sim
         .sampled(1)
         .take(2000)
@@ -50,8 +50,8 @@ fn energy<S: Hamiltonian<Coordinates = [f64; 2]>, M: Method<S>>(system: S, metho
 }
 
 macro_rules! energies {
-    ($($System:ident, $method:expr => $expected:expr;)*) => { $({
-        let (observed, claims) = energy(with_masses!($System), $method);
+    ($($System:ident, $method:expr, $h:expr => $expected:expr;)*) => { $({
+        let (observed, claims) = energy(with_masses!($System), $method, $h);
         println!(concat!(stringify!($System), " ", stringify!($method), " {:.1e}"), observed);
         let expected: core::ops::Range<f64> = $expected;
         assert!(expected.contains(&observed), concat!(stringify!($System), " ", stringify!($method), " {:e}"), observed);
@@ -63,19 +63,21 @@ macro_rules! energies {
 #[test]
 fn energy_is_kept_where_the_mean_is_exact() {
     energies! {
-        Mixed, MeanValue::<2> => 0.0..1e-14;
-        Mixed, MeanValue::<5> => 0.0..1e-14;
-        Mixed, FourthOrder(MeanValue::<2>) => 0.0..1e-14;
-        Mixed, Suzuki4.of(MeanValue::<2>) => 0.0..1e-14;
-        Coupled, MeanValue::<3> => 0.0..1e-14;
-        Coupled, FourthOrder(MeanValue::<4>) => 0.0..1e-14;
+        Mixed, MeanValue::<2>, 0.1 => 0.0..1e-14;
+        Mixed, MeanValue::<5>, 0.1 => 0.0..1e-14;
+        Mixed, FourthOrder(MeanValue::<2>), 0.1 => 0.0..1e-14;
+        // Steps in which the iteration shrinks slowly, and not in every turn.
+        Mixed, FourthOrder(MeanValue::<2>), 0.25 => 0.0..1e-13;
+        Mixed, Suzuki4.of(MeanValue::<2>), 0.1 => 0.0..1e-14;
+        Coupled, MeanValue::<3>, 0.1 => 0.0..1e-14;
+        Coupled, FourthOrder(MeanValue::<4>), 0.1 => 0.0..1e-14;
         // Too few points.
-        Mixed, MeanValue::<1> => 1e-5..1.0;
-        Coupled, MeanValue::<2> => 1e-8..1.0;
+        Mixed, MeanValue::<1>, 0.1 => 1e-5..1.0;
+        Coupled, MeanValue::<2>, 0.1 => 1e-8..1.0;
         // No number of points is enough.
-        Control, MeanValue::<1> => 1e-5..1.0;
-        Control, MeanValue::<2> => 1e-9..1e-5;
-        Control, FourthOrder(MeanValue::<2>) => 1e-9..1e-5;
+        Control, MeanValue::<1>, 0.1 => 1e-5..1.0;
+        Control, MeanValue::<2>, 0.1 => 1e-9..1e-5;
+        Control, FourthOrder(MeanValue::<2>), 0.1 => 1e-9..1e-5;
     }
 }
 
