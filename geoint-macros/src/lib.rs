@@ -11,6 +11,7 @@ mod analyze;
 mod check;
 mod diff;
 mod schedule;
+mod split;
 mod emit;
 mod expand;
 #[cfg(test)]
@@ -101,5 +102,49 @@ use proc_macro::TokenStream;
 /// `advance`, once in 1024 steps at least.
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
-    expand::hamiltonian(args.into(), item.into()).into()
+    expand::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
+}
+
+/// Makes an integrable system from a contact Hamiltonian H(q, p, s), or H(q, p, s, t): energy that is lost or driven.
+///
+/// The equations are q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H; H itself changes by H' = −H ∂H/∂s + ∂H/∂t. With
+/// H = p²/2m + V(q) + γs this is a particle with friction, p' = −V'(q) − γp, and s is its action.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A pendulum in a viscous medium; q in rad, p in kg m²/s.
+/// #[contact_hamiltonian]
+/// fn damped_pendulum(q: f64, p: f64, s: f64, m: f64, l: f64, g: f64, gamma: f64) -> f64 {
+///     p * p / (2.0 * m * l * l) - m * g * l * q.cos() + gamma * s
+/// }
+///
+/// let system = DampedPendulum { m: 1.0, l: 1.0, g: 9.81, gamma: 0.1 };
+/// let mut sim = system.integrator(ContactSplitting, 0.01, ContactState::new(2.0, 0.0, 0.0));
+/// sim.advance(1000)?;
+/// println!("{:?}", sim.state());
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The function's arguments and body are as for [`macro@hamiltonian`], with `s` for the action, a scalar.
+///
+/// # Pieces
+///
+/// H is taken apart into the fewest pieces whose flows are known in closed form; `REPORT` lists them, with the rule behind each
+/// and their order in a step. Steps go through the flows and back, the most expensive one in the middle. A coefficient that
+/// depends on time is integrated exactly where its antiderivative is elementary, otherwise frozen in the middle of a step.
+/// Where a term is in no such piece, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
+///
+/// # Arguments of the attribute
+///
+/// - `name = Type`: the name of the struct.
+/// - `q = x`, `p = px`, `s = z`, `t = time`: other names for positions, momenta, action and time.
+/// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
+///   which add up to H.
+/// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
+///   which would blow up in finite time: they stay what they are, and the energy has no meaning.
+/// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+#[proc_macro_attribute]
+pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::expand(parse::Form::Contact, args.into(), item.into()).into()
 }

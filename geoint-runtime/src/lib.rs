@@ -68,6 +68,7 @@ pub mod tableau;
 pub mod gauss;
 pub mod discrete_gradient;
 pub mod kahan;
+pub mod contact;
 pub mod explicit;
 pub mod runge_kutta;
 pub mod invariants;
@@ -84,6 +85,8 @@ pub use adaptive::Adaptive;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
+pub use contact::{Contact, ContactSplitting, Pieces};
+#[doc(inline)]
 pub use discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
     SymmetrisedItohAbe,
@@ -94,7 +97,7 @@ pub use error::{Reason, StepError};
 pub use explicit::ExplicitEuler;
 #[doc(inline)]
 pub use gauss::{Gauss, ImplicitMidpoint};
-pub use geoint_macros::hamiltonian;
+pub use geoint_macros::{contact_hamiltonian, hamiltonian};
 #[doc(inline)]
 pub use integrator::Integrator;
 #[doc(inline)]
@@ -124,9 +127,9 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
+        Adaptive, ContactSplitting, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan,
         MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, hamiltonian,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

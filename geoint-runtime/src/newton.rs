@@ -249,7 +249,7 @@ fn within<A: Array>(delta: &A, x: &A, origin: &A, bound: f64) -> bool {
 
 /// The square of the largest entry of `delta`, each relative to the entry of `origin + x` that it corrects.
 #[inline(always)]
-fn relative_square<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
+pub(crate) fn relative_square<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
     let size = sizes(x, origin);
     let mut correction = 0.0;
     for i in 0..A::LEN {

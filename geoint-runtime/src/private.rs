@@ -2,6 +2,7 @@
 
 pub use crate::adaptive::Adaptive;
 pub use crate::array::{Array, Square};
+pub use crate::contact::{Clock, Contact, Piece, Pieces};
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;
@@ -9,5 +10,5 @@ pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, PhaseSpace, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, PhaseSpace, QuadraticKinetic, Separable,
 };

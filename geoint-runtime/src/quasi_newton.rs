@@ -3,6 +3,7 @@
 use crate::array::{Array, Square};
 use crate::linear;
 use crate::method::Refusal;
+use crate::newton::relative_square;
 use crate::real::Real;
 
 /// Reached only where there is no convergence worth the name.
@@ -10,6 +11,9 @@ const MAX_ITERATIONS: u32 = 100;
 
 /// An error of so many roundings cannot be seen in the result.
 const LEFT_OVER: f64 = 1.0 / 1024.0;
+
+/// A correction of so many roundings that does not shrink any more is nothing else.
+const ROUNDINGS: f64 = 1024.0;
 
 /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on.
 ///
@@ -35,10 +39,12 @@ pub(crate) fn solve<A: Array>(
             return Err(if delta.is_finite() { Refusal::Singular } else { not_converged });
         };
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
-        let correction = relative(&delta, &x, origin);
+        let correction = relative_square(&delta, &x, origin).sqrt();
         let next = correction * (correction / before);
-        let stuck = correction >= before && correction * correction <= epsilon;
-        if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck) {
+        // On the way, too, a correction may now and then be larger than the one before.
+        let stuck = correction >= before && correction <= ROUNDINGS * epsilon;
+        let last = iterations == MAX_ITERATIONS && correction * correction <= epsilon;
+        if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck || last) {
             return if positive { Ok(x) } else { Err(Refusal::Singular) };
         }
         if !correction.is_finite() {
@@ -47,22 +53,4 @@ pub(crate) fn solve<A: Array>(
         before = correction;
     }
     Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: before })
-}
-
-/// The largest entry of `delta`, each relative to the entry of `origin + x` that it corrects; of that no less counts than a
-/// millionth of the largest one.
-#[inline(always)]
-fn relative<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
-    let size = |i: usize| origin.as_slice()[i].magnitude() + x.as_slice()[i].magnitude();
-    let least = 1e-6 * (0..A::LEN).map(size).fold(0.0, f64::max);
-    let mut largest = 0.0;
-    for (i, change) in delta.as_slice().iter().enumerate() {
-        let change = change.magnitude();
-        let ratio = change / size(i).max(least);
-        // Not `max`: that would lose a NaN. Nothing to correct is no correction, even of zero.
-        if change != 0.0 && (ratio > largest || ratio.is_nan()) {
-            largest = ratio;
-        }
-    }
-    largest
 }

@@ -156,6 +156,17 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> [Self::Array; 2];
 }
 
+/// How the mean of ∇H along a line is had: exactly, if H is a sum of functions of linear forms and of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mean {
+    /// By so many points of Gauss: H is a polynomial.
+    Gauss(usize),
+    /// By extrapolation of ∇̄H over the parts of the line in 1, 2, … so many; with 1 it is ∇̄H.
+    Parts(usize),
+    /// No closed form is known.
+    NotClosed,
+}
+
 /// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
 /// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
 ///
@@ -167,8 +178,8 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Start: Copy + core::fmt::Debug;
     /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
     const LINEAR: bool;
-    /// The number of Gauss points with which the mean of ∇H along the line from y to y + d is exact, 0 if it is ∇̄H; if known.
-    const MEAN_POINTS: Option<usize> = None;
+    /// How the mean of ∇H along the line from y to y + d is had.
+    const MEAN: Mean = Mean::NotClosed;
 
     /// What depends on parameters only.
     fn parameters(&self) -> Self::Parameters;

@@ -8,4 +8,5 @@ mod orders;
 mod corrected;
 mod geometry;
 mod discrete_gradients;
+mod mean_value;
 mod clock;

@@ -18,6 +18,23 @@ impl Reads {
         self.q || self.p || self.s
     }
 
+    /// What reading a symbol is.
+    pub(crate) fn of(symbol: Symbol) -> Reads {
+        let none = Reads::default();
+        match symbol {
+            Symbol::Q(_) | Symbol::Dq(_) => Reads { q: true, ..none },
+            Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
+            Symbol::S | Symbol::Ds => Reads { s: true, ..none },
+            Symbol::T => Reads { t: true, ..none },
+            Symbol::Parameter(_) | Symbol::H => none,
+        }
+    }
+
+    /// How many of q, p and s are read.
+    pub(crate) fn kinds(self) -> usize {
+        [self.q, self.p, self.s].into_iter().filter(|reads| *reads).count()
+    }
+
     /// What one or the other reads.
     pub(crate) fn or(self, other: Reads) -> Reads {
         Reads { q: self.q || other.q, p: self.p || other.p, s: self.s || other.s, t: self.t || other.t }
@@ -32,10 +49,7 @@ impl Dependence {
         let mut reads: Vec<Reads> = Vec::with_capacity(graph.len());
         for id in graph.ids() {
             let own = match graph.node(id) {
-                Node::Symbol(Symbol::Q(_) | Symbol::Dq(_)) => Reads { q: true, ..Reads::default() },
-                Node::Symbol(Symbol::P(_) | Symbol::Dp(_)) => Reads { p: true, ..Reads::default() },
-                Node::Symbol(Symbol::S | Symbol::Ds) => Reads { s: true, ..Reads::default() },
-                Node::Symbol(Symbol::T) => Reads { t: true, ..Reads::default() },
+                Node::Symbol(symbol) => Reads::of(*symbol),
                 node => {
                     let mut all = Reads::default();
                     node.for_each_child(|child| all = all.or(reads[child.index()]));

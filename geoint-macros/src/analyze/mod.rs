@@ -112,6 +112,17 @@ impl Structure {
     }
 }
 
+/// The terms of a sum, those of sums in it included.
+pub(crate) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
+    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| false);
+    terms.into_iter().map(|term| term.build(graph)).collect()
+}
+
+/// What a node reads.
+pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
+    dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
+}
+
 /// Finds everything.
 pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Structure {
     let split = match separable::split(graph, energy) {

@@ -7,9 +7,9 @@ mod slope;
 mod sweep;
 
 use crate::analyze::Structure;
+use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use field::{Field, SecondOrder};
-#[cfg(test)]
 pub(crate) use forward::jacobian;
 
 /// The partial derivatives of a node with respect to positions and momenta.
@@ -53,4 +53,33 @@ pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32
     let discrete = field::discrete(graph, structure, degrees);
     let second_order = field::second_order(graph, &gradient, structure, degrees);
     Derivatives { gradient, field, discrete, second_order }
+}
+
+/// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.
+pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
+    // A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
+    const TIME: u32 = u32::MAX;
+    let stands_for = |symbol| match symbol {
+        Symbol::T => Some(Symbol::Q(TIME)),
+        _ => None,
+    };
+    let back = |symbol| match symbol {
+        Symbol::Q(TIME) => Some(Symbol::T),
+        Symbol::Dq(TIME) => Some(Symbol::H),
+        _ => None,
+    };
+    let root = rename(graph, root, stands_for);
+    let entries = slope::Slopes::default().gradient(graph, root);
+    let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
+    rename(graph, mean, back)
+}
+
+/// A node with some symbols called otherwise.
+fn rename(graph: &mut Graph, root: Id, new: impl Fn(Symbol) -> Option<Symbol>) -> Id {
+    Substitution::new(|graph, symbol| new(symbol).map(|symbol| graph.symbol(symbol))).apply(graph, root)
+}
+
+/// ∂root/∂symbol.
+pub(crate) fn partial(graph: &mut Graph, root: Id, symbol: Symbol) -> Id {
+    jacobian(graph, &[root], &[symbol])[0][0]
 }

@@ -149,7 +149,7 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         }
         // Conditions, not terms.
         Function::NotNegative => vec![one],
-        Function::Bounded => vec![one, g.zero()],
+        Function::Bounded | Function::AtMost => vec![one, g.zero()],
         Function::Root => {
             let reciprocal = g.recip(value);
             vec![g.scale(Number::HALF, reciprocal)]
@@ -189,14 +189,22 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             let by_a = g.add(by_a, jump);
             vec![g.div(by_a, size), g.div(by_b, size)]
         }
-        Function::SincDerivative
+        Function::Phi1 => vec![g.call(Function::Phi1Derivative, &[x])],
+        Function::StumpffC0 => {
+            let sine = g.call(Function::StumpffC1, &[x]);
+            vec![g.scale(Number::HALF.neg(), sine)]
+        }
+        Function::StumpffC1 => vec![g.call(Function::StumpffC1Derivative, &[x])],
+        Function::Phi1Derivative
+        | Function::StumpffC1Derivative
+        | Function::SincDerivative
         | Function::SinhcDerivative
         | Function::ArcDerivative
         | Function::ExpSlopeDerivative
         | Function::LnSlopeDerivative
         | Function::TanhSlopeDerivative
         | Function::PowfSlopeDerivative => {
-            unreachable!("divided differences are differentiated once, for Newton's matrix")
+            unreachable!("differentiated once: divided differences for Newton's matrix, flows for the momenta")
         }
     }
 }

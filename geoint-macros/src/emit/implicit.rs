@@ -2,6 +2,7 @@
 
 use super::kernel::{Context, place, write};
 use super::system::self_type;
+use crate::analyze::{MeanValue, Structure};
 use crate::diff::{Field, SecondOrder};
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{self, Operations};
@@ -39,7 +40,7 @@ pub(super) fn discrete_field(
     context: &Context<'_>,
     graph: &mut Graph,
     (field, start): (&Field, &[Symbol]),
-    (linear, mean_points): (bool, Option<u32>),
+    structure: &Structure,
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
     let name = self_type(context);
@@ -49,9 +50,17 @@ pub(super) fn discrete_field(
     let parameters = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let begin = context.planned(&plan.stores[1], (start, "y"), |values| quote!([#(#values),*]));
     let slope = context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(field, &places, &values));
-    let mean_points = match mean_points.map(Literal::u32_unsuffixed) {
-        Some(points) => quote!(::core::option::Option::Some(#points)),
-        None => quote!(::core::option::Option::None),
+    let linear = structure.linear();
+    let mean = match structure.mean_value {
+        MeanValue::Gauss(points) => {
+            let points = Literal::u32_unsuffixed(points);
+            quote!(Gauss(#points))
+        }
+        MeanValue::Parts(parts) => {
+            let parts = Literal::u32_unsuffixed(parts);
+            quote!(Parts(#parts))
+        }
+        MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
@@ -59,7 +68,7 @@ pub(super) fn discrete_field(
             type Parameters = [R; #prepared];
             type Start = [R; #started];
             const LINEAR: bool = #linear;
-            const MEAN_POINTS: ::core::option::Option<usize> = #mean_points;
+            const MEAN: Mean = Mean::#mean;
 
             #[inline]
             fn parameters(&self) -> [R; #prepared] {

@@ -9,11 +9,11 @@ use quote::{ToTokens, format_ident, quote};
 
 /// How kernels of one energy name things.
 pub(crate) struct Context<'a> {
-    pub(crate) energy: &'a Energy,
+    pub(super) energy: &'a Energy,
     /// Constants that live outside the function.
-    pub(crate) constants: &'a [TokenStream],
+    constants: &'a [TokenStream],
     /// What must be defined wherever the energy is.
-    pub(crate) partial: &'a [Id],
+    pub(super) partial: &'a [Id],
 }
 
 /// `base[i][j]…`
@@ -37,7 +37,11 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
     tokens.into_iter().collect()
 }
 
-impl Context<'_> {
+impl<'a> Context<'a> {
+    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream], partial: &'a [Id]) -> Self {
+        Context { energy, constants, partial }
+    }
+
     /// The indices of the `i`-th coordinate in its array.
     pub(crate) fn coordinate(&self, i: u32) -> Vec<usize> {
         let shape = &self.energy.coordinates.shape;

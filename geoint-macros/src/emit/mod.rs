@@ -3,6 +3,7 @@
 //! Tokens are built, never printed and parsed again. They name nothing but `::core` and the runtime, and what the
 //! user's own signature names.
 
+mod contact;
 mod damping;
 mod flows;
 mod implicit;
@@ -11,10 +12,11 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{MeanValue, Structure};
+use crate::analyze::Structure;
 use crate::diff::Derivatives;
-use crate::ir::Graph;
+use crate::ir::{Graph, Id};
 use crate::parse::Energy;
+pub(crate) use contact::contact_items;
 pub(crate) use damping::function;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -27,27 +29,28 @@ pub(crate) fn items(
     structure: &Structure,
     derivatives: &Derivatives,
 ) -> TokenStream {
-    let bounds = system::bounds(graph, structure);
+    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
+    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
+    let bounds = system::bounds(graph, &roots);
     let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let points = match structure.mean_value {
-        MeanValue::Tree => Some(0),
-        MeanValue::Gauss(points) => Some(points),
-        MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
-    };
     let discrete = (&derivatives.discrete, &field.unknowns[..]);
-    let (discrete, discrete_cost) =
-        implicit::discrete_field(context, graph, discrete, (structure.linear(), points), &bounds);
+    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, structure, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
     let report = report::report(context, graph, structure, derivatives, &costs);
+    let inherent = system::inherent(context, &report);
+    around(context, &report, &quote!(#inherent #hamiltonian #flows #discrete #collocation))
+}
+
+/// The struct with its docs, and implementations, in a scope of their own.
+fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
     let structure = system::structure(context, &docs);
-    let inherent = system::inherent(context, &report);
     let function = &context.energy.item.sig.ident;
     quote! {
         #structure
@@ -58,8 +61,9 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
-                Separable, Square, State, PhaseSpace, is_positive_semidefinite, slope,
+                Adaptive, Array, Autonomous, Clock, Collocation, Conservative, Contact, ContactState, Cubic, DiscreteField,
+                Hamiltonian, Integrator, Mean, Method, PhaseSpace, Piece, Pieces, QuadraticKinetic, Real, Separable, Square, State,
+                is_positive_semidefinite, slope,
             };
 
             // The function is the source of all this, and the user need not call it.
@@ -67,11 +71,7 @@ pub(crate) fn items(
                 let _ = #function;
             };
 
-            #inherent
-            #hamiltonian
-            #flows
-            #discrete
-            #collocation
+            #implementations
         };
     }
 }

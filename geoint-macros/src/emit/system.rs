@@ -2,11 +2,11 @@
 
 use super::damping;
 use super::kernel::{Context, write};
-use crate::analyze::Structure;
+use crate::analyze::{self, Damping, Structure};
 use crate::diff::Derivatives;
 use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, print::Printer};
-use crate::parse::{Energy, over_scalar};
+use crate::parse::{Energy, Form, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 use std::collections::HashSet;
@@ -84,12 +84,10 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
 }
 
 /// What kernels ask of their scalar: comparisons only if the energy, or damping, has branches.
-pub(super) fn bounds(graph: &Graph, structure: &Structure) -> TokenStream {
-    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
-    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
+pub(super) fn bounds(graph: &Graph, roots: &[Id]) -> TokenStream {
     let compares =
         |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(&roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
+    if graph.reachable(roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
 }
 
 pub(super) fn hamiltonian(
@@ -102,7 +100,7 @@ pub(super) fn hamiltonian(
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
-    let outside = outside_domain(context, graph, structure);
+    let outside = outside_domain(context, graph, structure.energy, structure.damping.as_ref());
     let rate = damping::rate(context, graph, structure, &derivatives.field.f);
     let places = context.coordinates();
     let roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
@@ -151,10 +149,20 @@ struct Check {
     message: String,
 }
 
-fn outside_domain(context: &Context<'_>, graph: &mut Graph, structure: &Structure) -> TokenStream {
-    let mut checks = checks(context, graph, structure.energy);
+/// The first condition that does not hold. A contact flow may begin where a function of time alone is singular: flows look after
+/// that themselves.
+pub(super) fn outside_domain(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    energy: Id,
+    damping: Option<&Damping>,
+) -> TokenStream {
+    let mut checks = checks(context, graph, energy);
+    if context.energy.form == Form::Contact {
+        checks.retain(|check| analyze::reads(graph, check.argument).state());
+    }
     let mut matrix = vec![];
-    if let Some(damping) = &structure.damping {
+    if let Some(damping) = damping {
         let coefficients = damping::coefficients(context, graph, damping).into_iter();
         let negative = quote!(.any_below(0.0));
         checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));

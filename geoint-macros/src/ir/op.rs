@@ -176,6 +176,13 @@ functions! {
     PowfSlopeDerivative powf_derivative(a, b, r) Neither Everywhere;
     AbsSlope abs(a, b) Neither Everywhere;
     AbsSlopeDerivative abs_derivative(a, b) Neither Everywhere;
+    // Of exact flows.
+    Phi1 phi_1(x) Neither Everywhere;
+    Phi1Derivative phi_1_derivative(x) Neither Everywhere;
+    StumpffC0 stumpff_c0(x) Neither Everywhere;
+    StumpffC1 stumpff_c1(x) Neither Everywhere;
+    StumpffC1Derivative stumpff_c1_derivative(x) Neither Everywhere;
+    AtMost at_most(x, y) Neither Everywhere;
 }
 
 impl Function {

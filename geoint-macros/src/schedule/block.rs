@@ -73,6 +73,11 @@ impl Operations {
     pub(crate) fn total(self) -> usize {
         self.arithmetic + self.divisions + self.calls
     }
+
+    /// Roughly how long they take, in units of one sum.
+    pub(crate) fn weight(self) -> usize {
+        self.arithmetic + 4 * self.divisions + 20 * self.calls
+    }
 }
 
 impl std::ops::Add for Operations {

@@ -8,7 +8,7 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 
 /// Σ coefficient·monomial. Powers may be negative, or half of an odd number.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial(BTreeMap<Vec<(Symbol, (i128, i128))>, (Monomial, Id)>);
+pub(super) struct Polynomial(BTreeMap<Vec<(Symbol, (i64, i64))>, (Monomial, Id)>);
 
 /// Products of sums have this many terms at most.
 const MAX_TERMS: usize = 64;
@@ -116,8 +116,8 @@ impl Polynomial {
     }
 }
 
-fn key(monomial: &Monomial) -> Vec<(Symbol, (i128, i128))> {
-    monomial.iter().map(|(symbol, r)| (*symbol, (i128::from(r.numerator), i128::from(r.denominator)))).collect()
+fn key(monomial: &Monomial) -> Vec<(Symbol, (i64, i64))> {
+    monomial.iter().map(|(symbol, r)| (*symbol, (r.numerator, r.denominator))).collect()
 }
 
 fn is_one(graph: &Graph, id: Id) -> bool {

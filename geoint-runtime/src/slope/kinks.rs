@@ -22,6 +22,12 @@ pub fn bounded<R: Real>(x: R, y: R) -> R {
     if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
+/// x, which must not be above y: NaN if it is.
+#[inline(always)]
+pub fn at_most<R: Real>(x: R, y: R) -> R {
+    if (y - x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
 /// √x, and at 0 something that can be divided by: (xᵐᐟ²)[a, b] has a limit there for m > 2.
 #[inline(always)]
 pub fn root<R: Real>(x: R) -> R {

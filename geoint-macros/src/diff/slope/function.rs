@@ -119,6 +119,12 @@ impl Slopes {
             | Function::AbsSlope
             | Function::AbsSlopeDerivative
             | Function::NotNegative
+            | Function::AtMost
+            | Function::Phi1
+            | Function::Phi1Derivative
+            | Function::StumpffC0
+            | Function::StumpffC1
+            | Function::StumpffC1Derivative
             | Function::Bounded => unreachable!("an energy is not written with divided differences"),
         };
         vec![(x, slope)]

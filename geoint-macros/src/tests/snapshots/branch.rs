@@ -62,8 +62,8 @@ struct Spring;
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
-        State, PhaseSpace, is_positive_semidefinite, slope,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
+        State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -74,7 +74,7 @@ const _: () = {
         pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nDiscrete gradients\n- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 2: Newton's iteration with elimination\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
-            PhaseSpace::energy(self, state)
+            Hamiltonian::energy(self, state)
         }
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
@@ -85,7 +85,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Hamiltonian::integrator(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -100,12 +100,11 @@ const _: () = {
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
-    impl<R: Real + ::core::cmp::PartialOrd> PhaseSpace<R> for Spring {
+    impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         type Coordinates = R;
         type Array = [R; 1];
-        type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
+        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(0.0);
@@ -126,26 +125,6 @@ const _: () = {
             let v9 = v2 + v8;
             v9
         }
-        fn outside_domain(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-            _: &(),
-        ) -> ::core::option::Option<&'static str> {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            if v1.any_below(0.0) {
-                return ::core::option::Option::Some(
-                    "`sqrt` of a negative number: p² + 1",
-                );
-            }
-            ::core::option::Option::None
-        }
-    }
-    impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         #[inline]
         fn gradient(
             &self,
@@ -178,6 +157,23 @@ const _: () = {
             dq[0] = v6;
             dp[0] = v10;
         }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+        ) -> ::core::option::Option<&'static str> {
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
+            if v1.any_below(0.0) {
+                return ::core::option::Option::Some(
+                    "`sqrt` of a negative number: p² + 1",
+                );
+            }
+            ::core::option::Option::None
+        }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Separable<R> for Spring {
         type Kick = [R; 1];
@@ -192,7 +188,7 @@ const _: () = {
             [h]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
             let k0 = R::from_f64(0.0);
             let q0 = q[0];
             let k2 = R::from_f64(4.0);
@@ -213,7 +209,7 @@ const _: () = {
             p[0] = v7;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let prepared_0 = prepared[0];
@@ -238,9 +234,7 @@ const _: () = {
         type Parameters = [R; 0];
         type Start = [R; 11];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            0,
-        );
+        const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self) -> [R; 0] {
             []

@@ -72,8 +72,8 @@ pub struct Pendulum<R = f64> {
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
-        State, PhaseSpace, is_positive_semidefinite, slope,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
+        State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -84,7 +84,7 @@ const _: () = {
         pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
-            PhaseSpace::energy(self, state)
+            Hamiltonian::energy(self, state)
         }
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
@@ -95,7 +95,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Hamiltonian::integrator(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -111,12 +111,11 @@ const _: () = {
     }
     impl<R: Real> Conservative<R> for Pendulum<R> {}
     impl<R: Real> Autonomous<R> for Pendulum<R> {}
-    impl<R: Real> PhaseSpace<R> for Pendulum<R> {
+    impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
-        type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
+        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
             let p0 = p[0];
             let a1 = self.l;
             let a0 = self.m;
@@ -135,24 +134,6 @@ const _: () = {
             let v9 = v8.multiply_add(v5, v4);
             v9
         }
-        fn outside_domain(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-            _: &(),
-        ) -> ::core::option::Option<&'static str> {
-            let a1 = self.l;
-            let a0 = self.m;
-            let v0 = a1 * a1;
-            let v1 = a0 * v0;
-            if v1.abs().any_below(f64::MIN_POSITIVE) {
-                return ::core::option::Option::Some("division by zero: m·l²");
-            }
-            ::core::option::Option::None
-        }
-    }
-    impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         #[inline]
         fn gradient(
             &self,
@@ -176,6 +157,21 @@ const _: () = {
             let v6 = p0 / v5;
             dq[0] = v3;
             dp[0] = v6;
+        }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+        ) -> ::core::option::Option<&'static str> {
+            let a1 = self.l;
+            let a0 = self.m;
+            let v0 = a1 * a1;
+            let v1 = a0 * v0;
+            if v1.abs().any_below(f64::MIN_POSITIVE) {
+                return ::core::option::Option::Some("division by zero: m·l²");
+            }
+            ::core::option::Option::None
         }
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
@@ -202,7 +198,7 @@ const _: () = {
             [v2]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
             let q0 = q[0];
             let prepared_0 = prepared[0];
             let p0 = p[0];
@@ -211,7 +207,7 @@ const _: () = {
             p[0] = v1;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
             let prepared_0 = prepared[0];
             let p0 = p[0];
             let q0 = q[0];
@@ -224,9 +220,7 @@ const _: () = {
         type Parameters = [R; 1];
         type Start = [R; 1];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            0,
-        );
+        const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self) -> [R; 1] {
             let a1 = self.l;

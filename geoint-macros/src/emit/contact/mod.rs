@@ -1,0 +1,21 @@
+//! What is emitted of contact systems.
+
+mod pieces;
+mod report;
+mod system;
+
+use super::kernel::Context;
+use crate::ir::{Graph, Id};
+use crate::split::Pieces;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Everything that is emitted beside the user's function.
+pub(crate) fn contact_items(context: &Context<'_>, graph: &mut Graph, energy: Id, found: &Pieces) -> TokenStream {
+    let bounds = super::system::bounds(graph, &[energy]);
+    let system = system::contact(context, graph, energy, &bounds);
+    let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);
+    let report = report::report(context, graph, energy, found, &costs);
+    let inherent = system::inherent(context, &report);
+    super::around(context, &report, &quote!(#inherent #system #pieces))
+}

@@ -1,0 +1,123 @@
+//! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
+//! the term.
+
+use super::super::flows::unsatisfied;
+use super::super::kernel::{Context, place};
+use super::super::system::self_type;
+use crate::check::NO_PIECES;
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::schedule::{self, Operations};
+use crate::split::{Clock, Piece, Pieces};
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// The tokens, and what each flow costs.
+pub(super) fn pieces(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    found: &Pieces,
+    bounds: &TokenStream,
+) -> (TokenStream, Vec<Operations>) {
+    match found {
+        Ok(pieces) => {
+            let flows: Vec<Kernel> = pieces.iter().map(|piece| kernel(context, graph, piece)).collect();
+            let tokens = splitting(context, graph, pieces, &flows, bounds);
+            (tokens, flows.iter().map(|flow| flow.operations).collect())
+        }
+        Err(term) => (none(context, graph, *term, bounds), vec![]),
+    }
+}
+
+/// A flow as tokens.
+struct Kernel {
+    slots: Literal,
+    prepare: TokenStream,
+    body: TokenStream,
+    operations: Operations,
+}
+
+fn kernel(context: &Context<'_>, graph: &mut Graph, piece: &Piece) -> Kernel {
+    let lift = context.energy.lift.is_some();
+    let changed: Vec<(Symbol, Id)> =
+        piece.flow.changed(graph).into_iter().filter(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_)))).collect();
+    let roots: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
+    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
+    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
+    let body = context.planned(&plan.last[0], (&[], ""), |values| {
+        let places = changed.iter().map(|(symbol, _)| match symbol {
+            Symbol::Q(i) => place(quote!(q), &context.coordinate(*i)),
+            Symbol::P(i) => place(quote!(p), &context.coordinate(*i)),
+            _ => quote!(*s),
+        });
+        quote!(#(#places = #values;)*)
+    });
+    Kernel { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
+}
+
+fn splitting(
+    context: &Context<'_>,
+    graph: &Graph,
+    pieces: &[Piece],
+    flows: &[Kernel],
+    bounds: &TokenStream,
+) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let table = pieces.iter().map(|piece| {
+        let name = printer.excerpt(piece.energy);
+        let clock = match piece.clock {
+            Clock::Own => quote!(Own),
+            Clock::Stage => quote!(Stage),
+        };
+        quote!(Piece { name: #name, clock: Clock::#clock })
+    });
+    let slots = flows.iter().map(|flow| &flow.slots);
+    let types = quote!((#([R; #slots],)*));
+    let last = flows.len() - 1;
+    let prepared = flows.iter().enumerate().map(|(i, flow)| {
+        let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, &flow.prepare);
+        quote!({ let h = #length; #prepare })
+    });
+    let arms = flows.iter().enumerate().map(|(i, flow)| {
+        let (i, body) = (Literal::usize_unsuffixed(i), &flow.body);
+        quote!(#i => { let prepared = &flows.#i; #body })
+    });
+    quote! {
+        impl<R: #bounds> Pieces<R> for #name {
+            const PIECES: &'static [Piece] = &[#(#table),*];
+            type Flows = #types;
+
+            #[inline]
+            fn prepare_flows(&self, outer: R, last: R) -> #types {
+                (#(#prepared,)*)
+            }
+            #[inline(always)]
+            fn flow(piece: usize, flows: &#types, t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+                match piece {
+                    #(#arms)*
+                    _ => {}
+                }
+            }
+        }
+    }
+}
+
+fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let (marker, tokens) = unsatisfied(context, graph, "Splits", term, NO_PIECES);
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: #bounds + #marker> Pieces<R> for #name {
+            const PIECES: &'static [Piece] = &[];
+            type Flows = #never;
+            fn prepare_flows(&self, _: R, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn flow(_: usize, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+                match *never {}
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! The energy of a contact system with its gradient, and what users call.
+
+use super::super::kernel::{Context, write};
+use super::super::system::{outside_domain, self_type};
+use crate::diff;
+use crate::ir::{Graph, Id, Symbol};
+use crate::parse::{Energy, over_scalar};
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let value = context.routine(graph, &[energy], |mut values| values.remove(0));
+    let outside = outside_domain(context, graph, energy, None);
+    let gradient = diff::gradient(graph, energy, context.energy.degrees());
+    let along_action = diff::partial(graph, energy, Symbol::S);
+    let places = context.coordinates();
+    let roots = [&gradient.q[..], &gradient.p, &[along_action]].concat();
+    let slopes = context.routine(graph, &roots, |values| {
+        let (q, rest) = values.split_at(places.len());
+        let (p, s) = rest.split_at(places.len());
+        let (q, p) = (write("dq", &places, q), write("dp", &places, p));
+        quote!(#q #p *ds = #(#s)*;)
+    });
+    quote! {
+        impl<R: #bounds> PhaseSpace<R> for #name {
+            type Coordinates = #coordinates;
+            type Array = #array;
+            type Action = R;
+
+            #[inline]
+            fn hamiltonian(&self, t: R, q: &#array, p: &#array, s: &R) -> R {
+                #value
+            }
+            fn outside_domain(&self, t: R, q: &#array, p: &#array, s: &R) -> ::core::option::Option<&'static str> {
+                #outside
+            }
+        }
+        impl<R: #bounds> Contact<R> for #name {
+            #[inline]
+            fn gradient(
+                &self, t: R, q: &#array, p: &#array, s: &R, dq: &mut #array, dp: &mut #array, ds: &mut R,
+            ) {
+                #slopes
+            }
+        }
+    }
+}
+
+/// What users call, in the float type of the function.
+pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
+    let Energy { name, float, coordinates, .. } = context.energy;
+    let coordinates = &coordinates.ty;
+    quote! {
+        impl #name {
+            /// What was derived from the energy: its pieces, their rules and order, operations, and what is skipped and why.
+            pub const REPORT: &'static str = #report;
+
+            /// The energy of a state.
+            pub fn energy(&self, state: &ContactState<#coordinates>) -> #float {
+                PhaseSpace::energy(self, state)
+            }
+
+            /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+            pub fn integrator<M: Method<Self, #float>>(
+                self,
+                method: M,
+                h: #float,
+                state: ContactState<#coordinates>,
+            ) -> Integrator<Self, M, #float> {
+                PhaseSpace::integrator(self, method, h, state)
+            }
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! The flow of a piece in closed form, and what pieces are.
+
+use super::time::Clock;
+use crate::ir::{Graph, Id, Node, Symbol};
+
+/// q, p and s at the end of a flow of length h, in terms of those at its start.
+#[derive(Clone, Debug)]
+pub(crate) struct Flow {
+    pub(crate) q: Vec<Id>,
+    pub(crate) p: Vec<Id>,
+    pub(crate) s: Id,
+}
+
+impl Flow {
+    /// Nothing moves.
+    pub(super) fn rest(graph: &mut Graph, degrees: u32) -> Flow {
+        let [q, p] = [Symbol::Q as fn(u32) -> Symbol, Symbol::P].map(|of| (0..degrees).map(of).collect::<Vec<_>>());
+        let mut symbols = |all: Vec<Symbol>| all.into_iter().map(|symbol| graph.symbol(symbol)).collect();
+        Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::S]).remove(0) }
+    }
+
+    /// Everything that the flow changes, with its symbol.
+    pub(crate) fn changed(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
+        let start = Flow::rest(graph, self.q.len() as u32);
+        let ends = self.all().into_iter().zip(start.all());
+        let symbol = |id: Id| match graph.node(id) {
+            Node::Symbol(symbol) => Some(*symbol),
+            _ => None,
+        };
+        ends.filter(|(end, start)| end != start).filter_map(|(end, start)| Some((symbol(start)?, end))).collect()
+    }
+
+    pub(super) fn all(&self) -> Vec<Id> {
+        [&self.q[..], &self.p, &[self.s]].concat()
+    }
+}
+
+/// A part of the energy whose flow is known in closed form.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece {
+    pub(crate) energy: Id,
+    /// The rule that knows its flow.
+    pub(crate) rule: &'static super::rules::Rule,
+    pub(crate) flow: Flow,
+    pub(crate) clock: Clock,
+}

@@ -1,0 +1,280 @@
+//! Pieces whose momenta keep their direction.
+
+use super::flow::Flow;
+use super::polynomial::{Polynomial, is_free};
+use super::rules::Group;
+use super::scalar::{self, Equation, growth_and_mean, positive_power};
+use super::time::{Clock, over_time, ratio};
+use crate::diff;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+
+fn is_momentum(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::P(_))
+}
+
+fn reads_phase_space(symbol: Symbol) -> bool {
+    symbol.is_coordinate()
+}
+
+/// Σ powers, each of the momenta together.
+fn degree(powers: impl IntoIterator<Item = Ratio>) -> Option<Ratio> {
+    powers.into_iter().try_fold(Ratio::ZERO, Ratio::add)
+}
+
+/// T(p, t): q moves by ∂T/∂p, s by p·∂T/∂p − T.
+pub(super) fn free(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    if !is_free(graph, group.energy, &|symbol| matches!(symbol, Symbol::Q(_) | Symbol::S)) {
+        return None;
+    }
+    let mut flow = Flow::rest(graph, group.degrees);
+    let (velocity, action) = legendre(graph, group)?;
+    for (q, velocity) in flow.q.iter_mut().zip(velocity) {
+        let change = group.clock.over_step(graph, velocity)?;
+        *q = graph.add(*q, change);
+    }
+    let change = group.clock.over_step(graph, action)?;
+    flow.s = graph.add(flow.s, change);
+    Some(flow)
+}
+
+/// ∂H/∂p and p·∂H/∂p − H: of each power of p that has degree k, k − 1 times itself.
+fn legendre(graph: &mut Graph, group: &Group) -> Option<(Vec<Id>, Id)> {
+    let velocity = diff::gradient(graph, group.energy, group.degrees).p;
+    if let Some(powers) = Polynomial::of(graph, group.energy, &is_momentum) {
+        let mut action = graph.zero();
+        for (monomial, coefficient) in powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>() {
+            let weight = degree(monomial.values().copied())?.add(Ratio::integer(-1))?;
+            let mut term = graph.scale(Number::Exact(weight), coefficient);
+            for (symbol, power) in monomial {
+                let symbol = graph.symbol(symbol);
+                let power = graph.pow(symbol, power);
+                term = graph.mul(term, power);
+            }
+            action = graph.add(action, term);
+        }
+        return Some((velocity, action));
+    }
+    let mut action = graph.neg(group.energy);
+    for (i, velocity) in velocity.iter().enumerate() {
+        let p = graph.symbol(Symbol::P(i as u32));
+        let power = graph.mul(p, *velocity);
+        action = graph.add(action, power);
+    }
+    Some((velocity, action))
+}
+
+/// T(p) with T homogeneous of degree 2 and coefficients that are free of phase space, and g.
+fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
+    let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
+    let g = powers.coefficient(graph, &[(Symbol::S, 1)]);
+    let mut kinetic = graph.zero();
+    for (monomial, coefficient) in powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>() {
+        if !is_free(graph, coefficient, &reads_phase_space) {
+            return None;
+        }
+        if monomial.keys().eq([&Symbol::S]) && monomial.values().eq([&Ratio::ONE]) {
+            continue;
+        }
+        let whole = monomial.iter().all(|(symbol, power)| is_momentum(*symbol) && power.is_integer());
+        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) {
+            return None;
+        }
+        let mut term = coefficient;
+        for (symbol, power) in monomial {
+            let symbol = graph.symbol(symbol);
+            let power = graph.pow(symbol, power);
+            term = graph.mul(term, power);
+        }
+        kinetic = graph.add(kinetic, term);
+    }
+    (!graph.is_zero(g) && !graph.is_zero(kinetic)).then_some((kinetic, g))
+}
+
+/// p·Wp/2 + g s: with E = exp(−∫g) and w = ∫E, q moves by w·Wp, P = E p, S = E (s + w T).
+pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    let (kinetic, g) = damped_parts(graph, group)?;
+    let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::T);
+    let (growth, weight) = if group.clock == Clock::Own && !free_of_time(graph, g) {
+        if !free_of_time(graph, kinetic) {
+            return None;
+        }
+        decay_over_time(graph, g)?
+    } else {
+        if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
+            return None;
+        }
+        let h = graph.symbol(Symbol::H);
+        let z = graph.mul(g, h);
+        let z = graph.neg(z);
+        let (growth, mean) = growth_and_mean(graph, z);
+        (growth, graph.mul(h, mean))
+    };
+    let mut flow = Flow::rest(graph, group.degrees);
+    let velocity = diff::gradient(graph, kinetic, group.degrees).p;
+    for (q, velocity) in flow.q.iter_mut().zip(velocity) {
+        let change = graph.mul(weight, velocity);
+        *q = graph.add(*q, change);
+    }
+    for p in &mut flow.p {
+        *p = graph.mul(growth, *p);
+    }
+    let change = graph.mul(weight, kinetic);
+    let moved = graph.add(flow.s, change);
+    flow.s = graph.mul(growth, moved);
+    Some(flow)
+}
+
+/// For g = k/t with an integer k ≥ 2 and r = t₀/t₁: E = rᵏ and w = h (r + r² + … + rᵏ⁻¹)/(k − 1), without a singularity at t₀ = 0.
+fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
+    let k = over_time(graph, g)?;
+    let Some(Number::Exact(k)) = graph.as_number(k) else { return None };
+    if !k.is_integer() || !(2..=16).contains(&k.numerator) {
+        return None;
+    }
+    let (ratio, h) = (ratio(graph), graph.symbol(Symbol::H));
+    let mut sum = graph.zero();
+    for _ in 1..k.numerator {
+        // Horner's rule.
+        let one = graph.integer(1);
+        let inner = graph.add(one, sum);
+        sum = graph.mul(ratio, inner);
+    }
+    let mean = graph.scale(Number::Exact(Ratio::integer(k.numerator - 1).recip()?), sum);
+    Some((graph.pow(ratio, k), graph.mul(h, mean)))
+}
+
+/// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).
+pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
+    let terms = powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>();
+    let not_s = |symbol: Symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_) | Symbol::T);
+    let (mut kinetic, mut weight) = (graph.zero(), None);
+    for (monomial, coefficient) in terms {
+        let weight = *weight.get_or_insert(coefficient);
+        let relative = graph.div(coefficient, weight);
+        let whole = monomial.values().all(|power| power.is_integer());
+        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &reads_phase_space) {
+            return None;
+        }
+        let mut term = relative;
+        for (symbol, power) in monomial {
+            let symbol = graph.symbol(symbol);
+            let power = graph.pow(symbol, power);
+            term = graph.mul(term, power);
+        }
+        kinetic = graph.add(kinetic, term);
+    }
+    let weight = weight.filter(|weight| is_free(graph, *weight, &not_s))?;
+    if is_free(graph, weight, &|symbol| symbol == Symbol::S) {
+        return None;
+    }
+    // What is constant, under a name of its own while the equation of s is solved.
+    let square = graph.pow(weight, Ratio::integer(2));
+    let constant = graph.mul(kinetic, square);
+    let name = graph.symbol(Symbol::Ds);
+    let rate = graph.div(name, weight);
+    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?;
+    let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
+    let weight_end = at(graph, weight, Symbol::S, end);
+    let change = graph.div(weight, weight_end);
+
+    let mut flow = Flow::rest(graph, group.degrees);
+    let velocity = diff::gradient(graph, kinetic, group.degrees).p;
+    let h = graph.symbol(Symbol::H);
+    for (q, velocity) in flow.q.iter_mut().zip(velocity) {
+        let moved = graph.product(&[h, weight, velocity]);
+        *q = graph.add(*q, moved);
+    }
+    for p in &mut flow.p {
+        *p = graph.mul(*p, change);
+    }
+    flow.s = end;
+    Some(flow)
+}
+
+/// A node with a symbol replaced.
+fn at(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
+    Substitution::new(|_, other| (other == symbol).then_some(value)).apply(graph, id)
+}
+
+/// c s pᵏ with k ≥ 2, in one degree of freedom: D = 1 + k c h pᵏ, Q = q + k c h pᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
+pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    if group.degrees != 1 {
+        return None;
+    }
+    let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
+    let (monomial, c) = {
+        let mut terms = powers.terms();
+        let first = terms.next().map(|(m, c)| (m.clone(), c))?;
+        terms.next().is_none().then_some(first)?
+    };
+    let k = *monomial.get(&Symbol::P(0))?;
+    if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || !k.is_integer() || k.numerator < 2 || !is_free(graph, c, &reads_phase_space) {
+        return None;
+    }
+    let c = graph.scale(Number::Exact(k), c);
+    let weight = group.clock.over_step(graph, c)?;
+    let [p, s, one] = [graph.symbol(Symbol::P(0)), graph.symbol(Symbol::S), graph.integer(1)];
+    let lower = graph.pow(p, k.add(Ratio::integer(-1))?);
+    let moved = graph.product(&[weight, lower, s]);
+    let full = graph.pow(p, k);
+    let full = graph.mul(weight, full);
+    let d = graph.add(one, full);
+    let inverse = k.recip()?;
+    let [shrunk, grown] = [inverse.mul(Ratio::integer(-1))?, Ratio::ONE.add(inverse.mul(Ratio::integer(-1))?)?]
+        .map(|exponent| positive_power(graph, d, exponent));
+    let mut flow = Flow::rest(graph, 1);
+    flow.q[0] = graph.add(flow.q[0], moved);
+    flow.p[0] = graph.mul(p, shrunk);
+    flow.s = graph.mul(s, grown);
+    Some(flow)
+}
+
+/// f(q) p² in one degree of freedom: with R² = 2f, R p is constant and q' = R·(R p).
+pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    if group.degrees != 1 {
+        return None;
+    }
+    let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
+    let f = powers.coefficient(graph, &[(Symbol::P(0), 2)]);
+    let only = powers.terms().count() == 1;
+    let others = |symbol| matches!(symbol, Symbol::P(_) | Symbol::S | Symbol::T);
+    if !only || graph.is_zero(f) || !is_free(graph, f, &others) {
+        return None;
+    }
+    let double = graph.scale(Number::integer(2), f);
+    let root = smooth_root(graph, double);
+    let (p, name) = (graph.symbol(Symbol::P(0)), graph.symbol(Symbol::Ds));
+    let constant = graph.mul(root, p);
+    let rate = graph.mul(name, root);
+    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?;
+    let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
+    let root_end = at(graph, root, Symbol::Q(0), end);
+    let quotient = graph.div(root, root_end);
+    let h = graph.symbol(Symbol::H);
+    let change = graph.mul(h, group.energy);
+    let mut flow = Flow::rest(graph, 1);
+    flow.q[0] = end;
+    flow.p[0] = graph.mul(p, quotient);
+    flow.s = graph.add(flow.s, change);
+    Some(flow)
+}
+
+/// A root that changes sign where its square touches zero: q of q².
+fn smooth_root(graph: &mut Graph, square: Id) -> Id {
+    let (c, rest) = graph.coefficient(square);
+    let c = graph.number(c);
+    let mut root = graph.sqrt(c);
+    for (base, exponent) in graph.factors(rest) {
+        let factor = match exponent.mul(Ratio::HALF).filter(|half| half.denominator <= 2) {
+            Some(half) => graph.pow(base, half),
+            None => {
+                let power = graph.pow(base, exponent);
+                graph.sqrt(power)
+            }
+        };
+        root = graph.mul(root, factor);
+    }
+    root
+}

@@ -1,0 +1,139 @@
+//! Which terms go together.
+
+use super::rules::RULES;
+use super::{Piece, piece};
+use crate::analyze::{self, Reads};
+use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use crate::lower::Place;
+use crate::schedule;
+use std::collections::BTreeMap;
+
+/// The pieces in the order in which a step goes through them and back, the most expensive one last; or a term that is in no
+/// piece.
+pub(crate) type Pieces = Result<Vec<Piece>, Id>;
+
+/// With more terms than this those that read the same parts of phase space stay together: all subsets are looked at.
+const MAX_ATOMS: usize = 7;
+
+/// Splits H; into the groups that the user wants, if there are any.
+pub(crate) fn pieces(graph: &mut Graph, energy: Id, degrees: u32, groups: Option<&[(Id, Place)]>) -> Pieces {
+    let found = match groups {
+        Some(groups) => groups.iter().map(|(group, _)| piece(graph, *group, degrees).ok_or(*group)).collect::<Pieces>()?,
+        None => fewest(graph, energy, degrees)?,
+    };
+    let mut pieces: Vec<(usize, Piece)> = found.into_iter().map(|piece| (cost(graph, &piece), piece)).collect();
+    pieces.sort_by_key(|(cost, _)| *cost);
+    Ok(pieces.into_iter().map(|(_, piece)| piece).collect())
+}
+
+/// The smallest number of pieces; of equal numbers, the one whose rules come first.
+fn fewest(graph: &mut Graph, energy: Id, degrees: u32) -> Pieces {
+    let atoms = atoms(graph, energy, degrees);
+    let whole = (1_usize << atoms.len()) - 1;
+    let mut known: BTreeMap<usize, Option<Piece>> = BTreeMap::new();
+    let mut attempt = |graph: &mut Graph, set: usize| {
+        known
+            .entry(set)
+            .or_insert_with(|| {
+                let terms: Vec<Id> = (0..atoms.len()).filter(|i| set >> i & 1 == 1).map(|i| atoms[i]).collect();
+                let energy = graph.sum(&terms);
+                piece(graph, energy, degrees)
+            })
+            .clone()
+    };
+    // best[set]: the sets of pieces that make it up, with the ranks of their rules in order.
+    let mut best: BTreeMap<usize, Option<(Vec<usize>, Vec<usize>)>> = BTreeMap::from([(0, Some((vec![], vec![])))]);
+    for set in 1..=whole {
+        // One piece has the lowest term; it alone, or with others.
+        let lowest = set & set.wrapping_neg();
+        let mut choice: Option<(Vec<usize>, Vec<usize>)> = None;
+        let rest = set ^ lowest;
+        let mut part = rest;
+        loop {
+            let group = part | lowest;
+            if let (Some(piece), Some((groups, ranks))) = (attempt(graph, group), best[&(set ^ group)].clone()) {
+                let mut ranks = ranks;
+                ranks.push(rank(&piece));
+                ranks.sort_unstable();
+                let better = choice.as_ref().is_none_or(|(other_groups, other)| {
+                    (groups.len() + 1, &ranks) < (other_groups.len(), other)
+                });
+                if better {
+                    choice = Some(([&groups[..], &[group]].concat(), ranks));
+                }
+            }
+            if part == 0 {
+                break;
+            }
+            part = (part - 1) & rest;
+        }
+        best.insert(set, choice);
+    }
+    match &best[&whole] {
+        Some((groups, _)) => Ok(groups.iter().filter_map(|group| attempt(graph, *group)).collect()),
+        None => {
+            let alone = (0..atoms.len()).find(|i| attempt(graph, 1 << i).is_none());
+            Err(alone.map_or(energy, |i| atoms[i]))
+        }
+    }
+}
+
+fn rank(piece: &Piece) -> usize {
+    RULES.iter().position(|rule| std::ptr::eq(rule, piece.rule)).unwrap_or(RULES.len())
+}
+
+/// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted.
+fn atoms(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<Id> {
+    let mut open = analyze::terms(graph, energy);
+    open.reverse();
+    // What each class reads, and its terms.
+    let mut classes: Vec<(Reads, Vec<Id>)> = vec![];
+    while let Some(term) = open.pop() {
+        let reads = Reads { t: false, ..analyze::reads(graph, term) };
+        if reads.kinds() > 1
+            && piece(graph, term, degrees).is_none()
+            && let Some(parts) = distributed(graph, term)
+        {
+            open.extend(parts);
+            continue;
+        }
+        match classes.iter_mut().find(|(other, _)| *other == reads) {
+            Some((_, terms)) => terms.push(term),
+            None => classes.push((reads, vec![term])),
+        }
+    }
+    let apart: usize = classes.iter().map(|(reads, terms)| if reads.kinds() > 1 { terms.len() } else { 1 }).sum();
+    let mut atoms = vec![];
+    for (reads, terms) in classes {
+        if reads.kinds() > 1 && apart <= MAX_ATOMS {
+            atoms.extend(terms);
+        } else {
+            atoms.push(graph.sum(&terms));
+        }
+    }
+    atoms
+}
+
+/// A product with a sum that couples as a sum of products.
+fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
+    let (c, rest) = graph.coefficient(term);
+    let factors = graph.factors(rest);
+    let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
+        *exponent == Ratio::ONE && matches!(graph.node(*base), Node::Linear(..)) && analyze::reads(graph, *base).kinds() > 1
+    };
+    let sum = factors.iter().position(is_coupling_sum)?;
+    let mut others = graph.number(c);
+    for (base, exponent) in factors.iter().enumerate().filter(|(i, _)| *i != sum).map(|(_, factor)| *factor) {
+        let factor = graph.pow(base, exponent);
+        others = graph.mul(others, factor);
+    }
+    let terms = analyze::terms(graph, factors[sum].0);
+    Some(terms.into_iter().map(|term| graph.mul(others, term)).collect())
+}
+
+/// What a flow costs in the loop over steps, where parameters and h have been dealt with.
+fn cost(graph: &mut Graph, piece: &Piece) -> usize {
+    let roots: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
+    schedule::plan(graph, level, &[&[]], &[&roots]).last[0].operations().weight()
+}

@@ -1,0 +1,329 @@
+//! x' = g(x), everything else frozen: the equations with a solution in closed form, one rule each.
+//!
+//! What a rule returns is x at the end of the flow; where the solution has come to a pole before that, it is not a number.
+
+use super::polynomial::{Monomial, Polynomial, is_free, power};
+use super::time::Clock;
+use crate::diff;
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+
+/// An equation for one variable.
+pub(super) struct Equation {
+    pub(super) x: Symbol,
+    pub(super) rate: Id,
+    pub(super) clock: Clock,
+}
+
+/// An equation that can be solved, by its right-hand side.
+struct Rule {
+    solve: fn(&mut Graph, &Equation) -> Option<Id>,
+}
+
+/// In order of preference: the first one that fits is taken.
+const RULES: &[Rule] = &[
+    // b
+    Rule { solve: constant },
+    // a·x + b
+    Rule { solve: affine },
+    // a·x + b·xᵏ (J. Bernoulli 1695)
+    Rule { solve: bernoulli },
+    // a·x² + b·x + c (J. Riccati 1724)
+    Rule { solve: riccati },
+    // a + b·exp(k·x)
+    Rule { solve: exponential },
+    // a·F(k·x + c), with F one of sin, cos, sinh, tanh, 1/cosh
+    Rule { solve: quadrature },
+];
+
+/// x at the end of the flow.
+pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    RULES.iter().find_map(|rule| (rule.solve)(graph, equation))
+}
+
+impl Equation {
+    /// The rate as a sum of powers of x.
+    fn powers(&self, graph: &mut Graph) -> Option<Vec<(Ratio, Id)>> {
+        let x = self.x;
+        let polynomial = Polynomial::of(graph, self.rate, &|symbol| symbol == x)?;
+        Some(polynomial.terms().map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient)).collect())
+    }
+
+    /// What multiplies h in a solution for coefficients that do not depend on time.
+    fn steady(&self, graph: &mut Graph, coefficients: &[Id]) -> Option<Id> {
+        let steady = coefficients.iter().all(|id| is_free(graph, *id, &|symbol| symbol == Symbol::T));
+        (steady || self.clock == Clock::Stage).then(|| graph.symbol(Symbol::H))
+    }
+}
+
+fn constant(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let x = equation.x;
+    if !is_free(graph, equation.rate, &|symbol| symbol == x) {
+        return None;
+    }
+    let change = equation.clock.over_step(graph, equation.rate)?;
+    let x = graph.symbol(x);
+    Some(graph.add(x, change))
+}
+
+/// x·e^(ah) + b·h·φ₁(ah).
+fn affine(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let powers = equation.powers(graph)?;
+    let x = graph.symbol(equation.x);
+    match powers[..] {
+        [(Ratio::ONE, a)] => {
+            let factor = growth(graph, equation, a)?;
+            Some(graph.mul(x, factor))
+        }
+        [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
+            let h = equation.steady(graph, &[a, b])?;
+            let z = graph.mul(a, h);
+            let (growth, mean) = growth_and_mean(graph, z);
+            let terms = [graph.mul(x, growth), graph.product(&[b, h, mean])];
+            Some(graph.sum(&terms))
+        }
+        _ => None,
+    }
+}
+
+/// exp(∫a dt); (t₀/t₁)^k for a = −k/t.
+fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
+    if equation.clock == Clock::Own
+        && let Some(k) = super::time::over_time(graph, a)
+    {
+        let k = graph.neg(k);
+        let ratio = super::time::ratio(graph);
+        return Some(match graph.as_number(k) {
+            Some(Number::Exact(k)) if k.denominator <= 2 => graph.pow(ratio, k),
+            _ => graph.call(Function::Powf, &[ratio, k]),
+        });
+    }
+    let z = equation.clock.over_step(graph, a)?;
+    Some(graph.call(Function::Exp, &[z]))
+}
+
+/// eᶻ and φ₁(z), by one call.
+pub(super) fn growth_and_mean(graph: &mut Graph, z: Id) -> (Id, Id) {
+    let mean = graph.call(Function::Phi1, &[z]);
+    let one = graph.integer(1);
+    let change = graph.mul(z, mean);
+    (graph.add(one, change), mean)
+}
+
+/// x·E·D^(−1/m) with m = k − 1, E = e^(ah), D = 1 − m·b·xᵐ·h·φ₁(m·a·h).
+fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let powers = equation.powers(graph)?;
+    let (linear, other): (Vec<_>, Vec<_>) = powers.into_iter().partition(|(power, _)| *power == Ratio::ONE);
+    let [(k, b)] = other[..] else { return None };
+    if k.numerator == 0 {
+        return None;
+    }
+    let (x, one) = (graph.symbol(equation.x), graph.integer(1));
+    let m = k.add(Ratio::integer(-1))?;
+    let (growth, weight) = match linear[..] {
+        [] => (one, equation.clock.over_step(graph, b)?),
+        [(_, a)] => {
+            let h = equation.steady(graph, &[a, b])?;
+            let z = graph.mul(a, h);
+            let growth = graph.call(Function::Exp, &[z]);
+            let z = graph.scale(Number::Exact(m), z);
+            let mean = graph.call(Function::Phi1, &[z]);
+            (growth, graph.product(&[b, h, mean]))
+        }
+        _ => return None,
+    };
+    let power = graph.pow(x, m);
+    let change = graph.mul(weight, power);
+    let change = graph.scale(Number::Exact(m).neg(), change);
+    let d = graph.add(one, change);
+    let shrunk = positive_power(graph, d, m.recip()?.mul(Ratio::integer(-1))?);
+    Some(graph.product(&[x, growth, shrunk]))
+}
+
+/// A power of what must not be negative.
+pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id {
+    let base = graph.call(Function::NotNegative, &[base]);
+    if exponent.denominator <= 2 {
+        return graph.pow(base, exponent);
+    }
+    let exponent = graph.number(Number::Exact(exponent));
+    graph.call(Function::Powf, &[base, exponent])
+}
+
+/// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
+/// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)).
+fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let powers = equation.powers(graph)?;
+    if powers.iter().any(|(power, _)| !power.is_integer() || !(0..=2).contains(&power.numerator)) {
+        return None;
+    }
+    let [c, b, a] = [0, 1, 2].map(|k| {
+        let found = powers.iter().find(|(power, _)| *power == Ratio::integer(k));
+        found.map_or_else(|| graph.zero(), |(_, coefficient)| *coefficient)
+    });
+    let h = equation.steady(graph, &[a, b, c])?;
+    let x = graph.symbol(equation.x);
+    let half_b = graph.scale(Number::HALF, b);
+    let product = graph.mul(a, c);
+    let square = graph.pow(half_b, Ratio::integer(2));
+    let square = graph.sub(product, square);
+    let (cosine, sine) = turn(graph, square, h, true);
+    let with_c = graph.mul(c, sine);
+    let scaled = graph.mul(half_b, sine);
+    let grown = graph.add(cosine, scaled);
+    let moved = graph.mul(x, grown);
+    let above = graph.add(moved, with_c);
+    let slope = graph.mul(a, x);
+    let slope = graph.add(slope, half_b);
+    let slope = graph.mul(slope, sine);
+    let below = graph.sub(cosine, slope);
+    let below = graph.call(Function::RecipPositive, &[below]);
+    Some(graph.mul(above, below))
+}
+
+/// cos ωh and sin ωh/ω from ω², of either sign; `half` if there is a pole before half a turn.
+pub(super) fn turn(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id) {
+    let h_squared = graph.pow(h, Ratio::integer(2));
+    let mut angle = graph.mul(square, h_squared);
+    if half {
+        let pi = std::f64::consts::PI;
+        let bound = graph.number(Number::float(pi * pi));
+        angle = graph.call(Function::AtMost, &[angle, bound]);
+    }
+    let cosine = graph.call(Function::StumpffC0, &[angle]);
+    let sine = graph.call(Function::StumpffC1, &[angle]);
+    (cosine, graph.mul(h, sine))
+}
+
+/// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
+fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let own = equation.x;
+    let (mut a, mut rest) = (graph.zero(), graph.zero());
+    for (c, term) in terms(graph, equation.rate) {
+        let term = graph.scale(c, term);
+        let side = if is_free(graph, term, &|symbol| symbol == own) { &mut a } else { &mut rest };
+        *side = graph.add(*side, term);
+    }
+    let (function, argument, b) = single_call(graph, rest, own)?;
+    if function != Function::Exp {
+        return None;
+    }
+    let k = diff::partial(graph, argument, own);
+    if !is_free(graph, k, &|symbol| symbol == own) {
+        return None;
+    }
+    let value = graph.call(Function::Exp, &[argument]);
+    let x = graph.symbol(own);
+    let (drift, weight) = if graph.is_zero(a) {
+        (x, equation.clock.over_step(graph, b)?)
+    } else {
+        let h = equation.steady(graph, &[a, b])?;
+        let z = graph.product(&[k, a, h]);
+        let mean = graph.call(Function::Phi1, &[z]);
+        let change = graph.mul(a, h);
+        (graph.add(x, change), graph.product(&[b, h, mean]))
+    };
+    let shrunk = graph.product(&[k, weight, value]);
+    let shrunk = graph.neg(shrunk);
+    let ln = graph.call(Function::Ln1p, &[shrunk]);
+    let ln = graph.div(ln, k);
+    Some(graph.sub(drift, ln))
+}
+
+/// With u = k·x + c and U = k·∫a dt, by addition theorems of what is multiplied by e^U.
+fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let own = equation.x;
+    let (function, u, a, inverse) = match single_call(graph, equation.rate, own) {
+        Some((function, argument, a)) => (function, argument, a, false),
+        None => {
+            let reciprocal = graph.recip(equation.rate);
+            let (function, argument, a) = single_call(graph, reciprocal, own)?;
+            (function, argument, graph.recip(a), true)
+        }
+    };
+    let k = diff::partial(graph, u, own);
+    if !is_free(graph, k, &|symbol| symbol == own) {
+        return None;
+    }
+    let change = equation.clock.over_step(graph, a)?;
+    let change = graph.mul(k, change);
+    let one = graph.integer(1);
+    let end = match (function, inverse) {
+        (Function::Sin | Function::Cos, false) => {
+            // tan of half the angle grows by e^U.
+            let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
+            let (across, along) = match function {
+                Function::Sin => (sine, graph.neg(cosine)),
+                _ => (cosine, sine),
+            };
+            let growth = graph.call(Function::ExpM1, &[change]);
+            let above = graph.mul(growth, across);
+            let along = graph.add(one, along);
+            let below = graph.mul(growth, along);
+            let two = graph.integer(2);
+            let below = graph.add(two, below);
+            let half = graph.call(Function::Atan2, &[above, below]);
+            let turned = graph.scale(Number::integer(2), half);
+            graph.add(u, turned)
+        }
+        (Function::Sinh, false) => {
+            let half = graph.scale(Number::HALF, u);
+            let tanh = graph.call(Function::Tanh, &[half]);
+            let growth = graph.call(Function::Exp, &[change]);
+            let grown = graph.mul(growth, tanh);
+            let half = graph.call(Function::Atanh, &[grown]);
+            graph.scale(Number::integer(2), half)
+        }
+        (Function::Tanh, false) => {
+            let sinh = graph.call(Function::Sinh, &[u]);
+            let growth = graph.call(Function::Exp, &[change]);
+            let grown = graph.mul(growth, sinh);
+            graph.call(Function::Asinh, &[grown])
+        }
+        (Function::Cosh, true) => {
+            let sinh = graph.call(Function::Sinh, &[u]);
+            let moved = graph.add(sinh, change);
+            graph.call(Function::Asinh, &[moved])
+        }
+        _ => return None,
+    };
+    // x = (u − c)/k.
+    let moved = graph.sub(end, u);
+    let moved = graph.div(moved, k);
+    let x = graph.symbol(own);
+    Some(graph.add(x, moved))
+}
+
+/// The terms of a sum with their coefficients.
+fn terms(graph: &mut Graph, id: Id) -> Vec<(Number, Id)> {
+    match graph.node(id).clone() {
+        Node::Linear(constant, mut terms) => {
+            let one = graph.integer(1);
+            terms.push((constant, one));
+            terms
+        }
+        _ => vec![(Number::ONE, id)],
+    }
+}
+
+/// coefficient·function(argument) with a coefficient that is free of x.
+fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id)> {
+    let (c, rest) = graph.coefficient(id);
+    let (mut found, mut coefficient) = (None, graph.number(c));
+    for (base, exponent) in graph.factors(rest) {
+        let factor = graph.pow(base, exponent);
+        if is_free(graph, factor, &|symbol| symbol == x) {
+            coefficient = graph.mul(coefficient, factor);
+            continue;
+        }
+        match graph.node(base).clone() {
+            Node::Call(Function::Exp, args) if found.is_none() => {
+                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0])));
+            }
+            Node::Call(function, args) if exponent == Ratio::ONE && args.len() == 1 && found.is_none() => {
+                found = Some((function, args[0]));
+            }
+            _ => return None,
+        }
+    }
+    found.map(|(function, argument)| (function, argument, coefficient))
+}

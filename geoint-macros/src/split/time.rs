@@ -1,0 +1,103 @@
+//! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
+
+use super::polynomial::{Monomial, Polynomial, is_free, power};
+use crate::diff;
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+
+/// How time is dealt with in the flow of a piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Clock {
+    /// Exactly: t is where the flow begins.
+    Own,
+    /// Frozen: t is the middle of the step.
+    Stage,
+}
+
+impl Clock {
+    /// The integral of a rate over the flow; `None` if that has to be exact and is not elementary.
+    pub(super) fn over_step(self, graph: &mut Graph, rate: Id) -> Option<Id> {
+        if self == Clock::Stage || is_free(graph, rate, &|symbol| symbol == Symbol::T) {
+            let h = graph.symbol(Symbol::H);
+            return Some(graph.mul(h, rate));
+        }
+        integral(graph, rate)
+    }
+}
+
+/// Σ over terms: what does not depend on t, times the integral of a power, an exponential, a sine or a cosine of t.
+fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
+    if let Node::Linear(constant, terms) = graph.node(rate).clone() {
+        let h = graph.symbol(Symbol::H);
+        let mut sum = graph.scale(constant, h);
+        for (c, term) in terms {
+            let term = Clock::Own.over_step(graph, term)?;
+            let term = graph.scale(c, term);
+            sum = graph.add(sum, term);
+        }
+        return Some(sum);
+    }
+    let reads_t = |symbol| symbol == Symbol::T;
+    let (mut constant, mut changing) = (graph.integer(1), graph.integer(1));
+    for (base, exponent) in graph.factors(rate) {
+        let factor = graph.pow(base, exponent);
+        let side = if is_free(graph, factor, &reads_t) { &mut constant } else { &mut changing };
+        *side = graph.mul(*side, factor);
+    }
+    let primitive = primitive(graph, changing)?;
+    let h = graph.symbol(Symbol::H);
+    let mean = diff::mean_rate(graph, primitive);
+    let whole = graph.mul(h, mean);
+    Some(graph.mul(constant, whole))
+}
+
+/// A function with this derivative with respect to t.
+fn primitive(graph: &mut Graph, rate: Id) -> Option<Id> {
+    let t = graph.symbol(Symbol::T);
+    let reads_t = |symbol| symbol == Symbol::T;
+    if let Node::Call(function, args) = graph.node(rate).clone() {
+        let [argument] = args[..] else { return None };
+        // a·t + b.
+        let line = Polynomial::of(graph, argument, &reads_t)?;
+        let one = |monomial: &Monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::T));
+        if !line.has_only(one) {
+            return None;
+        }
+        let slope = line.coefficient(graph, &[(Symbol::T, 1)]);
+        let (primitive, sign) = match function {
+            Function::Sin => (Function::Cos, Number::MINUS_ONE),
+            Function::Cos => (Function::Sin, Number::ONE),
+            Function::Exp => (Function::Exp, Number::ONE),
+            _ => return None,
+        };
+        let value = graph.call(primitive, &[argument]);
+        let value = graph.scale(sign, value);
+        return Some(graph.div(value, slope));
+    }
+    let powers = Polynomial::of(graph, rate, &reads_t)?;
+    let mut sum = graph.zero();
+    for (exponent, coefficient) in powers.terms().map(|(m, c)| (power(m, Symbol::T), c)).collect::<Vec<_>>() {
+        // 1/t is dealt with where it appears: its exponential has no singularity at t = 0.
+        let next = exponent.add(Ratio::ONE).filter(|next| next.numerator != 0)?;
+        let value = graph.pow(t, next);
+        let value = graph.scale(Number::Exact(next.recip()?), value);
+        let value = graph.mul(coefficient, value);
+        sum = graph.add(sum, value);
+    }
+    Some(sum)
+}
+
+/// k where a rate is k/t.
+pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<Id> {
+    let t = graph.symbol(Symbol::T);
+    let k = graph.mul(rate, t);
+    let depends = !is_free(graph, rate, &|symbol| symbol == Symbol::T);
+    (depends && is_free(graph, k, &|symbol| symbol == Symbol::T)).then_some(k)
+}
+
+/// t/(t + h); not a number if the singular time 0 lies between both.
+pub(super) fn ratio(graph: &mut Graph) -> Id {
+    let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
+    let end = graph.add(t, h);
+    let ratio = graph.div(t, end);
+    graph.call(Function::NotNegative, &[ratio])
+}

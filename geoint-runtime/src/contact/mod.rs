@@ -1,0 +1,62 @@
+//! Dissipative and driven systems: what `#[contact_hamiltonian]` implements, and the methods for it.
+//!
+//! H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the form ds − p dq by a factor,
+//! and so do all methods here but those that keep the decay of H instead.
+
+mod splitting;
+
+pub use splitting::ContactSplitting;
+
+use crate::real::Real;
+use crate::system::PhaseSpace;
+
+/// A system with a contact Hamiltonian H(q, p, s, t).
+pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+    /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
+    #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
+    fn gradient(
+        &self,
+        t: R,
+        q: &Self::Array,
+        p: &Self::Array,
+        s: &R,
+        dq: &mut Self::Array,
+        dp: &mut Self::Array,
+        ds: &mut R,
+    );
+}
+
+/// How a flow deals with time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// Exactly, from the time on at which it begins.
+    Own,
+    /// It is frozen at the middle of the step.
+    Stage,
+}
+
+/// A part of H.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// Its formula.
+    pub name: &'static str,
+    /// Its time.
+    pub clock: Clock,
+}
+
+/// H is a sum of pieces whose flows are known in closed form.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no pieces whose flows are known in closed form",
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+)]
+pub trait Pieces<R: Real = f64>: Contact<R> {
+    /// The pieces; the last one is in the middle of a step.
+    const PIECES: &'static [Piece];
+    /// What flows of given lengths need from the parameters.
+    type Flows: Copy + core::fmt::Debug;
+
+    /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
+    fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
+    /// The flow of a piece at time t: where it begins, or that at which it is frozen. Not a number where it ends before.
+    fn flow(piece: usize, flows: &Self::Flows, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
+}

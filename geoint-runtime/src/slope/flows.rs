@@ -1,0 +1,56 @@
+//! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
+
+use super::{away, either, exp_derivative, factorial, polynomial, series};
+use crate::real::{Real, zero};
+
+/// φ₁(x) = (eˣ − 1)/x.
+#[inline(always)]
+pub fn phi_1<R: Real>(x: R) -> R {
+    let x = away(x);
+    x.exp_m1() / x
+}
+
+/// The derivative of [`phi_1`].
+#[inline(always)]
+pub fn phi_1_derivative<R: Real>(x: R) -> R {
+    exp_derivative(zero(), x)
+}
+
+/// c₀(x) = cos √x, cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
+#[inline(always)]
+pub fn stumpff_c0<R: Real>(x: R) -> R {
+    let small = |x: R| polynomial(-x, series!(9, |k| 1.0 / factorial(2 * k)));
+    let large = || sided(x, |root| root.cos(), |root| root.cosh());
+    either(x, 1.0, small, large)
+}
+
+/// c₁(x) = sin √x/√x, sinh √−x/√−x for x < 0.
+#[inline(always)]
+pub fn stumpff_c1<R: Real>(x: R) -> R {
+    let small = |x: R| polynomial(-x, series!(9, |k| 1.0 / factorial(2 * k + 1)));
+    let large = || sided(x, |root| root.sin() / root, |root| root.sinh() / root);
+    either(x, 1.0, small, large)
+}
+
+/// The derivative of [`stumpff_c1`], (c₀ − c₁)/2x.
+#[inline(always)]
+pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
+    let small = |x: R| -polynomial(-x, series!(9, |k| (k + 1) as f64 / factorial(2 * k + 3)));
+    let large = || (stumpff_c0(x) - stumpff_c1(x)) / (x + x);
+    either(x, 1.0, small, large)
+}
+
+/// One function of √x where x is positive, another one of √−x where it is negative. x is not near zero.
+#[inline(always)]
+fn sided<R: Real>(x: R, positive: impl FnOnce(R) -> R, negative: impl FnOnce(R) -> R) -> R {
+    let root = x.abs().sqrt();
+    if !x.any_below(0.0) {
+        positive(root)
+    } else if !x.any_above(0.0) {
+        negative(root)
+    } else {
+        let half = R::from_f64(0.5);
+        let weight = half + half * x.signum();
+        weight * positive(root) + (R::from_f64(1.0) - weight) * negative(root)
+    }
+}

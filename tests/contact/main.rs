@@ -1,0 +1,3 @@
+//! Contact systems: flows of pieces, methods, systems of the field.
+
+mod flows;
