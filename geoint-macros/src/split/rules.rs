@@ -32,7 +32,7 @@ impl std::fmt::Debug for Rule {
 }
 
 /// In order of preference, where an energy belongs to several.
-pub(crate) const RULES: &[Rule] = &[
+pub(crate) static RULES: &[Rule] = &[
     Rule { name: "damped drift", family: "p·Wp/2 + g s, g constant or k/t", solve: kinetic::damped },
     Rule { name: "damped oscillator", family: "Σ (a p² + 2e q p + b q²)/2 + c s", solve: quadratic::oscillator },
     Rule { name: "drift", family: "T(p, t)", solve: kinetic::free },
