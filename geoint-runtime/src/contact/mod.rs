@@ -3,8 +3,14 @@
 //! H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the form ds − p dq by a factor,
 //! and so do all methods here but those that keep the decay of H instead.
 
+mod discrete_gradient;
+mod implicit;
+mod midpoint;
 mod splitting;
 
+pub use discrete_gradient::ContactDiscreteGradient;
+pub use implicit::ImplicitStep;
+pub use midpoint::ContactMidpoint;
 pub use splitting::ContactSplitting;
 
 use crate::real::Real;

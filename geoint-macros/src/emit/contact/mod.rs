@@ -1,5 +1,6 @@
 //! What is emitted of contact systems.
 
+mod implicit;
 mod pieces;
 mod report;
 mod system;
@@ -15,7 +16,8 @@ pub(crate) fn contact_items(context: &Context<'_>, graph: &mut Graph, energy: Id
     let bounds = super::system::bounds(graph, &[energy]);
     let system = system::contact(context, graph, energy, &bounds);
     let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);
-    let report = report::report(context, graph, energy, found, &costs);
+    let (steps, step_costs) = implicit::steps(context, graph, energy, &bounds);
+    let report = report::report(context, graph, energy, found, &costs, &step_costs);
     let inherent = system::inherent(context, &report);
-    super::around(context, &report, &quote!(#inherent #system #pieces))
+    super::around(context, &report, &quote!(#inherent #system #pieces #steps))
 }

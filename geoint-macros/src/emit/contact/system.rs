@@ -3,7 +3,7 @@
 use super::super::kernel::{Context, write};
 use super::super::system::{outside_domain, self_type};
 use crate::diff;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id};
 use crate::parse::{Energy, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -14,9 +14,8 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
     let value = context.routine(graph, &[energy], |mut values| values.remove(0));
     let outside = outside_domain(context, graph, energy, None);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
-    let along_action = diff::partial(graph, energy, Symbol::S);
     let places = context.coordinates();
-    let roots = [&gradient.q[..], &gradient.p, &[along_action]].concat();
+    let roots = [&gradient.q[..], &gradient.p, &[gradient.s]].concat();
     let slopes = context.routine(graph, &roots, |values| {
         let (q, rest) = values.split_at(places.len());
         let (p, s) = rest.split_at(places.len());
