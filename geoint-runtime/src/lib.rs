@@ -127,9 +127,10 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, ContactDiscreteGradient, ContactMidpoint, ContactSplitting, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan,
-        MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
+        Adaptive, ContactDiscreteGradient, ContactMidpoint, ContactSplitting, ContactState, CoordinateIncrement,
+        DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint,
+        Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PhaseSpace, PositionVerlet,
+        Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
+        SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

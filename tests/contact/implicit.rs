@@ -1,8 +1,8 @@
 //! Implicit methods for every contact Hamiltonian: order, symmetry, the form, the decay of H, refusals.
 
 use geoint_runtime::array::Array;
-use geoint_runtime::prelude::*;
 use geoint_runtime::contact::ImplicitStep;
+use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Contact, Coordinates, Real};
 use geoint_tests::measure::{LOOKS, distance, extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
@@ -322,7 +322,10 @@ fn figures() {
             let sigma = Double::from(0.1) + s * e;
             vec![p, -q.sin() - p * sigma, p * p * 0.5 + q.cos() - s * 0.1 - s * s * (0.5 * e)]
         };
-        extrapolated(field, 0.0.into(), over(vec![1.0, 0.5, 0.3]), 4.0.into(), 20).iter().map(|x| x.value()).collect::<Vec<_>>()
+        extrapolated(field, 0.0.into(), over(vec![1.0, 0.5, 0.3]), 4.0.into(), 20)
+            .iter()
+            .map(|x| x.value())
+            .collect::<Vec<_>>()
     };
     let run = |e: f64, h: f64| {
         let mut sim = Pendulum { g: 0.1, e }.integrator(ContactDiscreteGradient, h, ContactState::new(1.0, 0.5, 0.3));

@@ -43,7 +43,8 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
     let f = field(graph, [along_q, along_p, &[along_s]], &before, &momenta, value);
     let mut derivative = hessian[n..2 * n].to_vec();
     for i in 0..n {
-        derivative.push((0..unknowns.len()).map(|j| force(graph, hessian[i][j], before[i], hessian[2 * n][j])).collect());
+        derivative
+            .push((0..unknowns.len()).map(|j| force(graph, hessian[i][j], before[i], hessian[2 * n][j])).collect());
     }
     // The derivatives of p at ∂H/∂p and of H at p cancel.
     let action_row = (0..unknowns.len()).map(|j| {

@@ -21,8 +21,8 @@ use crate::real::Real;
 /// Where H does not depend on s this is [`ImplicitMidpoint`](crate::ImplicitMidpoint). H itself decays as the flow has it to
 /// order 2 only: [`ContactDiscreteGradient`](crate::ContactDiscreteGradient) has a law for that, and is no contact map.
 ///
-/// Contact maps as symplectic maps of the cone: K. Feng & M. Shang, *Symplectic Geometric Algorithms for Hamiltonian Systems*
-/// (2010), ch. 11; K. Feng, *Contact algorithms for contact dynamical systems*, J. Comput. Math. 16 (1998) 1.
+/// K. Feng & M. Qin, *Symplectic Geometric Algorithms for Hamiltonian Systems* (2010), 11.4.3, the contact algorithm C̄; contact
+/// maps as symplectic maps that commute with scaling are their section 11.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactMidpoint;
 

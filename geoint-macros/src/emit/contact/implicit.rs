@@ -39,10 +39,10 @@ fn step(
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
     let (name, method) = (self_type(context), format_ident!("{method}"));
-    let (unknown, places) =
-        (context.unknown_type(field.unknowns.len()), context.unknown_places(field.unknowns.len()));
+    let (unknown, places) = (context.unknown_type(field.unknowns.len()), context.unknown_places(field.unknowns.len()));
     let degrees = context.energy.degrees();
-    let before: Vec<Symbol> = (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
+    let before: Vec<Symbol> =
+        (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
 
     let plan = schedule::plan(graph, level, &[&[], &[]], &[&roots(field), end]);
     let constants = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
