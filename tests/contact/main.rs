@@ -1,4 +1,6 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
+mod cases;
 mod flows;
 mod implicit;
+mod laws;

@@ -16,7 +16,8 @@ use crate::real::Real;
 /// q₁ = q₀ + h ∂H/∂p, (1 + hσ/2) p₁ = (1 − hσ/2) p₀ − h ∂H/∂q, s₁ = s₀ + h (p̄·∂H/∂p − H), σ = ∂H/∂s;
 ///
 /// q̄ and s̄ are means of both ends, p̄ = ((1 − hσ/2) p₀ + (1 + hσ/2) p₁)/2 is weighted by θ. A step multiplies the form
-/// ds − p dq by (1 − hσ/2)/(1 + hσ/2), and is refused where |hσ| ≥ 2 and that is not positive.
+/// ds − p dq by (1 − hσ/2)/(1 + hσ/2), and is refused where |hσ| ≥ 2 and that is not positive. By the same factor it multiplies
+/// what is linear in p, and at most bilinear in q and p, and what the flow multiplies by its own: angular momentum, say.
 ///
 /// Where H does not depend on s this is [`ImplicitMidpoint`](crate::ImplicitMidpoint). H itself decays as the flow has it to
 /// order 2 only: [`ContactDiscreteGradient`](crate::ContactDiscreteGradient) has a law for that, and is no contact map.
