@@ -162,7 +162,7 @@ pub(super) fn symmetric<P: Case, M: Method<P::Over<f64>, f64>>(method: M) {
         sim.set_step_size(-h);
         sim.advance(3).unwrap();
         let defect = distance(&flat(&sim.state()), &P::start());
-        assert!(away > 0.01 && defect <= 1e-13, "{}: {away}, {defect:.1e}", P::NAME);
+        assert!(away > 0.01 && defect <= 1e-14, "{}: {away}, {defect:.1e}", P::NAME);
     }
 }
 /// The largest entry of φ*(ds − p dq) − λ (ds − p dq) with λ from ∂/∂s, and λ.
