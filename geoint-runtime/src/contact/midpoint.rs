@@ -10,14 +10,14 @@ use crate::real::Real;
 /// for 2n + 1 unknowns.
 ///
 /// K = −θ H(q, −P/θ, s) is a Hamiltonian with the conjugate pairs (q, P) and (s, θ), homogeneous of degree 1 in (P, θ), and its
-/// flow is that of H for p = −P/θ. The midpoint rule is symplectic, and keeps K homogeneous because scaling of (P, θ) is linear:
-/// so it is a contact map too. Without θ, with all derivatives at (q̄, p̄, s̄) and in the middle of the step,
+/// flow is that of H for p = −P/θ. The midpoint rule is symplectic, and commutes with scaling of (P, θ) because that is linear:
+/// so it is a contact map. Without θ, with all derivatives at (q̄, p̄, s̄) and in the middle of the step,
 ///
 /// q₁ = q₀ + h ∂H/∂p, (1 + hσ/2) p₁ = (1 − hσ/2) p₀ − h ∂H/∂q, s₁ = s₀ + h (p̄·∂H/∂p − H), σ = ∂H/∂s;
 ///
 /// q̄ and s̄ are means of both ends, p̄ = ((1 − hσ/2) p₀ + (1 + hσ/2) p₁)/2 is weighted by θ. A step multiplies the form
 /// ds − p dq by (1 − hσ/2)/(1 + hσ/2), and is refused where |hσ| ≥ 2 and that is not positive. By the same factor it multiplies
-/// what is linear in p, and at most bilinear in q and p, and what the flow multiplies by its own: angular momentum, say.
+/// p·(Aq + b) where the flow multiplies that by its own, as it does angular momentum under a central force.
 ///
 /// Where H does not depend on s this is [`ImplicitMidpoint`](crate::ImplicitMidpoint). H itself decays as the flow has it to
 /// order 2 only: [`ContactDiscreteGradient`](crate::ContactDiscreteGradient) has a law for that, and is no contact map.
