@@ -1,4 +1,7 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
+mod cases;
+mod implicit;
+mod laws;
 mod measure;
 mod methods;
