@@ -4,6 +4,7 @@ mod language;
 mod derivatives;
 mod slopes;
 mod tables;
+mod modified;
 mod orders;
 mod corrected;
 mod geometry;
