@@ -29,11 +29,13 @@ fn main() {
         assert!(difference <= bound, "{}: generated and hand-written differ by {difference:.1e}", pair.name);
     }
     let discrete = discrete_gradients();
+    let action = without_action();
 
     // A test run only wants to know whether this runs.
     if !std::env::args().any(|arg| arg == "--test" || arg == "--list") {
         table("generated / hand-written", &by_hand);
         table("discrete gradient / Verlet", &discrete);
+        table("without the action / with it", &action);
     }
     if std::env::var("RATIOS").is_ok_and(|value| value == "only") {
         return;
@@ -165,6 +167,22 @@ fn contact() -> Vec<Pair> {
             unit: Box::new(move |n| hand().damped(black_box(h), n, z).to_vec()),
         },
     ]
+}
+
+/// What is saved where nobody reads s: the value of the potential, and s itself.
+fn without_action() -> Vec<Pair> {
+    let (h, start) = (0.01, ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0));
+    let system = move || black_box(systems::DampedKepler { mu: 1.0, alpha: 0.07 });
+    vec![Pair {
+        name: "damped Kepler, PositionVerlet".into(),
+        subject: Box::new(move |steps| {
+            let mut sim = system().integrator(PositionVerlet, black_box(h), black_box(start)).without_action();
+            sim.advance(black_box(steps)).unwrap();
+            let ContactState { q, p, .. } = sim.state();
+            vec![q[0], q[1], p[0], p[1]]
+        }),
+        unit: contact_run(system(), PositionVerlet, h, start),
+    }]
 }
 
 fn contact_run<S, M>(system: S, method: M, h: f64, start: ContactState<[f64; 2]>) -> Run
