@@ -1,3 +1,4 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
 mod flows;
+mod systems;
