@@ -1,11 +1,13 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{Damping, Flaw, Split, Structure};
+use crate::analyze::{self, Damping, Flaw, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::eval::eval;
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
+use proc_macro2::Span;
 use std::collections::HashMap;
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
@@ -55,23 +57,79 @@ pub(crate) fn requests(
     errors.or(())
 }
 
-/// Reports a piece that was asked for and has no flow, and pieces that do not add up to H.
+/// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
 pub(crate) fn pieces(
     energy: &Energy,
-    root: Id,
-    pieces: &Pieces,
-    graph: &Graph,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Pieces,
+    graph: &mut Graph,
     places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let printer = Printer::new(graph, name);
-    let _ = (energy, root, pieces, places, &printer, &mut errors);
+    if let Some(groups) = groups {
+        if let Err(group) = found
+            && let Some((_, place)) = groups.iter().find(|(other, _)| other == group)
+        {
+            let printer = Printer::new(graph, &name);
+            errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
+        }
+        let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+        if differ(graph, root, sum) {
+            let missing = graph.sub(root, sum);
+            let printer = Printer::new(graph, &name);
+            errors.at_place(whole(groups), format!("{NOT_THE_SUM}: {}", printer.excerpt(missing)));
+        }
+    }
+    if let Some(span) = energy.lift {
+        if let Some(term) = analyze::not_affine(graph, root) {
+            let printer = Printer::new(graph, &name);
+            let place = places.get(&term).copied().unwrap_or((span, span));
+            errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
+        }
+    }
     errors.or(())
 }
 
+/// From the first group to the last.
+fn whole(groups: &[(Id, Place)]) -> Place {
+    let [first, last] = [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
+    (first, last)
+}
+
+/// Whether two nodes have different values at some points that mean nothing.
+fn differ(graph: &Graph, a: Id, b: Id) -> bool {
+    let mut known: HashMap<Symbol, f64> = HashMap::new();
+    for id in graph.reachable(&[a, b]) {
+        if let Node::Symbol(symbol) = graph.node(id) {
+            let next = known.len() as f64;
+            known.insert(*symbol, next);
+        }
+    }
+    (1..4).any(|point| {
+        // Between 0.3 and 1.3, incommensurable.
+        let value = |symbol: Symbol| 0.3 + (known[&symbol] + 1.0).mul_add(0.618_033_988_749, 0.414 * f64::from(point)).fract();
+        let [x, y] = [a, b].map(|id| eval(graph, id, &value));
+        (x - y).abs() > 1e-9 * (1.0 + x.abs())
+    })
+}
+
+const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
+                       found";
+
+const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing is";
+
+const NO_LIFT: &str = "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
+
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
                                     `ContactMidpoint` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
+                                         `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
+                                      Runge–Kutta–Nyström tables would lose their order; use a table for every splitting, such as \
+                                      `BlanesMoan6`";
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";

@@ -58,6 +58,8 @@ fn contact_hamiltonian(energy: &parse::Energy) -> Result<TokenStream> {
     let (graph, context) = (&mut lowered.graph, emit::Context::new(energy, &lowered.constants, &lowered.partial));
     let groups = lowered.groups.as_deref();
     let pieces = split::pieces(graph, lowered.energy, energy.degrees(), groups); // flows in closed form
-    check::pieces(energy, lowered.energy, &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    Ok(emit::contact_items(&context, graph, lowered.energy, &pieces))
+    let mechanics = split::mechanics(graph, lowered.energy, energy.degrees());
+    let asked = (lowered.energy, groups);
+    check::pieces(energy, asked, &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    Ok(emit::contact_items(&context, graph, lowered.energy, &pieces, &mechanics))
 }

@@ -2,7 +2,8 @@
 
 use crate::error::StepError;
 use crate::method::{Clock, Found, Method, Probe, Refusal, Watch};
-use crate::point::{Compensated, Plain, Point, Summation};
+use crate::contact::Conformal;
+use crate::point::{Compensated, Plain, Point, Summation, WithoutAction};
 use crate::real::{Real, zero};
 use crate::state::{Action, Coordinates};
 use crate::system::{Hamiltonian, PhaseSpace, StateOf};
@@ -158,12 +159,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// The state now.
     pub fn state(&self) -> StateOf<S, R> {
         let (q, p) = (Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p));
-        S::Action::state(self.time(), q, p, self.x.s)
+        S::Action::state(self.time(), q, p, if C::ACTION { self.x.s } else { S::Action::unknown() })
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &self.x.s)
+        let s = if C::ACTION { self.x.s } else { S::Action::unknown() };
+        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &s)
     }
 
     /// The number of steps taken.
@@ -205,6 +207,15 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
+        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
+        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+    }
+}
+
+impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+    /// The same without the action, which does not act back on positions and momenta: splittings do not compute it, nor what only
+    /// it needs, such as the value of the potential. In states it is not a number.
+    pub fn without_action(self) -> Integrator<S, M, R, WithoutAction> {
         let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
         Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
     }

@@ -85,7 +85,7 @@ pub use adaptive::Adaptive;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
-pub use contact::{Contact, ContactSplitting, Pieces};
+pub use contact::{Conformal, Contact, ContactLeapfrog, ContactSplitting, Mechanical, PieceComposition, Pieces};
 #[doc(inline)]
 pub use discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -127,7 +127,7 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, ContactSplitting, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
+        Adaptive, ContactLeapfrog, ContactSplitting, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan,
         MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet,
         SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,

@@ -9,6 +9,8 @@ use core::fmt::Debug;
 pub trait Summation<A: Array>: Copy + Debug {
     /// Whether nothing is carried: a flow may then act on its own.
     const PLAIN: bool;
+    /// Whether the action of a contact system is followed.
+    const ACTION: bool = true;
     /// Nothing has been rounded off yet.
     fn new() -> Self;
     /// Lets `flow`, which adds something to its argument whatever that is, act on `x`.
@@ -25,6 +27,24 @@ impl<A: Array> Summation<A> for Plain {
     const PLAIN: bool = true;
     fn new() -> Self {
         Plain
+    }
+    #[inline(always)]
+    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
+        flow(x);
+    }
+    #[inline(always)]
+    fn owe(&mut self, _: &A) {}
+}
+
+/// Every addition is rounded, and the action of a contact system is not followed.
+#[derive(Clone, Copy, Debug)]
+pub struct WithoutAction;
+
+impl<A: Array> Summation<A> for WithoutAction {
+    const PLAIN: bool = true;
+    const ACTION: bool = false;
+    fn new() -> Self {
+        WithoutAction
     }
     #[inline(always)]
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {

@@ -2,7 +2,7 @@
 
 pub use crate::adaptive::Adaptive;
 pub use crate::array::{Array, Square};
-pub use crate::contact::{Clock, Contact, Piece, Pieces};
+pub use crate::contact::{Clock, Conformal, Contact, Mechanical, Piece, Pieces};
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;

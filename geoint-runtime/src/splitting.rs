@@ -150,6 +150,8 @@ fn kick<S: Separable<R>, R: Real, C: Summation<S::Array>>(
     (q, p, s): Parts<'_, S, R>,
     sum: &mut C,
 ) {
+    let mut unread = *s;
+    let s = if C::ACTION { s } else { &mut unread };
     if C::PLAIN { S::kick(flow, at.other, q, p, s) } else { sum.add(p, |p| S::kick(flow, at.other, q, p, s)) }
 }
 
@@ -161,6 +163,8 @@ fn drift<S: Separable<R>, R: Real, C: Summation<S::Array>>(
     (q, p, s): Parts<'_, S, R>,
     sum: &mut C,
 ) {
+    let mut unread = *s;
+    let s = if C::ACTION { s } else { &mut unread };
     let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
     if C::PLAIN { S::drift(flow, t, q, p, s) } else { sum.add(q, |q| S::drift(flow, t, q, p, s)) }
 }

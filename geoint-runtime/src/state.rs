@@ -142,6 +142,8 @@ pub trait Action<R: Real>: Copy + Debug + PartialEq {
     type State<Q: Coordinates<Real = R>>: Copy + Debug + PartialEq;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
+    /// Not a number.
+    fn unknown() -> Self;
     /// A point from its parts.
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, action: Self) -> Self::State<Q>;
     /// The parts of a point.
@@ -154,6 +156,7 @@ impl<R: Real> Action<R> for () {
     fn is_finite(&self) -> bool {
         true
     }
+    fn unknown() {}
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
         State { t, q, p }
     }
@@ -167,6 +170,9 @@ impl<R: Real> Action<R> for R {
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY
+    }
+    fn unknown() -> R {
+        R::from_f64(f64::NAN)
     }
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, s: R) -> ContactState<Q> {
         ContactState { t, q, p, s }

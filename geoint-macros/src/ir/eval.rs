@@ -5,7 +5,6 @@ use super::op::Symbol;
 use std::collections::HashMap;
 
 /// The value of `root` where symbols have the values that `value` gives them.
-#[cfg_attr(not(test), expect(dead_code, reason = "the second route of the tests"))]
 pub(crate) fn eval(graph: &Graph, root: Id, value: &impl Fn(Symbol) -> f64) -> f64 {
     let mut values: HashMap<Id, f64> = HashMap::new();
     for id in graph.reachable(&[root]) {

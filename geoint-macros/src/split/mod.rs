@@ -13,9 +13,11 @@ mod prolongation;
 mod conjugate;
 mod rules;
 mod partition;
+mod mechanics;
 
 use crate::ir::{Graph, Id};
-pub(crate) use flow::Piece;
+pub(crate) use flow::{Flow, Piece, level};
+pub(crate) use mechanics::{Mechanics, is_conformal, mechanics};
 pub(crate) use partition::{Pieces, pieces};
 pub(crate) use rules::RULES;
 use rules::Group;

@@ -1,9 +1,9 @@
 //! Which terms go together.
 
 use super::rules::RULES;
-use super::{Piece, piece};
+use super::{Piece, level, piece};
 use crate::analyze::{self, Reads};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Graph, Id, Node, Ratio};
 use crate::lower::Place;
 use crate::schedule;
 use std::collections::BTreeMap;
@@ -17,12 +17,18 @@ const MAX_ATOMS: usize = 7;
 
 /// Splits H; into the groups that the user wants, if there are any.
 pub(crate) fn pieces(graph: &mut Graph, energy: Id, degrees: u32, groups: Option<&[(Id, Place)]>) -> Pieces {
-    let found = match groups {
-        Some(groups) => groups.iter().map(|(group, _)| piece(graph, *group, degrees).ok_or(*group)).collect::<Pieces>()?,
-        None => fewest(graph, energy, degrees)?,
-    };
-    let mut pieces: Vec<(usize, Piece)> = found.into_iter().map(|piece| (cost(graph, &piece), piece)).collect();
-    pieces.sort_by_key(|(cost, _)| *cost);
+    if let Some(groups) = groups {
+        // In the order given: who groups by hand knows what is to be in the middle.
+        return groups.iter().map(|(group, _)| piece(graph, *group, degrees).ok_or(*group)).collect();
+    }
+    let found = fewest(graph, energy, degrees)?;
+    // A kick in the middle leaves the smallest error; of other pieces the most expensive one is best looked at once.
+    let mut pieces: Vec<((bool, usize), Piece)> = vec![];
+    for piece in found {
+        let reads = analyze::reads(graph, piece.energy);
+        pieces.push(((reads.q && reads.kinds() == 1, cost(graph, &piece)), piece));
+    }
+    pieces.sort_by_key(|(rank, _)| *rank);
     Ok(pieces.into_iter().map(|(_, piece)| piece).collect())
 }
 
@@ -108,7 +114,13 @@ fn atoms(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<Id> {
         if reads.kinds() > 1 && apart <= MAX_ATOMS {
             atoms.extend(terms);
         } else {
-            atoms.push(graph.sum(&terms));
+            let together = graph.sum(&terms);
+            // What reads one kind alone stays together, unless no rule knows the sum.
+            if apart <= MAX_ATOMS && piece(graph, together, degrees).is_none() {
+                atoms.extend(terms);
+            } else {
+                atoms.push(together);
+            }
         }
     }
     atoms
@@ -131,9 +143,8 @@ fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
     Some(terms.into_iter().map(|term| graph.mul(others, term)).collect())
 }
 
-/// What a flow costs in the loop over steps, where parameters and h have been dealt with.
+/// What a flow costs wherever it is applied, after what is computed once a step.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {
     let roots: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
-    schedule::plan(graph, level, &[&[]], &[&roots]).last[0].operations().weight()
+    schedule::plan(graph, level(piece.clock), &[&[], &[]], &[&roots]).last[0].operations().weight()
 }

@@ -3,12 +3,14 @@
 //! H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H. The flow multiplies the form ds − p dq by a factor,
 //! and so do all methods here but those that keep the decay of H instead.
 
+mod leapfrog;
 mod splitting;
 
-pub use splitting::ContactSplitting;
+pub use leapfrog::ContactLeapfrog;
+pub use splitting::{ContactSplitting, PieceComposition};
 
 use crate::real::Real;
-use crate::system::PhaseSpace;
+use crate::system::{PhaseSpace, Separable};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
@@ -24,6 +26,27 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
         dp: &mut Self::Array,
         ds: &mut R,
     );
+}
+
+/// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
+#[diagnostic::on_unimplemented(
+    message = "positions and momenta of `{Self}` do not move without the action",
+    label = "s acts back on q or p, and has to be followed"
+)]
+pub trait Conformal<R: Real = f64>: Contact<R> {}
+
+/// H = T(p, t) + g(t)·s + V(q, t).
+#[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
+pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// What a drift of given length needs from the parameters.
+    type FreeDrift: Copy;
+
+    /// Coefficients of a drift of length `h`.
+    fn prepare_free_drift(&self, h: R) -> Self::FreeDrift;
+    /// The flow of T alone.
+    fn free_drift(drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
+    /// g at time `t`.
+    fn damping(&self, t: R) -> R;
 }
 
 /// How a flow deals with time.
@@ -54,9 +77,21 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     const PIECES: &'static [Piece];
     /// What flows of given lengths need from the parameters.
     type Flows: Copy + core::fmt::Debug;
+    /// What they need from the time at which it is frozen.
+    type Frozen: Copy + core::fmt::Debug;
 
     /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
     fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
-    /// The flow of a piece at time t: where it begins, or that at which it is frozen. Not a number where it ends before.
-    fn flow(piece: usize, flows: &Self::Flows, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
+    /// Freezes time at `t`.
+    fn freeze(flows: &Self::Flows, t: R) -> Self::Frozen;
+    /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
+    fn flow(
+        piece: usize,
+        flows: &Self::Flows,
+        frozen: &Self::Frozen,
+        t: R,
+        q: &mut Self::Array,
+        p: &mut Self::Array,
+        s: &mut R,
+    );
 }

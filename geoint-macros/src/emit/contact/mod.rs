@@ -1,21 +1,30 @@
 //! What is emitted of contact systems.
 
+mod mechanics;
 mod pieces;
 mod report;
 mod system;
 
 use super::kernel::Context;
 use crate::ir::{Graph, Id};
-use crate::split::Pieces;
+use crate::split::{Mechanics, Pieces};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 /// Everything that is emitted beside the user's function.
-pub(crate) fn contact_items(context: &Context<'_>, graph: &mut Graph, energy: Id, found: &Pieces) -> TokenStream {
+pub(crate) fn contact_items(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    energy: Id,
+    found: &Pieces,
+    mechanics: &Result<Mechanics, Id>,
+) -> TokenStream {
     let bounds = super::system::bounds(graph, &[energy]);
     let system = system::contact(context, graph, energy, &bounds);
     let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);
+    let mechanics = mechanics::mechanics(context, graph, mechanics, &bounds);
+    let conformal = system::conformal(context, graph, energy, &bounds);
     let report = report::report(context, graph, energy, found, &costs);
     let inherent = system::inherent(context, &report);
-    super::around(context, &report, &quote!(#inherent #system #pieces))
+    super::around(context, &report, &quote!(#inherent #system #conformal #pieces #mechanics))
 }

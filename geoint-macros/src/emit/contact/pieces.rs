@@ -2,12 +2,13 @@
 //! the term.
 
 use super::super::flows::unsatisfied;
-use super::super::kernel::{Context, place};
+use super::super::kernel::Context;
 use super::super::system::self_type;
+use super::mechanics::assign;
 use crate::check::NO_PIECES;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
-use crate::split::{Clock, Piece, Pieces};
+use crate::split::{Clock, Piece, Pieces, level};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -30,8 +31,9 @@ pub(super) fn pieces(
 
 /// A flow as tokens.
 struct Kernel {
-    slots: Literal,
+    slots: [Literal; 2],
     prepare: TokenStream,
+    freeze: TokenStream,
     body: TokenStream,
     operations: Operations,
 }
@@ -41,18 +43,12 @@ fn kernel(context: &Context<'_>, graph: &mut Graph, piece: &Piece) -> Kernel {
     let changed: Vec<(Symbol, Id)> =
         piece.flow.changed(graph).into_iter().filter(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_)))).collect();
     let roots: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
-    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
-    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
-    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
-    let body = context.planned(&plan.last[0], (&[], ""), |values| {
-        let places = changed.iter().map(|(symbol, _)| match symbol {
-            Symbol::Q(i) => place(quote!(q), &context.coordinate(*i)),
-            Symbol::P(i) => place(quote!(p), &context.coordinate(*i)),
-            _ => quote!(*s),
-        });
-        quote!(#(#places = #values;)*)
-    });
-    Kernel { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
+    let plan = schedule::plan(graph, level(piece.clock), &[&[], &[]], &[&roots]);
+    let [prepare, freeze] =
+        [0, 1].map(|level| context.planned(&plan.stores[level], (&[], ""), |values| quote!([#(#values),*])));
+    let body = context.planned(&plan.last[0], (&[], ""), |values| assign(context, &changed, &values));
+    let slots = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    Kernel { slots, prepare, freeze, body, operations: plan.last[0].operations() }
 }
 
 fn splitting(
@@ -72,28 +68,42 @@ fn splitting(
         };
         quote!(Piece { name: #name, clock: Clock::#clock })
     });
-    let slots = flows.iter().map(|flow| &flow.slots);
-    let types = quote!((#([R; #slots],)*));
+    let types = |level: usize| {
+        let slots = flows.iter().map(|flow| &flow.slots[level]);
+        quote!((#([R; #slots],)*))
+    };
+    let (types, frozen_types) = (types(0), types(1));
     let last = flows.len() - 1;
     let prepared = flows.iter().enumerate().map(|(i, flow)| {
         let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, &flow.prepare);
         quote!({ let h = #length; #prepare })
     });
+    let frozen = flows.iter().enumerate().map(|(i, flow)| {
+        let (i, freeze) = (Literal::usize_unsuffixed(i), &flow.freeze);
+        quote!({ let prepared = &flows.#i; #freeze })
+    });
     let arms = flows.iter().enumerate().map(|(i, flow)| {
         let (i, body) = (Literal::usize_unsuffixed(i), &flow.body);
-        quote!(#i => { let prepared = &flows.#i; #body })
+        quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
     quote! {
         impl<R: #bounds> Pieces<R> for #name {
             const PIECES: &'static [Piece] = &[#(#table),*];
             type Flows = #types;
+            type Frozen = #frozen_types;
 
             #[inline]
             fn prepare_flows(&self, outer: R, last: R) -> #types {
                 (#(#prepared,)*)
             }
             #[inline(always)]
-            fn flow(piece: usize, flows: &#types, t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+            fn freeze(flows: &#types, t: R) -> #frozen_types {
+                (#(#frozen,)*)
+            }
+            #[inline(always)]
+            fn flow(
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, q: &mut #array, p: &mut #array, s: &mut R,
+            ) {
                 match piece {
                     #(#arms)*
                     _ => {}
@@ -112,10 +122,12 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
         impl<R: #bounds + #marker> Pieces<R> for #name {
             const PIECES: &'static [Piece] = &[];
             type Flows = #never;
+            type Frozen = ();
             fn prepare_flows(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn flow(_: usize, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn freeze(_: &#never, _: R) {}
+            fn flow(_: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
                 match *never {}
             }
         }

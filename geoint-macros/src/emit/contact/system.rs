@@ -5,6 +5,7 @@ use super::super::system::{outside_domain, self_type};
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::{Energy, over_scalar};
+use crate::split;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -46,6 +47,12 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
             }
         }
     }
+}
+
+/// `impl Conformal`, if it holds.
+pub(super) fn conformal(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
+    let name = self_type(context);
+    if split::is_conformal(graph, energy) { quote!(impl<R: #bounds> Conformal<R> for #name {}) } else { TokenStream::new() }
 }
 
 /// What users call, in the float type of the function.

@@ -1,0 +1,133 @@
+//! Kick, drift and damping of mechanical contact systems; or implementations that no scalar satisfies, whose messages name a
+//! term.
+
+use super::super::flows::unsatisfied;
+use super::super::kernel::{Context, place};
+use super::super::system::self_type;
+use crate::check::{NOT_MECHANICAL, NOT_NYSTROM};
+use crate::ir::{Graph, Id, Symbol};
+use crate::schedule;
+use crate::split::{Clock, Flow, Mechanics};
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// `impl Separable`, `impl QuadraticKinetic` and `impl Mechanical`.
+pub(super) fn mechanics(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    found: &Result<Mechanics, Id>,
+    bounds: &TokenStream,
+) -> TokenStream {
+    match found {
+        Ok(mechanics) => separable(context, graph, mechanics, bounds),
+        Err(term) => none(context, graph, *term, bounds),
+    }
+}
+
+fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bounds: &TokenStream) -> TokenStream {
+    let name = self_type(context);
+    let (drift, clock) = &mechanics.drift;
+    let exact = *clock == Clock::Own;
+    let (kick_type, prepare_kick, kick) = flow(context, graph, "kick", &mechanics.kick);
+    let (drift_type, prepare_drift, drift) = flow(context, graph, "drift", drift);
+    let (free_type, prepare_free, free) = flow(context, graph, "free_drift", &mechanics.free_drift);
+    let damping = context.routine(graph, &[mechanics.damping], |mut values| values.remove(0));
+    let nystrom = match mechanics.not_nystrom {
+        None => quote!(impl<R: #bounds> QuadraticKinetic<R> for #name {}),
+        Some(term) => {
+            let (marker, tokens) = unsatisfied(context, graph, "NystromIn", term, NOT_NYSTROM);
+            quote!(#tokens impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {})
+        }
+    };
+    quote! {
+        impl<R: #bounds> Separable<R> for #name {
+            type Kick = #kick_type;
+            type Drift = #drift_type;
+            const DRIFTS_ARE_EXACT_IN_TIME: bool = #exact;
+            #prepare_kick
+            #prepare_drift
+            #kick
+            #drift
+        }
+        #nystrom
+        impl<R: #bounds> Mechanical<R> for #name {
+            type FreeDrift = #free_type;
+            #prepare_free
+            #free
+            #[inline(always)]
+            fn damping(&self, t: R) -> R {
+                #damping
+            }
+        }
+    }
+}
+
+/// The type of what is prepared for a flow, the function that prepares it, and the flow.
+fn flow(context: &Context<'_>, graph: &mut Graph, name: &str, flow: &Flow) -> (TokenStream, TokenStream, TokenStream) {
+    let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
+    let changed = flow.changed(graph);
+    let roots: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
+    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
+    let slots = Literal::usize_unsuffixed(plan.slots[0]);
+    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
+    let body = context.planned(&plan.last[0], (&[], ""), |values| assign(context, &changed, &values));
+    let prepare = quote! {
+        #[inline]
+        fn #prepare_name(&self, h: R) -> [R; #slots] {
+            #prepare
+        }
+    };
+    let flow = quote! {
+        #[inline(always)]
+        fn #name(prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+            #body
+        }
+    };
+    (quote!([R; #slots]), prepare, flow)
+}
+
+/// `q[i] = …; p[i] = …; *s = …;`
+pub(super) fn assign(context: &Context<'_>, changed: &[(Symbol, Id)], values: &[TokenStream]) -> TokenStream {
+    let places = changed.iter().map(|(symbol, _)| match symbol {
+        Symbol::Q(i) => place(quote!(q), &context.coordinate(*i)),
+        Symbol::P(i) => place(quote!(p), &context.coordinate(*i)),
+        _ => quote!(*s),
+    });
+    quote!(#(#places = #values;)*)
+}
+
+fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let (marker, tokens) = unsatisfied(context, graph, "Mechanical", term, NOT_MECHANICAL);
+    let never = quote!(::core::convert::Infallible);
+    let flow = |name: &str| {
+        let (prepare, name) = (format_ident!("prepare_{name}"), format_ident!("{name}"));
+        quote! {
+            fn #prepare(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn #name(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+                match *never {}
+            }
+        }
+    };
+    let [kick, drift, free] = ["kick", "drift", "free_drift"].map(flow);
+    quote! {
+        #tokens
+        impl<R: #bounds + #marker> Separable<R> for #name {
+            type Kick = #never;
+            type Drift = #never;
+            #kick
+            #drift
+        }
+        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {}
+        impl<R: #bounds + #marker> Mechanical<R> for #name {
+            type FreeDrift = #never;
+            #free
+            fn damping(&self, t: R) -> R {
+                t
+            }
+        }
+    }
+}

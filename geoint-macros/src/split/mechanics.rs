@@ -1,0 +1,69 @@
+//! H = T(p, t) + g(t)·s + V(q, t)? A kick and a drift, as mechanical systems have them.
+
+use super::Clock;
+use super::flow::Flow;
+use super::rules::Group;
+use super::{kinetic, prolongation};
+use crate::analyze;
+use crate::diff;
+use crate::ir::{Graph, Id, Symbol};
+
+/// A damped mechanical system.
+#[derive(Clone, Debug)]
+pub(crate) struct Mechanics {
+    /// g; zero if nothing is damped.
+    pub(crate) damping: Id,
+    /// The flow of T + g·s, and its clock.
+    pub(crate) drift: (Flow, Clock),
+    /// The flow of T alone.
+    pub(crate) free_drift: Flow,
+    /// The flow of V at frozen time.
+    pub(crate) kick: Flow,
+    /// Why tables of Runge–Kutta–Nyström type have not their order, if so: a term.
+    pub(crate) not_nystrom: Option<Id>,
+}
+
+/// The parts; or a term that is in none of them.
+pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<Mechanics, Id> {
+    let (mut kinetic, mut damping, mut potential) = (graph.zero(), graph.zero(), graph.zero());
+    for term in analyze::terms(graph, energy) {
+        let reads = analyze::reads(graph, term);
+        let part = match (reads.q, reads.p, reads.s) {
+            (_, false, false) => &mut potential,
+            (false, true, false) => &mut kinetic,
+            (false, false, true) => {
+                let s = graph.symbol(Symbol::S);
+                let g = graph.div(term, s);
+                if analyze::reads(graph, g).state() {
+                    return Err(term);
+                }
+                damping = graph.add(damping, g);
+                continue;
+            }
+            _ => return Err(term),
+        };
+        *part = graph.add(*part, term);
+    }
+    let group = |energy, clock| Group { energy, degrees, clock };
+    let s = graph.symbol(Symbol::S);
+    let damped = graph.mul(damping, s);
+    let with_damping = graph.add(kinetic, damped);
+    // A damping that is zero is none.
+    let flow = |graph: &mut Graph, clock| {
+        let group = group(with_damping, clock);
+        kinetic::damped(graph, &group).or_else(|| kinetic::free(graph, &group)).map(|flow| (flow, clock))
+    };
+    let exact = flow(graph, Clock::Own);
+    let drift = exact.or_else(|| flow(graph, Clock::Stage)).ok_or(with_damping)?;
+    let free_drift = kinetic::free(graph, &group(kinetic, Clock::Stage)).ok_or(kinetic)?;
+    let kick = prolongation::solve(graph, &group(potential, Clock::Stage)).ok_or(potential)?;
+    let frozen = (drift.1 == Clock::Stage).then_some(with_damping);
+    let not_nystrom = analyze::not_quadratic(graph, kinetic).or(frozen);
+    Ok(Mechanics { damping, drift, free_drift, kick, not_nystrom })
+}
+
+/// Whether (q, p) moves without s: then H = g(t)·s + H₀(q, p, t).
+pub(crate) fn is_conformal(graph: &mut Graph, energy: Id) -> bool {
+    let slope = diff::partial(graph, energy, Symbol::S);
+    !analyze::reads(graph, slope).state()
+}
