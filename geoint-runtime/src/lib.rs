@@ -120,7 +120,7 @@ pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, Symplecti
 #[doc(inline)]
 pub use state::{ContactState, Coordinates, State};
 #[doc(inline)]
-pub use system::{Autonomous, Conservative, Hamiltonian, PhaseSpace, QuadraticKinetic, Separable};
+pub use system::{Autonomous, Conservative, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable};
 pub use tables::*;
 
 /// Everything that a program needs.

@@ -10,5 +10,5 @@ pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, PhaseSpace, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable,
 };

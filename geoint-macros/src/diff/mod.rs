@@ -2,6 +2,7 @@
 
 pub(crate) mod field;
 mod forward;
+pub(crate) mod modified;
 mod rules;
 mod slope;
 mod sweep;

@@ -2,10 +2,11 @@
 //! message names the term that couples, or damps.
 
 use super::kernel::{Context, write};
-use super::system::self_type;
+use super::system::{modified_energy, self_type};
 use crate::analyze::{Parts, Split, Structure};
 use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
-use crate::diff;
+use crate::diff::{self, modified};
+use crate::diff::modified::{Clock, Part};
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
@@ -25,7 +26,9 @@ pub(super) fn flows(
     match (drag, &structure.split) {
         (None, Split::Separable(parts)) => {
             let (tokens, operations) = separable(context, graph, parts, bounds);
-            (tokens, Some(operations))
+            let modified = verlet(graph, parts, context.energy.degrees());
+            let modified = modified_energy(context, graph, modified, bounds);
+            (quote!(#tokens #modified), Some(operations))
         }
         (Some(term), _) => (none(context, graph, ("Undamped", term, DAMPED), bounds), None),
         (None, Split::Coupled(term)) => (none(context, graph, ("Uncoupled", *term, COUPLED), bounds), None),
@@ -84,6 +87,14 @@ fn separable(
         #quadratic
     };
     (tokens, [kick.operations, drift.operations])
+}
+
+/// The energy that steps of Störmer and Verlet keep up to h⁴. Kicks happen when drifts have come, and drifts when kicks have.
+fn verlet(graph: &mut Graph, parts: &Parts, degrees: u32) -> Id {
+    let [kicks, drifts] = [0, 1].map(Clock);
+    let kick = Part { energy: drifts.read(graph, parts.potential), advances: Some(kicks) };
+    let drift = Part { energy: kicks.read(graph, parts.kinetic), advances: Some(drifts) };
+    modified::modified_energy(graph, &[kick, drift], degrees)
 }
 
 struct Flow {

@@ -62,7 +62,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
         const _: () = {
             use #runtime::private::{
                 Adaptive, Array, Autonomous, Clock, Collocation, Conformal, Conservative, Contact, ContactState, Cubic, DiscreteField,
-                Hamiltonian, Integrator, Mean, Mechanical, Method, PhaseSpace, Piece, Pieces, QuadraticKinetic, Real, Separable, Square, State,
+                Hamiltonian, Integrator, Mean, Mechanical, Method, ModifiedEnergy, PhaseSpace, Piece, Pieces, QuadraticKinetic, Real, Separable, Square, State,
                 is_positive_semidefinite, slope,
             };
 

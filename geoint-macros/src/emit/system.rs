@@ -141,6 +141,36 @@ pub(super) fn hamiltonian(
     }
 }
 
+/// `impl ModifiedEnergy`, and the method that users call.
+pub(super) fn modified_energy(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    modified: Id,
+    bounds: &TokenStream,
+) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let (action, state) = match context.energy.form {
+        Form::Hamiltonian => (quote!(()), quote!(State)),
+        Form::Contact => (quote!(R), quote!(ContactState)),
+    };
+    let value = context.routine(graph, &[modified], |mut values| values.remove(0));
+    let Energy { name: plain, float, coordinates, .. } = context.energy;
+    let coordinates = &coordinates.ty;
+    quote! {
+        impl<R: #bounds> ModifiedEnergy<R> for #name {
+            fn modified_hamiltonian(&self, h: R, t: R, q: &#array, p: &#array, s: &#action) -> R {
+                #value
+            }
+        }
+        impl #plain {
+            /// H + h²H₂, which steps of length `h` keep, or let decay as the flow of H + h²H₂ does, up to h⁴.
+            pub fn modified_energy(&self, h: #float, state: &#state<#coordinates>) -> #float {
+                ModifiedEnergy::modified_energy(self, h, state)
+            }
+        }
+    }
+}
+
 /// A condition under which a node is undefined, as a method call on an argument.
 struct Check {
     argument: Id,

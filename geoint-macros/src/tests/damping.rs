@@ -118,6 +118,6 @@ fn the_body_is_not_seen() {
 fn nesting() {
     let deep = (0..5000).fold(quote!(1.0), |inner, _| quote!((#inner)));
     let item = quote! { fn f(q: f64, p: f64) -> f64 { q * p } };
-    let expanded = expand::hamiltonian(quote!(damping = #deep), item).to_string();
+    let expanded = expand::expand(crate::parse::Form::Hamiltonian, quote!(damping = #deep), item).to_string();
     assert!(expanded.contains("nested too deeply"));
 }

@@ -9,7 +9,7 @@ use quote::quote;
 
 /// What holds for all input.
 fn holds(args: TokenStream, item: TokenStream) {
-    let emitted = expand::hamiltonian(args, item.clone());
+    let emitted = expand::expand(crate::parse::Form::Hamiltonian, args, item.clone());
     if syn::parse2::<syn::Item>(item.clone()).is_ok()
         && let Err(error) = syn::parse2::<syn::File>(emitted.clone())
     {

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 fn check(args: TokenStream, item: TokenStream, expected: &ExpectFile) {
-    let file = syn::parse2(expand::hamiltonian(args, item)).expect("what is emitted is Rust");
+    let file = syn::parse2(expand::expand(crate::parse::Form::Hamiltonian, args, item)).expect("what is emitted is Rust");
     expected.assert_eq(&prettyplease::unparse(&file));
 }
 

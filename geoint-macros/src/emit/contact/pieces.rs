@@ -3,12 +3,12 @@
 
 use super::super::flows::unsatisfied;
 use super::super::kernel::Context;
-use super::super::system::self_type;
+use super::super::system::{modified_energy, self_type};
 use super::mechanics::assign;
 use crate::check::NO_PIECES;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
-use crate::split::{Clock, Piece, Pieces, level};
+use crate::split::{self, Clock, Piece, Pieces, level};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
@@ -23,7 +23,9 @@ pub(super) fn pieces(
         Ok(pieces) => {
             let flows: Vec<Kernel> = pieces.iter().map(|piece| kernel(context, graph, piece)).collect();
             let tokens = splitting(context, graph, pieces, &flows, bounds);
-            (tokens, flows.iter().map(|flow| flow.operations).collect())
+            let modified = split::modified_energy(graph, pieces, context.energy.degrees());
+            let modified = modified_energy(context, graph, modified, bounds);
+            (quote!(#tokens #modified), flows.iter().map(|flow| flow.operations).collect())
         }
         Err(term) => (none(context, graph, *term, bounds), vec![]),
     }

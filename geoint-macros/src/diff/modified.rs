@@ -1,0 +1,86 @@
+//! The energy that a symmetric step of order 2 keeps, or lets decay, up to h⁴: H + h²H₂.
+//!
+//! For e^(h/2 X) e^(h Y) e^(h/2 X) it is X + Y + h²·(−{X, {X, Y}}/24 + {Y, {Y, X}}/12), with {·, ·} the bracket whose vector field is the
+//! commutator; for more pieces the same applies to what is inside, again and again. Flows that advance a clock have a conjugate
+//! of that clock added to their energy, which is linear in it: {F + e_c, G} has ∂G/∂c more than {F, G}.
+
+use super::{gradient, partial, rename};
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+
+/// A piece of a step: its energy, in which clocks are coordinates of their own, and the clock that its flow advances.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Part {
+    pub(crate) energy: Id,
+    pub(crate) advances: Option<Clock>,
+}
+
+/// One of the clocks of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Clock(pub(crate) u32);
+
+/// Clocks are symbols that no coordinate uses.
+const FIRST: u32 = u32::MAX / 2;
+
+impl Clock {
+    fn symbol(self) -> Symbol {
+        Symbol::Q(FIRST + self.0)
+    }
+
+    /// An energy that reads this clock for time.
+    pub(crate) fn read(self, graph: &mut Graph, energy: Id) -> Id {
+        rename(graph, energy, |symbol| (symbol == Symbol::T).then(|| self.symbol()))
+    }
+}
+
+/// H + h²H₂ of the step whose half is `parts` in order.
+pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -> Id {
+    let (mut inner, mut clocks, mut second) = (graph.zero(), vec![], graph.zero());
+    for part in parts.iter().rev() {
+        let outer = (part.energy, part.advances.into_iter().collect::<Vec<_>>());
+        let rest = (inner, clocks.clone());
+        let across = bracket(graph, &outer, &rest, degrees);
+        let ahead = bracket(graph, &outer, &(across, vec![]), degrees);
+        let back = bracket(graph, &rest, &(across, vec![]), degrees);
+        // {Y, {Y, X}} is −{Y, {X, Y}}.
+        for (weight, term) in [(24, ahead), (12, back)] {
+            let term = graph.scale(Number::Exact(Ratio { numerator: -1, denominator: weight }), term);
+            second = graph.add(second, term);
+        }
+        inner = graph.add(inner, part.energy);
+        clocks.extend(part.advances);
+    }
+    let h = graph.symbol(Symbol::H);
+    let square = graph.pow(h, Ratio::integer(2));
+    let change = graph.mul(square, second);
+    let modified = graph.add(inner, change);
+    rename(graph, modified, |symbol| matches!(symbol, Symbol::Q(FIRST..)).then_some(Symbol::T))
+}
+
+/// ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and what clocks add.
+fn bracket(graph: &mut Graph, (f, with_f): &(Id, Vec<Clock>), (g, with_g): &(Id, Vec<Clock>), degrees: u32) -> Id {
+    let [df, dg] = [*f, *g].map(|energy| gradient(graph, energy, degrees));
+    let [along_f, along_g] = [*f, *g].map(|energy| partial(graph, energy, Symbol::S));
+    let mut terms = vec![];
+    for i in 0..degrees as usize {
+        // ∂/∂q + p ∂/∂s is what the momenta are moved by.
+        let p = graph.symbol(Symbol::P(i as u32));
+        let [lifted_f, lifted_g] = [(df.q[i], along_f), (dg.q[i], along_g)].map(|(by_q, by_s)| {
+            let lift = graph.mul(p, by_s);
+            graph.add(by_q, lift)
+        });
+        terms.push(graph.mul(df.p[i], lifted_g));
+        let back = graph.mul(lifted_f, dg.p[i]);
+        terms.push(graph.neg(back));
+    }
+    terms.push(graph.mul(*g, along_f));
+    let back = graph.mul(*f, along_g);
+    terms.push(graph.neg(back));
+    for clock in with_f {
+        terms.push(partial(graph, *g, clock.symbol()));
+    }
+    for clock in with_g {
+        let back = partial(graph, *f, clock.symbol());
+        terms.push(graph.neg(back));
+    }
+    graph.sum(&terms)
+}
