@@ -34,10 +34,10 @@ fn coefficients(e: f64) -> [f64; 15] {
     })
 }
 
-/// (q mod π, q') at the first `n` sections, in 20 steps each.
+/// (q modulo π, q') at the first `n` sections, in 20 steps each.
 fn sections(system: Satellite, q: f64, p: f64, n: usize) -> Result<Vec<(f64, f64)>, StepError> {
     let mut sim = system.integrator(ContactSplitting, PI / 10.0, ContactState::new(q, p, 0.0));
-    sim.sampled(20).take(n).map(|x| x.map(|x| (x.q.rem_euclid(PI), x.p))).collect()
+    sim.sampled(20).take(n).map(|x| x.map(|x| ((x.q + PI / 2.0).rem_euclid(PI) - PI / 2.0, x.p))).collect()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -63,8 +63,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let locked = sections(resonant, 0.0, 0.98, 600)?;
     let rotating = sections(resonant, 0.0, 1.135, 600)?;
     claim("from (0, 0.98) the satellite librates about 1:1", locked.iter().all(|x| x.1 > 0.9 && x.1 < 1.1))?;
-    let turns = rotating.iter().any(|x| (x.0 - PI / 2.0).abs() < 0.1);
-    claim("from (0, 1.135) it turns past the resonance", turns && locked.iter().all(|x| (x.0 - PI / 2.0).abs() > 0.1))?;
+    let turns = rotating.iter().any(|x| x.0.abs() > 1.47);
+    claim("from (0, 1.135) it turns past the resonance", turns && locked.iter().all(|x| x.0.abs() < 1.47))?;
 
     let mut chaos = vec![];
     for (lambda, colour) in [(0.2, palette::SKY), (0.01, palette::VERMILION)] {
@@ -85,8 +85,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let spin = vec![Curve { dot: 1.0, ..Curve::dots("", palette::BLUE, spin) }];
 
     figure("spin_orbit.svg", (470, 460), &[
-        Panel::new("Resonance: Ω = 1, λ = 0.01", ["q mod π", "q'"], [0.0..PI, 0.8..1.2], portrait),
-        Panel::new("No resonance: Ω = √2", ["q mod π", "q'"], [0.0..PI, 0.0..2.5], chaos),
+        Panel::new("Resonance: Ω = 1, λ = 0.01", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.8..1.2], portrait),
+        Panel::new("No resonance: Ω = √2", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.0..2.5], chaos),
         Panel::new("Capture by friction", ["time/1000", "q'"], [0.0..10.0, 0.8..3.0], spin),
     ])
 }
