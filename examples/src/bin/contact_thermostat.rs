@@ -59,8 +59,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         curve("E", palette::BLUE, &energy),
     ];
     let decay = Panel::new("Decay", ["time", ""], [0.0..100.0, -2.0..0.5], decay);
-    figure("contact_thermostat.svg", (520, 460), &[
-        Panel { scale: Scale::Equal, ..path },
-        Panel { scale: Scale::Logarithmic, ..decay },
-    ])
+    figure(
+        "contact_thermostat.svg",
+        (520, 460),
+        &[Panel { scale: Scale::Equal, ..path }, Panel { scale: Scale::Logarithmic, ..decay }],
+    )
 }

@@ -41,7 +41,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (mut rows, mut one_piece, mut halved) = (vec![], vec![], vec![]);
     for gamma in FRICTION {
         let one = |h| orbit(Damped { gamma }, ContactSplitting, h, start, duration(gamma)).map(|x| error(x, gamma));
-        let three = |h| orbit(ThreePieces { gamma }, ContactSplitting, h, start, duration(gamma)).map(|x| error(x, gamma));
+        let three =
+            |h| orbit(ThreePieces { gamma }, ContactSplitting, h, start, duration(gamma)).map(|x| error(x, gamma));
         let numbers = [one(1.0)?, one(0.1)?, three(0.1)?, three(0.05)?];
         one_piece.extend([numbers[0], numbers[1]]);
         halved.push(numbers[2] / numbers[3]);
@@ -58,14 +59,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         let points = states.iter().skip(1).map(|x| (x.t, (x.q - exact(gamma, x.t)).abs()));
         Curve::line(name, colour, points.collect())
     };
-    let positions = |name, colour, states: Vec<ContactState<f64>>| {
-        Curve { dot: 2.6, ..Curve::dots(name, colour, states.iter().map(|x| (x.t, x.q)).collect()) }
+    let positions = |name, colour, states: Vec<ContactState<f64>>| Curve {
+        dot: 2.6,
+        ..Curve::dots(name, colour, states.iter().map(|x| (x.t, x.q)).collect())
     };
     let truth = (0..=500).map(|n| (0.1 * f64::from(n), exact(gamma, 0.1 * f64::from(n)))).collect();
     let motion = vec![
         Curve::line("the flow", palette::GREY, truth),
         positions("one piece", palette::BLUE, orbit(Damped { gamma }, ContactSplitting, 1.0, start, 50.0)?),
-        positions("three pieces", palette::VERMILION, orbit(ThreePieces { gamma }, ContactSplitting, 1.0, start, 50.0)?),
+        positions(
+            "three pieces",
+            palette::VERMILION,
+            orbit(ThreePieces { gamma }, ContactSplitting, 1.0, start, 50.0)?,
+        ),
     ];
     let accuracy = vec![
         errors("three pieces", palette::VERMILION, orbit(ThreePieces { gamma }, ContactSplitting, 0.1, start, 50.0)?),

@@ -61,7 +61,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         Curve::line("between the orbits", palette::BLUE, decay.collect()),
     ];
     let orbits = Panel::new("γ = 0.1, h = 0.1, up to t = 150", ["q", "p"], [-3.2..3.2, -3.2..3.2], orbits);
-    let distance = Panel::new("Two orbits forget where they began", ["time", "distance"], [0.0..150.0, -3.0..1.0], distance);
+    let distance =
+        Panel::new("Two orbits forget where they began", ["time", "distance"], [0.0..150.0, -3.0..1.0], distance);
     let distance = Panel { scale: Scale::Logarithmic, names: Names::Above, ..distance };
     figure("driven_oscillator.svg", (560, 480), &[Panel { scale: Scale::Equal, ..orbits }, distance])?;
     let last = far.iter().zip(&other).next_back().map_or(f64::NAN, |(x, y)| apart(x, y));

@@ -96,8 +96,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         heights.push(Curve { dot: 2.2, ..Curve::dots(format!("h = {h}"), colour, points) });
     }
     let heights = Panel::new("Height after each step", ["steps", "U"], [0.0..40.0, -16.0..1.0], heights);
-    figure("gradient_flow.svg", (520, 480), &[
-        Panel { scale: Scale::Equal, ..plane },
-        Panel { scale: Scale::Logarithmic, ..heights },
-    ])
+    figure(
+        "gradient_flow.svg",
+        (520, 480),
+        &[Panel { scale: Scale::Equal, ..plane }, Panel { scale: Scale::Logarithmic, ..heights }],
+    )
 }

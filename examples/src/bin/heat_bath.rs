@@ -75,10 +75,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let points = states.iter().skip(1).map(|x| (x.t, (total(x) - total(&start)).abs()));
         drifts.push(Curve { width: 1.2, ..Curve::line(format!("h = {h}"), colour, points.collect()) });
     }
-    let energies = Panel::new("Friction turns energy to heat, h = 0.1", ["time", ""], [0.0..DURATION, 0.0..3.2], energies);
+    let energies =
+        Panel::new("Friction turns energy to heat, h = 0.1", ["time", ""], [0.0..DURATION, 0.0..3.2], energies);
     let drifts = Panel::new("Error of the total energy", ["time", ""], [0.0..DURATION, -7.0..-1.0], drifts);
-    figure("heat_bath.svg", (620, 440), &[
-        Panel { names: Names::AtEnds, ..energies },
-        Panel { scale: Scale::Logarithmic, ..drifts },
-    ])
+    figure(
+        "heat_bath.svg",
+        (620, 440),
+        &[Panel { names: Names::AtEnds, ..energies }, Panel { scale: Scale::Logarithmic, ..drifts }],
+    )
 }

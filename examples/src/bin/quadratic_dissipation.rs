@@ -1,6 +1,6 @@
 //! Is friction that grows with the action more expensive than friction that does not?
 //!
-//! H = p²/2 + q²/2 + a s²/2: p' = −q − a s p. The variational scheme for it is implicit (M. Vermeeren, A. Bravetti & M. Seri, J.
+//! H = p²/2 + q²/2 + a s²/2: p' = −q − a s p, which drives the oscillator while s < 0, and damps it afterwards. The variational scheme for it is implicit (M. Vermeeren, A. Bravetti & M. Seri, J.
 //! Phys. A 52 (2019) 445206). The flows of both parts are known, so that a splitting is explicit: a rotation and a quotient. The
 //! quotient has a pole where a step would be too long, and then the step is refused.
 
@@ -44,16 +44,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("a step over the pole of its quotient is refused", matches!(refused, Err(StepError::Pole { .. })))?;
     println!("  {}", refused.err().map_or_else(String::new, |error| error.to_string()));
 
-    let colours = [(0.1, palette::BLUE), (0.5, palette::GREEN), (1.5, palette::VERMILION)];
+    let colours = [(0.1, palette::BLUE), (0.5, palette::GREEN), (1.0, palette::VERMILION)];
     let (mut paths, mut actions) = (vec![], vec![]);
-    for a in [0.1, 0.5, 1.0, 1.5] { let states = orbit(Quadratic { a }, ContactSplitting, 0.05, START, 100.0)?; println!("{a} {} {} {}", largest(states.iter().map(|x| x.q)), largest(states.iter().map(|x| x.s)), states.last().unwrap().s); }
     for (a, colour) in colours {
         let states = orbit(Quadratic { a }, ContactSplitting, 0.05, START, 50.0)?;
         let name = format!("a = {a}");
         paths.push(Curve { width: 1.2, ..Curve::line(&name, colour, states.iter().map(|x| (x.q, x.p)).collect()) });
         actions.push(Curve::line(&name, colour, states.iter().map(|x| (x.t, x.s)).collect()));
     }
-    let paths = Panel::new("Orbits", ["q", "p"], [-0.9..0.9, -0.9..0.9], paths);
-    let actions = Panel::new("Action", ["time", "s"], [0.0..50.0, -0.8..0.4], actions);
+    let paths = Panel::new("Orbits", ["q", "p"], [-3.2..3.2, -3.1..3.1], paths);
+    let actions = Panel::new("Action", ["time", "s"], [0.0..50.0, -2.4..2.6], actions);
     figure("quadratic_dissipation.svg", (520, 480), &[Panel { scale: Scale::Equal, ..paths }, actions])
 }

@@ -11,13 +11,14 @@ use geoint_runtime::prelude::*;
 use std::error::Error;
 use std::f64::consts::PI;
 
-/// The angle q of a satellite; c are the coefficients of k = −5, …, 9, `mu` is a constant torque.
+/// The angle q of a satellite under the torques of k = −5, …, 9; `tide` is friction and a constant torque, `inertia` λ and Ω.
 #[contact_hamiltonian]
-fn satellite(q: f64, p: f64, s: f64, t: f64, friction: f64, lambda: f64, omega: f64, eps: f64, mu: f64, c: [f64; 15]) -> f64 {
+fn satellite(q: f64, p: f64, s: f64, t: f64, tide: [f64; 2], inertia: [f64; 2], torque: [f64; 15]) -> f64 {
+    let [lambda, omega] = inertia;
     let inertia = 1.0 + lambda * (omega * t).cos();
     let change = -lambda * omega * (omega * t).sin() / inertia;
-    let potential = (0..15).map(|i| c[i] * (2.0 * q - (i as f64 - 5.0) * t).cos()).sum::<f64>();
-    p * p / 2.0 + (friction + change) * s - eps / (2.0 * inertia) * potential - mu * q
+    let potential = (0..15).map(|i| torque[i] * (2.0 * q - (i as f64 - 5.0) * t).cos()).sum::<f64>();
+    p * p / 2.0 + (tide[0] + change) * s - potential / (2.0 * inertia) - tide[1] * q
 }
 
 /// The coefficients of (a/r)³ cos(2f − 2q) = Σ cₖ cos(2q − kt) for k = −5, …, 9: mean values over an orbit, which the trapezoidal
@@ -44,7 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Satellite::REPORT);
     println!("k    coefficient at eccentricity 0.01, its leading term");
     let (e, c) = (0.01_f64, coefficients(0.01));
-    let leading = [(1, -e / 2.0), (2, 1.0 - 2.5 * e * e), (3, 3.5 * e), (4, 8.5 * e * e), (5, 845.0 / 48.0 * e.powi(3))];
+    let leading =
+        [(1, -e / 2.0), (2, 1.0 - 2.5 * e * e), (3, 3.5 * e), (4, 8.5 * e * e), (5, 845.0 / 48.0 * e.powi(3))];
     for (k, leading) in leading {
         println!("{k}    {:.8}, {leading:.8}", c[k + 5]);
     }
@@ -53,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         leading.iter().all(|(k, leading)| (c[k + 5] / leading - 1.0).abs() < 3.0 * e * e)
     })?;
 
-    let resonant = Satellite { friction: 0.0, lambda: 0.01, omega: 1.0, eps: 0.0075, mu: 0.0, c };
+    let resonant = Satellite { tide: [0.0; 2], inertia: [0.01, 1.0], torque: c.map(|c| 0.0075 * c) };
     let beside = [palette::SKY, palette::BLUE, palette::GREEN, palette::ORANGE];
     let mut portrait = vec![];
     let starts = [1.135, 1.1106, 0.98, 0.93, 0.9, 0.878, 0.86838, 0.845];
@@ -68,15 +70,15 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let mut chaos = vec![];
     for (lambda, colour) in [(0.2, palette::SKY), (0.01, palette::VERMILION)] {
-        let c = coefficients(0.06);
-        let system = Satellite { friction: 0.0, lambda, omega: 2.0_f64.sqrt(), eps: 0.045, mu: 0.0, c };
+        let torque = coefficients(0.06).map(|c| 0.045 * c);
+        let system = Satellite { tide: [0.0; 2], inertia: [lambda, 2.0_f64.sqrt()], torque };
         let points = sections(system, PI, 1.0, 3000)?;
         let (low, high) = points.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x.1), high.max(x.1)));
         claim(&format!("Ω = √2, λ = {lambda}: q' stays between {low:.2} and {high:.2}"), low > 0.0 && high < 2.5)?;
         chaos.push(Curve { dot: 0.8, ..Curve::dots(format!("λ = {lambda}"), colour, points) });
     }
 
-    let captured = Satellite { friction: 1e-3, lambda: 1e-4, omega: 1.0, eps: 0.0075, mu: 1e-3, c };
+    let captured = Satellite { tide: [1e-3; 2], inertia: [1e-4, 1.0], torque: c.map(|c| 0.0075 * c) };
     let capture = sections(captured, 2.7, 3.0, 1591)?;
     let last = &capture[capture.len() - 500..];
     let mean = last.iter().map(|x| x.1).sum::<f64>() / 500.0;
@@ -84,9 +86,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let spin = capture.iter().zip(1..).map(|(x, n)| (2.0 * PI * f64::from(n) / 1000.0, x.1)).collect();
     let spin = vec![Curve { dot: 1.0, ..Curve::dots("", palette::BLUE, spin) }];
 
-    figure("spin_orbit.svg", (470, 460), &[
-        Panel::new("Resonance: Ω = 1, λ = 0.01", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.8..1.2], portrait),
-        Panel::new("No resonance: Ω = √2", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.0..2.5], chaos),
-        Panel::new("Capture by friction", ["time/1000", "q'"], [0.0..10.0, 0.8..3.0], spin),
-    ])
+    figure(
+        "spin_orbit.svg",
+        (470, 460),
+        &[
+            Panel::new("Resonance: Ω = 1, λ = 0.01", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.8..1.2], portrait),
+            Panel::new("No resonance: Ω = √2", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.0..2.5], chaos),
+            Panel::new("Capture by friction", ["time/1000", "q'"], [0.0..10.0, 0.8..3.0], spin),
+        ],
+    )
 }
