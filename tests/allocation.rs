@@ -79,6 +79,36 @@ impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
     }
 }
 
+/// Two masses under damping that depends on time; two pieces.
+#[contact_hamiltonian]
+fn damped(q: [f64; 2], p: [f64; 2], s: f64, t: f64, m: [f64; 2], g: f64) -> f64 {
+    let kinetic = p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]);
+    kinetic - (q[0] - q[1]).cos() + q[1].powi(4) + g * (1.0 + t.sin()) * s
+}
+
+fn contact_steps<M: Method<Damped>>(name: &str, method: M) {
+    let count = allocations_during(|| {
+        let start = ContactState::new([0.3, -0.2], [0.5, 0.1], 0.4);
+        let mut sim = Damped { m: [1.3, 0.7], g: 0.1 }.integrator(method, 0.01, start);
+        sim.step().unwrap();
+        sim.advance(20).unwrap();
+        sim.set_step_size(0.02);
+        black_box(sim.until(1.0).filter(Result::is_ok).count());
+        black_box((sim.energy(), sim.state()));
+        sim.set_step_size(1e200);
+        assert!(sim.advance(3).is_err(), "{name}");
+    });
+    assert_eq!(count, 0, "damped with {name}");
+}
+
+#[test]
+fn stepping_of_contact_systems_allocates_nothing() {
+    contact_steps("splitting", ContactSplitting);
+    contact_steps("midpoint", ContactMidpoint);
+    contact_steps("discrete gradient", ContactDiscreteGradient);
+    contact_steps("composition", Suzuki4.of(ContactMidpoint));
+}
+
 #[test]
 fn stepping_allocates_nothing() {
     assert!(allocations_during(|| drop(black_box(vec![1.0]))) > 0, "the counter counts");

@@ -48,7 +48,8 @@ impl<const K: usize> Composition<K> {
 /// A symmetric map of order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
-    note = "maps to compose: `StormerVerlet`, `PositionVerlet`, `ImplicitMidpoint`, `DiscreteGradient`"
+    note = "maps to compose: `StormerVerlet`, `PositionVerlet`, `ImplicitMidpoint`, `DiscreteGradient`; of contact systems \
+            `ContactSplitting`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait SymmetricMap: Copy {
     /// The composed method.

@@ -85,7 +85,10 @@ pub use adaptive::Adaptive;
 #[doc(inline)]
 pub use composition::{Composed, Composition};
 #[doc(inline)]
-pub use contact::{Conformal, Contact, ContactLeapfrog, ContactSplitting, Mechanical, PieceComposition, Pieces};
+pub use contact::{
+    Conformal, Contact, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, Mechanical,
+    PieceComposition, Pieces,
+};
 #[doc(inline)]
 pub use discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -127,9 +130,10 @@ pub use tables::*;
 pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
-        Adaptive, ContactLeapfrog, ContactSplitting, ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan,
-        MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
+        Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian,
+        ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PhaseSpace,
+        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

@@ -13,9 +13,10 @@ pub struct Claims {
     pub order: u32,
     /// Φ(−h) ∘ Φ(h) is the identity.
     pub symmetric: bool,
-    /// The step is a symplectic map.
+    /// The step is a symplectic map; of a contact system a contact map, which multiplies the form ds − p dq by a positive factor.
     pub symplectic: bool,
-    /// The step keeps H of an autonomous system to rounding.
+    /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
+    /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
     pub conserves_energy: bool,
 }
 

@@ -131,13 +131,6 @@ impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
     pub fn is_finite(&self) -> bool {
         self.q.is_finite() && self.p.is_finite() && self.s.is_finite()
     }
-}
-
-impl<A: Array, C: Summation<A>> Point<A, C> {
-    /// A point at which nothing has been rounded off yet.
-    pub fn new(q: A, p: A) -> Self {
-        Self::with_action(q, p, ())
-    }
 
     /// q ← q + dq, p ← p + dp.
     #[inline(always)]
@@ -158,5 +151,12 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
         sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
         sums[0].owe(lost[0]);
         sums[1].owe(lost[1]);
+    }
+}
+
+impl<A: Array, C: Summation<A>> Point<A, C> {
+    /// A point at which nothing has been rounded off yet.
+    pub fn new(q: A, p: A) -> Self {
+        Self::with_action(q, p, ())
     }
 }

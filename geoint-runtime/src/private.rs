@@ -2,7 +2,10 @@
 
 pub use crate::adaptive::Adaptive;
 pub use crate::array::{Array, Square};
-pub use crate::contact::{Clock, Conformal, Contact, Mechanical, Piece, Pieces};
+pub use crate::contact::{
+    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient, ContactMidpoint,
+    ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
+};
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;
@@ -10,5 +13,6 @@ pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, ModifiedEnergy, PhaseSpace,
+    QuadraticKinetic, Separable,
 };

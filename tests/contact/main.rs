@@ -1,4 +1,8 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
-mod flows;
+mod cases;
+mod implicit;
+mod laws;
+mod measure;
+mod methods;
 mod systems;

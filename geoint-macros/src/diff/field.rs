@@ -5,6 +5,7 @@
 //! with the force f = −∂V/∂q: T is then the same for every method.
 
 use super::forward::jacobian;
+use super::slope::coordinate_increment;
 use super::{Gradient, discrete_gradient};
 use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
@@ -64,20 +65,18 @@ fn share(graph: &mut Graph, jacobian: &mut [Vec<Id>], second_order: bool) {
 pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -> Field {
     let root = structure.reduced().map_or(structure.energy, |parts| parts.potential);
     let gradient = discrete_gradient(graph, root, degrees);
-    let mut mean = Substitution::new(|graph, symbol| {
-        let increment = match symbol {
-            Symbol::Q(i) => Symbol::Dq(i),
-            Symbol::P(i) => Symbol::Dp(i),
-            _ => return None,
-        };
-        let (start, increment) = (graph.symbol(symbol), graph.symbol(increment));
-        let half = graph.scale(Number::HALF, increment);
-        Some(graph.add(start, half))
-    });
+    let mut mean = Substitution::new(middle);
     let f = right_side(graph, &gradient, structure, |graph, entry| mean.apply(graph, entry));
     let unknowns = unknowns(structure, degrees, Symbol::Dq, Symbol::Dp);
     let jacobian = jacobian(graph, &f, &unknowns);
     Field { unknowns, f, jacobian }
+}
+
+/// A coordinate in the middle of a step.
+pub(super) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+    let increment = coordinate_increment(graph, symbol)?;
+    let (start, half) = (graph.symbol(symbol), graph.scale(Number::HALF, increment));
+    Some(graph.add(start, half))
 }
 
 /// −∇_qH if that is enough; or (J − R)∇H, with entries of C where `at` puts them.

@@ -1,5 +1,6 @@
 //! Derivations on the graph: gradient, Hessian, divided differences, and the field of implicit methods.
 
+pub(crate) mod contact;
 pub(crate) mod field;
 mod forward;
 pub(crate) mod modified;
@@ -13,11 +14,12 @@ use crate::ir::{Graph, Id, Symbol};
 pub(crate) use field::{Field, SecondOrder};
 pub(crate) use forward::jacobian;
 
-/// The partial derivatives of a node with respect to positions and momenta.
+/// The partial derivatives of a node with respect to positions, momenta and the action.
 #[derive(Clone, Debug)]
 pub(crate) struct Gradient {
     pub(crate) q: Vec<Id>,
     pub(crate) p: Vec<Id>,
+    pub(crate) s: Id,
 }
 
 /// ∇ of `root` by one reverse sweep.
@@ -26,17 +28,17 @@ pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
     collect(graph, &entries, degrees)
 }
 
-/// The tree discrete gradient of `root` between (q, p) and (q + dq, p + dp).
+/// The tree discrete gradient of `root` between (q, p, s) and (q + dq, p + dp, s + ds).
 pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
     let entries = slope::Slopes::default().gradient(graph, root);
     collect(graph, &entries, degrees)
 }
 
 fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradient {
-    let mut all = |symbol: fn(u32) -> Symbol| {
-        (0..degrees).map(|i| entries.get(&symbol(i)).copied().unwrap_or_else(|| graph.zero())).collect()
-    };
-    Gradient { q: all(Symbol::Q), p: all(Symbol::P) }
+    let zero = graph.zero();
+    let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
+    let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
+    Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
 }
 
 /// Everything that is derived from an energy.

@@ -14,24 +14,24 @@ fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
-/// The levels of a kernel that is evaluated again and again: parameters, the start of a step, iterates.
-fn level(symbol: Symbol) -> usize {
+/// The levels of a kernel that is evaluated again and again: parameters and h, the start of a step, iterates.
+pub(super) fn level(symbol: Symbol) -> usize {
     match symbol {
-        Symbol::Parameter(_) => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T | Symbol::H => 1,
+        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
         Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
     }
 }
 
 /// The statements that write f and its derivative.
-fn write_field(field: &Field, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
+pub(super) fn write_field(field: &Field, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
     let (f, jacobian) = values.split_at(field.f.len());
     let f = write("f", places, f);
     let jacobian = write("jacobian", &square(places), jacobian);
     quote!(#f #jacobian)
 }
 
-fn roots(field: &Field) -> Vec<Id> {
+pub(super) fn roots(field: &Field) -> Vec<Id> {
     field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect()
 }
 

@@ -65,19 +65,30 @@ impl<'a> Context<'a> {
         })
     }
 
-    /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other.
+    /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
+    /// action, all in a row.
     pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {
         let coordinates = self.coordinates();
         if unknowns == coordinates.len() {
             return coordinates;
+        }
+        if unknowns == 2 * coordinates.len() + 1 {
+            return (0..unknowns).map(|i| vec![i]).collect();
         }
         (0..2).flat_map(|half| coordinates.iter().map(move |place| [&[half], &place[..]].concat())).collect()
     }
 
     /// The type of an array of unknowns.
     pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenStream {
-        let array = self.array();
-        if unknowns == self.energy.degrees() as usize { array } else { quote!([#array; 2]) }
+        let (array, degrees) = (self.array(), self.energy.degrees() as usize);
+        if unknowns == degrees {
+            return array;
+        }
+        if unknowns == 2 * degrees + 1 {
+            let unknowns = Literal::usize_unsuffixed(unknowns);
+            return quote!([R; #unknowns]);
+        }
+        quote!([#array; 2])
     }
 
     /// A scalar of a parameter, or a constant from outside.

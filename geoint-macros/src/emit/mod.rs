@@ -61,8 +61,10 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
         )]
         const _: () = {
             use #runtime::private::{
-                Adaptive, Array, Autonomous, Clock, Collocation, Conformal, Conservative, Contact, ContactState, Cubic, DiscreteField,
-                Hamiltonian, Integrator, Mean, Mechanical, Method, ModifiedEnergy, PhaseSpace, Piece, Pieces, QuadraticKinetic, Real, Separable, Square, State,
+                Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative, ContactDiscreteGradient, ContactMidpoint,
+                ContactPiece, ContactPieces, ContactState, ContactSystem, Cubic, DiscreteField, Hamiltonian, ImplicitStep,
+                Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real,
+                Separable, Square, State,
                 is_positive_semidefinite, slope,
             };
 

@@ -148,7 +148,9 @@ fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
 pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let terms = powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>();
-    let not_s = |symbol: Symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_) | Symbol::T);
+    let not_s = |symbol: Symbol| {
+        matches!(symbol, Symbol::Q(_) | Symbol::P(_)) || symbol == Symbol::T && group.clock == Clock::Own
+    };
     let (mut kinetic, mut weight) = (graph.zero(), None);
     for (monomial, coefficient) in terms {
         let weight = *weight.get_or_insert(coefficient);
@@ -239,7 +241,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let f = powers.coefficient(graph, &[(Symbol::P(0), 2)]);
     let only = powers.terms().count() == 1;
-    let others = |symbol| matches!(symbol, Symbol::P(_) | Symbol::S | Symbol::T);
+    let others = |symbol| matches!(symbol, Symbol::P(_) | Symbol::S) || symbol == Symbol::T && group.clock == Clock::Own;
     if !only || graph.is_zero(f) || !is_free(graph, f, &others) {
         return None;
     }

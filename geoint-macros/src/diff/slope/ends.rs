@@ -6,7 +6,7 @@ use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Symbol};
 
 type Replace = fn(&mut Graph, Symbol) -> Option<Id>;
 
-/// Divided differences between (q, p) and (q + dq, p + dp).
+/// Divided differences between (q, p, s) and (q + dq, p + dp, s + ds).
 pub(in super::super) struct Slopes {
     end: Substitution<Replace>,
     affine_increments: HashMap<Id, Option<Id>>,
@@ -24,11 +24,12 @@ impl Default for Slopes {
     }
 }
 
-/// The increment of a position or momentum.
-pub(super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+/// The increment of a position, a momentum or the action.
+pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     match symbol {
         Symbol::Q(i) => Some(graph.symbol(Symbol::Dq(i))),
         Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
+        Symbol::S => Some(graph.symbol(Symbol::Ds)),
         _ => None,
     }
 }
@@ -51,7 +52,7 @@ impl Slopes {
     }
 
     /// (start + end)/2.
-    pub(super) fn mean(&mut self, graph: &mut Graph, id: Id) -> Id {
+    pub(in super::super) fn mean(&mut self, graph: &mut Graph, id: Id) -> Id {
         match self.affine_increment(graph, id) {
             Some(increment) => {
                 let half = graph.scale(Number::HALF, increment);

@@ -14,7 +14,7 @@ mod power;
 
 use super::sweep::{Entries, Step, reverse};
 use crate::ir::{Graph, Id, Node};
-pub(super) use ends::Slopes;
+pub(super) use ends::{Slopes, coordinate_increment};
 
 impl Slopes {
     /// The tree discrete gradient of `root`.

@@ -50,7 +50,7 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
             #drift
         }
         #nystrom
-        impl<R: #bounds> Mechanical<R> for #name {
+        impl<R: #bounds> MechanicalContact<R> for #name {
             type FreeDrift = #free_type;
             #prepare_free
             #free
@@ -122,7 +122,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
             #drift
         }
         impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {}
-        impl<R: #bounds + #marker> Mechanical<R> for #name {
+        impl<R: #bounds + #marker> MechanicalContact<R> for #name {
             type FreeDrift = #never;
             #free
             fn damping(&self, t: R) -> R {

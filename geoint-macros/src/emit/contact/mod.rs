@@ -1,5 +1,6 @@
 //! What is emitted of contact systems.
 
+mod implicit;
 mod mechanics;
 mod pieces;
 mod report;
@@ -24,7 +25,10 @@ pub(crate) fn contact_items(
     let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);
     let mechanics = mechanics::mechanics(context, graph, mechanics, &bounds);
     let conformal = system::conformal(context, graph, energy, &bounds);
-    let report = report::report(context, graph, energy, found, &costs);
+    // Implicit steps follow all coordinates.
+    let lift = context.energy.lift.is_some();
+    let (steps, step_costs) = if lift { Default::default() } else { implicit::steps(context, graph, energy, &bounds) };
+    let report = report::report(context, graph, energy, found, &costs, &step_costs);
     let inherent = system::inherent(context, &report);
-    super::around(context, &report, &quote!(#inherent #system #conformal #pieces #mechanics))
+    super::around(context, &report, &quote!(#inherent #system #conformal #pieces #mechanics #steps))
 }

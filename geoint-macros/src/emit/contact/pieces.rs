@@ -68,7 +68,7 @@ fn splitting(
             Clock::Own => quote!(Own),
             Clock::Stage => quote!(Stage),
         };
-        quote!(Piece { name: #name, clock: Clock::#clock })
+        quote!(ContactPiece { name: #name, clock: PieceClock::#clock })
     });
     let types = |level: usize| {
         let slots = flows.iter().map(|flow| &flow.slots[level]);
@@ -89,8 +89,8 @@ fn splitting(
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
     quote! {
-        impl<R: #bounds> Pieces<R> for #name {
-            const PIECES: &'static [Piece] = &[#(#table),*];
+        impl<R: #bounds> ContactPieces<R> for #name {
+            const PIECES: &'static [ContactPiece] = &[#(#table),*];
             type Flows = #types;
             type Frozen = #frozen_types;
 
@@ -121,8 +121,8 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
-        impl<R: #bounds + #marker> Pieces<R> for #name {
-            const PIECES: &'static [Piece] = &[];
+        impl<R: #bounds + #marker> ContactPieces<R> for #name {
+            const PIECES: &'static [ContactPiece] = &[];
             type Flows = #never;
             type Frozen = ();
             fn prepare_flows(&self, _: R, _: R) -> #never {

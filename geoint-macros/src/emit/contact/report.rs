@@ -7,10 +7,18 @@ use crate::schedule::Operations;
 use crate::split::{Clock, Pieces};
 use std::fmt::Write;
 
-pub(super) fn report(context: &Context<'_>, graph: &Graph, energy: Id, found: &Pieces, costs: &[Operations]) -> String {
+pub(super) fn report(
+    context: &Context<'_>,
+    graph: &Graph,
+    energy: Id,
+    found: &Pieces,
+    costs: &[Operations],
+    steps: &[(&'static str, Operations)],
+) -> String {
     let mut text = String::new();
     // Writing to a string cannot fail.
-    let _ = sections(&mut text, context, graph, energy, found, costs);
+    let _ = sections(&mut text, context, graph, energy, found, costs)
+        .and_then(|()| implicit(&mut text, context.energy.degrees(), steps));
     text
 }
 
@@ -38,6 +46,14 @@ fn sections(
             }
         }
         Err(term) => writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(*term))?,
+    }
+    Ok(())
+}
+
+fn implicit(text: &mut String, degrees: u32, steps: &[(&'static str, Operations)]) -> std::fmt::Result {
+    writeln!(text, "\nImplicit steps, for the increments of all positions, momenta and the action")?;
+    for (method, cost) in steps {
+        writeln!(text, "- `{method}`, unknowns {}: {} an iteration", 2 * degrees + 1, counted(*cost))?;
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 use super::super::kernel::{Context, write};
 use super::super::system::{outside_domain, self_type};
 use crate::diff;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id};
 use crate::parse::{Energy, over_scalar};
 use crate::split;
 use proc_macro2::TokenStream;
@@ -15,9 +15,8 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
     let value = context.routine(graph, &[energy], |mut values| values.remove(0));
     let outside = outside_domain(context, graph, energy, None);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
-    let along_action = diff::partial(graph, energy, Symbol::S);
     let places = context.coordinates();
-    let roots = [&gradient.q[..], &gradient.p, &[along_action]].concat();
+    let roots = [&gradient.q[..], &gradient.p, &[gradient.s]].concat();
     let slopes = context.routine(graph, &roots, |values| {
         let (q, rest) = values.split_at(places.len());
         let (p, s) = rest.split_at(places.len());
@@ -38,7 +37,7 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
                 #outside
             }
         }
-        impl<R: #bounds> Contact<R> for #name {
+        impl<R: #bounds> ContactSystem<R> for #name {
             #[inline]
             fn gradient(
                 &self, t: R, q: &#array, p: &#array, s: &R, dq: &mut #array, dp: &mut #array, ds: &mut R,
@@ -52,7 +51,7 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
 /// `impl Conformal`, if it holds.
 pub(super) fn conformal(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
     let name = self_type(context);
-    if split::is_conformal(graph, energy) { quote!(impl<R: #bounds> Conformal<R> for #name {}) } else { TokenStream::new() }
+    if split::is_conformal(graph, energy) { quote!(impl<R: #bounds> ConformalContact<R> for #name {}) } else { TokenStream::new() }
 }
 
 /// What users call, in the float type of the function.

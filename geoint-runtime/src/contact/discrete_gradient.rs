@@ -1,0 +1,50 @@
+//! The discrete gradient of a contact system: its energy decays as the equation says.
+
+use super::implicit::{self, ImplicitStep, PreparedFor};
+use crate::composition::substeps;
+use crate::method::{Claims, Method, Probe, Refusal};
+use crate::point::{Point, Summation};
+use crate::real::Real;
+
+/// The discrete gradient for H(q, p, s): H(x₁) = H(x₀) exp(−h g_s) to rounding, for every h. Order 2, symmetric; *not* a contact
+/// map; one Newton solve a step, for 2n + 1 unknowns.
+///
+/// The equation is x' = S(p) ∇H − H e_s with S = ((0, 1, 0), (−1, 0, −p), (0, pᵀ, 0)), so that H' = −H ∂H/∂s. With the tree
+/// discrete gradient g of H between both ends, and p̄ = (p₀ + p₁)/2,
+///
+/// x₁ = x₀ + h (S(p̄) g − H̄ e_s), H̄ = H(x₀) φ₁(−h g_s), φ₁(z) = (e^z − 1)/z:
+///
+/// S takes no part in H(x₁) − H(x₀) = g·(x₁ − x₀) = −h g_s H̄. The sign of H, and the level H = 0, are kept. Where ∂H/∂s is a
+/// constant γ, H decays as that of the flow, by e^(−γh) a step; where it is 0, H is kept.
+///
+/// If H depends on time, that is frozen in the middle of the step t̄: H(x₁, t̄) = H(x₀, t̄) exp(−h g_s), and order and symmetry
+/// stay. For geometry instead of decay use [`ContactMidpoint`](crate::ContactMidpoint).
+///
+/// The equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. g is that of
+/// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ContactDiscreteGradient;
+
+impl<S: ImplicitStep<ContactDiscreteGradient, R>, R: Real> Method<S, R> for ContactDiscreteGradient {
+    type Prepared = PreparedFor<S, Self, R>;
+
+    fn claims(&self) -> Claims {
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        implicit::prepare::<S, Self, R>(system, h)
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &mut Self::Prepared,
+        t: R,
+        x: &mut Point<S::Array, C, R>,
+        probe: &mut P,
+    ) -> Result<(), Refusal> {
+        implicit::step::<S, Self, R, C, P>(prepared, 1.0, t, x, probe)
+    }
+}
+
+substeps!([] ContactDiscreteGradient);

@@ -1,0 +1,105 @@
+//! Implicit steps of contact systems: one equation for the increments of q, p and s together.
+
+use super::Contact;
+use crate::array::{Array, Square};
+use crate::method::{Probe, Refusal};
+use crate::newton::Newton;
+use crate::point::{Point, Summation};
+use crate::real::{Real, zero};
+
+/// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.
+pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
+    /// q, p and s in a row.
+    type Unknown: Array<Real = R>;
+    /// What depends on parameters and h.
+    type Constants: Copy + core::fmt::Debug;
+    /// What depends on x and t.
+    type Start: Copy + core::fmt::Debug;
+
+    /// What depends on parameters and h.
+    fn constants(&self, h: R) -> Self::Constants;
+    /// What all evaluations of a step from `x` have in common; `t` is the time of its middle.
+    fn begin(constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
+    /// Φ and ∂Φ/∂d.
+    fn image(
+        constants: &Self::Constants,
+        start: &Self::Start,
+        d: &Self::Unknown,
+        f: &mut Self::Unknown,
+        jacobian: &mut Square<Self::Unknown>,
+    );
+    /// What a solution adds to x. Not a number if the step has none.
+    fn end(constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
+}
+
+/// What a step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<P, Y, R> {
+    constants: P,
+    half: R,
+    newton: Newton<Y>,
+}
+
+/// What a step of `M` needs.
+pub(super) type PreparedFor<S, M, R> =
+    Prepared<<S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
+
+pub(super) fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
+    Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, newton: Newton::new() }
+}
+
+/// A step that looks at the energy at x + `ahead`·d.
+#[inline(always)]
+pub(super) fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+    Prepared { constants, half, newton }: &mut PreparedFor<S, M, R>,
+    ahead: f64,
+    t: R,
+    x: &mut Point<S::Array, C, R>,
+    probe: &mut P,
+) -> Result<(), Refusal> {
+    let (none, n, middle) = (S::Unknown::zero(), S::Array::LEN, t + *half);
+    let mut origin = none;
+    let entries = origin.as_mut_slice();
+    entries[..n].copy_from_slice(x.q.as_slice());
+    entries[n..2 * n].copy_from_slice(x.p.as_slice());
+    entries[2 * n] = x.s;
+    let start = S::begin(constants, middle, &origin);
+
+    // Φ(Φ(0)) is the explicit midpoint rule, or as good.
+    let explicit = || {
+        let [mut once, mut twice] = [none; 2];
+        let mut unused = S::Unknown::fill(none);
+        S::image(constants, &start, &none, &mut once, &mut unused);
+        S::image(constants, &start, &once, &mut twice, &mut unused);
+        twice
+    };
+    let look = |probe: &mut P, d: &S::Unknown, jacobian: &mut Square<S::Unknown>| {
+        let (mut seen, mut f) = (origin, none);
+        seen.add_scaled(R::from_f64(ahead), d);
+        let (q, p, s) = apart::<S, M, R>(&seen);
+        probe.look(middle, &q, &p, &s);
+        S::image(constants, &start, d, &mut f, jacobian);
+        f
+    };
+    let image = |probe: &mut P, d: &S::Unknown| look(probe, d, &mut S::Unknown::fill(none));
+    let (d, _) = newton.solve(&origin, explicit, probe, image, look)?;
+
+    let end = S::end(constants, &start, &d);
+    if !end.is_finite() {
+        return Err(Refusal::Singular);
+    }
+    let (dq, dp, ds) = apart::<S, M, R>(&end);
+    x.add(&dq, &dp);
+    x.s += ds;
+    Ok(())
+}
+
+/// Positions, momenta and the action.
+#[inline(always)]
+fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Array, R) {
+    let n = S::Array::LEN;
+    let (mut q, mut p) = (S::Array::zero(), S::Array::zero());
+    q.as_mut_slice().copy_from_slice(&x.as_slice()[..n]);
+    p.as_mut_slice().copy_from_slice(&x.as_slice()[n..2 * n]);
+    (q, p, x.as_slice().last().copied().unwrap_or_else(zero))
+}

@@ -1,0 +1,264 @@
+//! Every splitting for contact systems: order, symmetry, the contact form, laws that are exact.
+
+use crate::measure::{field, form_defect, run, solution};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Contact, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
+use geoint_tests::measure::{LOOKS, distance, observed_order};
+use geoint_tests::scalars::{Double, Dual, Scalar};
+
+/// Kick and drift exact in time.
+#[contact_hamiltonian]
+fn swing(q: f64, p: f64, s: f64, t: f64, m: f64, g: f64, gamma: f64) -> f64 {
+    p * p / (2.0 * m) - g * q.cos() + gamma * s + 0.3 * t.cos() * q
+}
+
+/// Coupled masses under friction that comes and goes: time is frozen.
+#[contact_hamiltonian]
+fn driven(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
+    let kinetic = p[0] * p[0] / 3.4 + p[1] * p[1] / 1.2 + 0.3 * p[0] * p[1];
+    kinetic + a * (0.7 + (1.3 * t).sin()) * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
+}
+
+/// Friction 2/t.
+#[contact_hamiltonian]
+fn star(q: f64, p: f64, s: f64, t: f64, k: f64) -> f64 {
+    p * p / 2.0 + 2.0 / t * s + k * q.powi(4) / 4.0
+}
+
+/// Three pieces, none of which is a drift or a kick.
+#[contact_hamiltonian]
+fn tangled(q: f64, p: f64, s: f64, t: f64, a: f64) -> f64 {
+    a * p * s + (0.3 + q * q) * s + q.sin() + 0.2 * (1.0 + 0.4 * (t * t).sin()) * p * p * q * q + 0.3 * p * p
+}
+
+/// A system with where it starts.
+trait Case {
+    const NAME: &'static str;
+    const START: (f64, &'static [f64]);
+    /// The longest step that is tried.
+    const LONGEST: f64 = 0.5;
+    type Over<R: Scalar>: Contact<R>;
+    fn system<R: Scalar>() -> Self::Over<R>;
+}
+
+macro_rules! cases {
+    ($($case:ident $System:ident { $($field:ident: $value:expr),* } from $t:expr, $x:expr;)*) => { $(
+        struct $case;
+        impl Case for $case {
+            const NAME: &'static str = stringify!($case);
+            const START: (f64, &'static [f64]) = ($t, &$x);
+            type Over<R: Scalar> = $System<R>;
+            fn system<R: Scalar>() -> $System<R> {
+                $System { $($field: R::from_f64($value)),* }
+            }
+        }
+    )* };
+}
+
+cases! {
+    Swings Swing { m: 1.7, g: 1.3, gamma: 0.4 } from 0.2, [1.1, 0.6, 0.3];
+    Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
+    Stars Star { k: 1.4 } from 0.6, [1.0, -0.2, 0.1];
+    Tangles Tangled { a: 0.7 } from 0.2, [0.6, 0.4, 0.3];
+}
+
+/// What is done with a method.
+trait Visitor<P: Case> {
+    fn visit<M>(&mut self, name: &'static str, method: M)
+    where
+        M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>;
+}
+
+macro_rules! visit {
+    ($visitor:ident: $($method:expr),* $(,)?) => { $( $visitor.visit(stringify!($method), $method); )* };
+}
+
+/// Methods for every split.
+fn split<P: Case>(visitor: &mut impl Visitor<P>)
+where
+    P::Over<f64>: Pieces,
+    P::Over<Double>: Pieces<Double>,
+    P::Over<Dual>: Pieces<Dual>,
+{
+    visit!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
+    visit!(visitor: Yoshida4.of(ContactSplitting), Suzuki4.of(ContactSplitting), McLachlan4.of(ContactSplitting),
+        Yoshida6a.of(ContactSplitting), McLachlan6_9.of(ContactSplitting), KahanLi8_17a.of(ContactSplitting));
+}
+
+/// Methods for T + g·s + V.
+fn mechanical<P: Case>(visitor: &mut impl Visitor<P>)
+where
+    P::Over<f64>: Mechanical,
+    P::Over<Double>: Mechanical<Double>,
+    P::Over<Dual>: Mechanical<Dual>,
+{
+    visit!(visitor: ContactLeapfrog, Yoshida4.of(ContactLeapfrog), Yoshida6a.of(ContactLeapfrog));
+    visit!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet, ForestRuth4, PEFRL, BlanesMoan4,
+        BlanesMoan6, Suzuki4.of(PositionVerlet), KahanLi8_17a.of(StormerVerlet));
+}
+
+/// Methods for an exact flow of T + g·s with quadratic T.
+fn nystrom<P: Case>(visitor: &mut impl Visitor<P>)
+where
+    P::Over<f64>: QuadraticKinetic,
+    P::Over<Double>: QuadraticKinetic<Double>,
+    P::Over<Dual>: QuadraticKinetic<Dual>,
+{
+    visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+}
+
+/// Orders, symmetry, the form.
+#[derive(Default)]
+struct Geometry(Vec<String>);
+
+/// Not a multiple of any period.
+const DURATION: f64 = 2.3;
+
+impl<P: Case> Visitor<P> for Geometry {
+    fn visit<M>(&mut self, name: &'static str, method: M)
+    where
+        M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>,
+    {
+        let claims = Method::<P::Over<f64>>::claims(&method);
+        let (t, x) = P::START;
+        let system = P::system::<Double>();
+        let looks: Vec<Vec<Double>> =
+            (1..=LOOKS).map(|i| solution(&system, t, x, DURATION * i as f64 / LOOKS as f64, 4 * i as usize)).collect();
+        let start: Vec<Double> = x.iter().map(|x| Double::from(*x)).collect();
+        let order = observed_order(|steps| {
+            let h = DURATION / steps as f64;
+            let errors = (1..=LOOKS).zip(&looks).map(|(i, exact)| {
+                let found = run(system, method, (t, &start), h, steps * i / LOOKS);
+                found.map_or(f64::INFINITY, |found| distance(&found, exact))
+            });
+            errors.fold(0.0, f64::max)
+        });
+        let h = P::LONGEST / 8.0;
+        let there = run(P::system::<f64>(), method, (t, x), h, 4).expect("a step");
+        let back = run(P::system::<f64>(), method, (t + 4.0 * h, &there), -h, 4).expect("a step");
+        let symmetry = distance(&back, x);
+        let form = form_defect(P::system::<Dual>(), method, (t, x), h, 4).expect("a step");
+        println!("{:10} {name:36} order {order:5.2}  symmetry {symmetry:7.1e}  form {form:7.1e}", P::NAME);
+        let claimed = f64::from(claims.order);
+        if (order - claimed).abs() > 0.15 {
+            self.0.push(format!("{}, {name}: order {order:.2}", P::NAME));
+        }
+        if claims.symmetric != (symmetry < 1e-13) {
+            self.0.push(format!("{}, {name}: symmetry {symmetry:.1e}", P::NAME));
+        }
+        if claims.symplectic && form > 1e-12 {
+            self.0.push(format!("{}, {name}: form {form:.1e}", P::NAME));
+        }
+    }
+}
+
+#[test]
+fn claims_hold() {
+    let mut geometry = Geometry::default();
+    split::<Swings>(&mut geometry);
+    split::<Drives>(&mut geometry);
+    split::<Stars>(&mut geometry);
+    split::<Tangles>(&mut geometry);
+    mechanical::<Swings>(&mut geometry);
+    mechanical::<Drives>(&mut geometry);
+    mechanical::<Stars>(&mut geometry);
+    nystrom::<Swings>(&mut geometry);
+    nystrom::<Stars>(&mut geometry);
+    assert!(geometry.0.is_empty(), "{}", geometry.0.join("\n"));
+}
+
+/// A method of another order is seen, and one that is no contact map.
+#[test]
+fn controls_fail() {
+    /// RK4 without a thought of the form.
+    fn rk4<R: Scalar, S: Contact<R>>(system: &S, t: R, x: &[R], h: R) -> Vec<R> {
+        let real = R::from_f64;
+        let ahead = |h: R, slope: &[R]| x.iter().zip(slope).map(|(x, f)| *x + h * *f).collect::<Vec<R>>();
+        let a = field(system, t, x);
+        let b = field(system, t + h * real(0.5), &ahead(h * real(0.5), &a));
+        let c = field(system, t + h * real(0.5), &ahead(h * real(0.5), &b));
+        let d = field(system, t + h, &ahead(h, &c));
+        (0..x.len()).map(|i| x[i] + h / real(6.0) * (a[i] + real(2.0) * (b[i] + c[i]) + d[i])).collect()
+    }
+    let (t, x) = Drives::START;
+    let mut forms = vec![];
+    for j in 0..x.len() {
+        let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
+        x[j] = Dual::variable(x[j].value());
+        let end = rk4(&Drives::system::<Dual>(), Dual::from(t), &x, Dual::from(0.3));
+        forms.push(end[4].derivative() - (0..2).map(|i| end[2 + i].value() * end[i].derivative()).sum::<f64>());
+    }
+    let defect = (0..2).map(|j| (forms[j] + forms[4] * x[2 + j]).abs()).fold(0.0, f64::max);
+    assert!(defect > 1e-5, "{defect:.1e}");
+}
+
+/// Runge–Kutta–Nyström tables are unchanged: \[V, \[V, \[V, T + g·s\]\]\] = 0. The largest error of q, p, s after T = 10.
+#[test]
+fn table_of_the_damped_pendulum() {
+    let bob = Bob { gamma: 0.1 };
+    let exact = solution(&Bob::<Double> { gamma: Double::from(0.1) }, 0.0, &[1.0, 0.5, 0.3], 10.0, 20);
+    macro_rules! row {
+        ($method:expr, $bound:expr, [$($error:expr),*]) => {
+            for (h, noted) in [0.4, 0.2, 0.1, 0.05].into_iter().zip([$($error),*]) {
+                let found = run(bob, $method, (0.0, &[1.0, 0.5, 0.3]), h, (10.0_f64 / h).round() as u64).unwrap();
+                let error = found.iter().zip(&exact).map(|(x, y)| (Double::from(*x) - *y).magnitude()).fold(0.0, f64::max);
+                assert!((error / noted - 1.0).abs() < $bound, "{}, {h}: {error:.2e}, not {noted:.2e}", stringify!($method));
+            }
+        };
+    }
+    row!(ContactLeapfrog, 0.01, [3.42e-2, 8.48e-3, 2.12e-3, 5.29e-4]);
+    row!(BlanesMoanSrkn6b, 0.01, [9.19e-7, 6.10e-8, 3.87e-9, 2.43e-10]);
+    row!(BlanesMoanSrkn11b, 0.02, [1.29e-9, 2.00e-11]);
+}
+
+/// The pendulum of the table.
+#[contact_hamiltonian]
+fn bob(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
+    p * p / 2.0 - q.cos() + gamma * s
+}
+
+/// One step is the flow of H + h²H₂ but for h⁵.
+#[test]
+fn modified_energies() {
+    fn defect<P: Case>(h: f64) -> f64
+    where
+        P::Over<f64>: Pieces,
+        P::Over<Dual>: ModifiedEnergy<Dual>,
+    {
+        let (t, x) = P::START;
+        let step = run(P::system::<f64>(), ContactSplitting, (t, x), h, 1).unwrap();
+        let system = P::system::<Dual>();
+        let field = |now: f64, x: &[f64]| -> Vec<f64> {
+            let value = |j: usize| {
+                let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
+                if let Some(x) = x.get_mut(j) {
+                    *x = Dual::variable(x.value());
+                }
+                let state = crate::measure::state::<<P::Over<Dual> as PhaseSpace<Dual>>::Coordinates>(Dual::from(now), &x);
+                ModifiedEnergy::modified_energy(&system, Dual::from(h), &state)
+            };
+            let n = x.len() / 2;
+            let slopes: Vec<f64> = (0..x.len()).map(|j| value(j).derivative()).collect();
+            let rates = slopes[n..2 * n].to_vec();
+            let forces = (0..n).map(|i| -slopes[i] - x[n + i] * slopes[2 * n]);
+            let action = (0..n).map(|i| x[n + i] * rates[i]).sum::<f64>() - value(usize::MAX).value();
+            rates.iter().copied().chain(forces).chain([action]).collect()
+        };
+        let exact = geoint_tests::measure::extrapolated(field, t, x.to_vec(), h, 1);
+        distance(&step, &exact)
+    }
+    fn check<P: Case>()
+    where
+        P::Over<f64>: Pieces,
+        P::Over<Dual>: ModifiedEnergy<Dual>,
+    {
+        let [coarse, fine] = [0.1, 0.05].map(defect::<P>);
+        let order = (coarse / fine).log2();
+        println!("{}: {coarse:.1e} {fine:.1e} {order:.2}", P::NAME);
+        assert!((order - 5.0).abs() < 0.4, "{}: {order:.2}", P::NAME);
+    }
+    check::<Swings>();
+    check::<Drives>();
+    check::<Stars>();
+    check::<Tangles>();
+}
