@@ -5,9 +5,9 @@ mod oscillators;
 mod lifts;
 mod thermostat;
 
-use geoint_runtime::array::Array;
+use crate::measure::{self, flat};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Coordinates};
+use geoint_runtime::{Contact, Pieces};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;
 
@@ -94,32 +94,9 @@ fn pendulum_in_bath(q: [f64; 3], p: [f64; 3], s: f64, gamma: f64) -> f64 {
     p[0] * q[1] - p[1] * (q[0].sin() + gamma * q[1]) + p[2] * gamma * q[1] * q[1] + 0.0 * s
 }
 
-/// (q, p, s) at a point.
-fn flat<Q: Coordinates<Real = f64>>(state: &ContactState<Q>) -> Vec<f64> {
-    let (q, p) = (state.q.into_array(), state.p.into_array());
-    [q.as_slice(), p.as_slice(), &[state.s]].concat()
-}
-
-/// (q, p, s) of the solution after a time, of which the equations of motion are written once more; by extrapolation in equal
-/// parts, in double-double.
+/// (q, p, s) of the solution after a time.
 fn solution<S: Contact<Double>>(system: &S, start: &[f64], duration: f64, parts: usize) -> Vec<f64> {
-    let n = S::Array::LEN;
-    let zero = Double::from(0.0);
-    let field = |t: Double, y: &[Double]| {
-        let [mut q, mut p, mut dq, mut dp] = [S::Array::zero(); 4];
-        q.as_mut_slice().copy_from_slice(&y[..n]);
-        p.as_mut_slice().copy_from_slice(&y[n..2 * n]);
-        let (s, mut ds) = (y[2 * n], zero);
-        system.gradient(t, &q, &p, &s, &mut dq, &mut dp, &mut ds);
-        let energy = system.hamiltonian(t, &q, &p, &s);
-        let (dq, dp) = (dq.as_slice(), dp.as_slice());
-        let force = (0..n).map(|i| -dq[i] - y[n + i] * ds);
-        let action = (0..n).fold(-energy, |sum, i| sum + y[n + i] * dp[i]);
-        dp.iter().copied().chain(force).chain([action]).collect()
-    };
-    let start = start.iter().map(|x| Double::from(*x)).collect();
-    let end = extrapolated(field, zero, start, Double::from(duration), parts);
-    end.into_iter().map(Double::value).collect()
+    measure::solution(system, 0.0, start, duration, parts).into_iter().map(Double::value).collect()
 }
 
 /// (q, p, s) that a method has reached after a time.

@@ -90,6 +90,8 @@ fn the_sphere_is_kept_to_the_order_of_the_method() {
         largest(sim.until(20.0).map(|x| COSMOS.energy(&x.unwrap())))
     });
     assert!((order([whole, half]) - 4.0).abs() < 0.1 && half < 5e-8, "{whole:.1e} {half:.1e}");
+    let mut sim = COSMOS.integrator(ContactDiscreteGradient, 0.2, start);
+    assert!(largest(sim.until(20.0).map(|x| COSMOS.energy(&x.unwrap()))) < 1e-14);
 }
 
 /// From the lower point of rest to the upper one, and inside of the sphere: dH/dt = −H s.
