@@ -23,8 +23,10 @@ pub(super) fn pieces(
         Ok(pieces) => {
             let flows: Vec<Kernel> = pieces.iter().map(|piece| kernel(context, graph, piece)).collect();
             let tokens = splitting(context, graph, pieces, &flows, bounds);
-            let modified = split::modified_energy(graph, pieces, context.energy.degrees());
-            let modified = modified_energy(context, graph, modified, bounds);
+            let modified = (context.energy.lift.is_none()).then(|| {
+                let modified = split::modified_energy(graph, pieces, context.energy.degrees());
+                modified_energy(context, graph, modified, bounds)
+            });
             (quote!(#tokens #modified), flows.iter().map(|flow| flow.operations).collect())
         }
         Err(term) => (none(context, graph, *term, bounds), vec![]),

@@ -12,7 +12,11 @@ use quote::{format_ident, quote};
 pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
-    let value = context.routine(graph, &[energy], |mut values| values.remove(0));
+    // Momenta that are not followed give no energy.
+    let value = match context.energy.lift {
+        Some(_) => quote!(R::from_f64(f64::NAN)),
+        None => context.routine(graph, &[energy], |mut values| values.remove(0)),
+    };
     let outside = outside_domain(context, graph, energy, None);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
     let places = context.coordinates();
