@@ -1,10 +1,11 @@
 //! What do contact integrators gain?
 //!
 //! q'' + γq' + q = 0 as in M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206, for which the flow is known. Beside
-//! contact integrators stand three schemes for (q, p) with friction as one more force: leapfrog, the scheme of order 3 of
-//! R. D. Ruth, and the classical Runge–Kutta method. On a short way with constant friction RK4 is more accurate than contact
-//! methods of order 2, at the same step and at the same cost. Contact methods of high order are more accurate than RK4, and
-//! where friction is small and time is long RK4 adds friction of its own. Where friction is large, that of a drift is exact.
+//! contact integrators stand three schemes for (q, p) with friction as one more force: leapfrog and the scheme of order 3 of
+//! R. D. Ruth, which fall to order 1 by that, and the classical Runge–Kutta method. On a short way with constant friction RK4 is
+//! more accurate than contact methods of order 2, at the same step and at the same cost. Contact methods of high order are
+//! more accurate than RK4. Where friction is small and time is long RK4 adds friction of its own; where friction is large, that
+//! of an exact drift is stable.
 
 use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
 use geoint_examples::{claim, largest, table};
