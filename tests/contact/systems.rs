@@ -1,4 +1,5 @@
-//! The systems of the field, each with numbers that must come out.
+//! The systems of the field, each with numbers that must come out: those of a known solution, or computed beforehand by another
+//! program.
 
 mod celestial;
 mod oscillators;

@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         paths.push(Curve { width: 1.2, ..Curve::line(&name, colour, states.iter().map(|x| (x.q, x.p)).collect()) });
         actions.push(Curve::line(&name, colour, states.iter().map(|x| (x.t, x.s)).collect()));
     }
-    let paths = Panel::new("Orbits", ["q", "p"], [-4.0..4.0, -4.6..3.8], paths);
+    let paths = Panel::new("Orbits", ["q", "p"], [-4.0..4.0, -4.8..3.8], paths);
     let actions = Panel::new("Action", ["time", "s"], [0.0..50.0, -2.4..2.6], actions);
     figure("quadratic_dissipation.svg", (520, 480), &[Panel { scale: Scale::Equal, ..paths }, actions])
 }

@@ -18,7 +18,7 @@ fn truth(duration: f64) -> Vec<f64> {
 
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra (2020), e = 0.4.
 #[test]
-fn perturbed_kepler_has_the_errors_of_the_literature() {
+fn perturbed_kepler_has_known_errors() {
     let truth = truth(10.0);
     let errors = |run: &dyn Fn(f64) -> Vec<f64>| [0.025, 0.0125].map(|h| gap(&run(h), &truth));
     let start = pericentre(0.4);

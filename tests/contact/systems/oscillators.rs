@@ -21,7 +21,7 @@ where
 }
 
 #[test]
-fn one_piece_is_exact_and_three_have_the_errors_of_the_literature() {
+fn one_piece_is_exact_and_three_have_known_errors() {
     for (gamma, error) in [(0.01, 1.21e-2), (0.1, 2.33e-3), (1.0, 4.8e-4), (2.0, 6.1e-4)] {
         for h in [1.3, 0.1] {
             let one = off(DampedOscillator { gamma }, ContactSplitting, gamma, h);
@@ -34,7 +34,7 @@ fn one_piece_is_exact_and_three_have_the_errors_of_the_literature() {
 }
 
 #[test]
-fn the_variational_leapfrog_has_the_errors_of_the_literature() {
+fn the_variational_leapfrog_has_known_errors() {
     for (gamma, error) in [(0.01, 1.26e-2), (0.1, 2.56e-3), (1.0, 4.28e-4), (2.0, 1.82e-3)] {
         let found = off(DampedOscillator { gamma }, ContactLeapfrog, gamma, 0.1);
         assert!((found / error - 1.0).abs() < 0.02, "γ = {gamma}: {found:.3e}");
