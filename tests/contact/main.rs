@@ -5,3 +5,4 @@ mod implicit;
 mod laws;
 mod measure;
 mod methods;
+mod systems;
