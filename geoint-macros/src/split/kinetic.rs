@@ -1,7 +1,7 @@
 //! Pieces whose momenta keep their direction.
 
 use super::flow::Flow;
-use super::polynomial::{Polynomial, is_free};
+use super::polynomial::{Polynomial, factors, is_free};
 use super::rules::Group;
 use super::scalar::{self, Equation, growth_and_mean, positive_power};
 use super::time::{Clock, over_time, ratio};
@@ -266,7 +266,7 @@ fn smooth_root(graph: &mut Graph, square: Id) -> Id {
     let (c, rest) = graph.coefficient(square);
     let c = graph.number(c);
     let mut root = graph.sqrt(c);
-    for (base, exponent) in graph.factors(rest) {
+    for (base, exponent) in factors(graph, rest) {
         let factor = match exponent.mul(Ratio::HALF).filter(|half| half.denominator <= 2) {
             Some(half) => graph.pow(base, half),
             None => {

@@ -133,3 +133,16 @@ pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool)
 pub(super) fn power(monomial: &Monomial, symbol: Symbol) -> Ratio {
     monomial.get(&symbol).copied().unwrap_or(Ratio::integer(0))
 }
+
+/// Bases and exponents of a product, also within powers of products.
+pub(super) fn factors(graph: &Graph, id: Id) -> Vec<(Id, Ratio)> {
+    let within = |(base, exponent): (Id, Ratio)| match graph.node(base) {
+        Node::Product(_) if exponent.is_integer() => {
+            let inner = factors(graph, base).into_iter();
+            let powers: Option<Vec<_>> = inner.map(|(base, inner)| Some((base, inner.mul(exponent)?))).collect();
+            powers.unwrap_or_else(|| vec![(base, exponent)])
+        }
+        _ => vec![(base, exponent)],
+    };
+    graph.factors(id).into_iter().flat_map(within).collect()
+}

@@ -1,7 +1,7 @@
 //! Pieces that are quadratic in (q, p).
 
 use super::flow::Flow;
-use super::polynomial::{Polynomial, is_free};
+use super::polynomial::{Monomial, Polynomial, is_free};
 use super::rules::Group;
 use super::scalar::turn;
 use super::time::Clock;
@@ -38,7 +38,10 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         [(a, 1), (b, 1)] => same(a, b),
         _ => false,
     })?;
-    if powers.has_only(|monomial| monomial.keys().all(|symbol| !matches!(symbol, Symbol::Q(_)))) {
+    // What is of degree 1 in the momenta, or reads no positions, is a simpler family.
+    let bends = |monomial: &Monomial| monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::P(_)) && *power == Ratio::integer(2));
+    let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(_)));
+    if powers.has_only(|monomial| !bends(monomial)) || powers.has_only(|monomial| !reads_q(monomial)) {
         return None;
     }
     let (h, one) = (graph.symbol(Symbol::H), graph.integer(1));

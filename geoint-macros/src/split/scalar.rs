@@ -2,7 +2,7 @@
 //!
 //! What a rule returns is x at the end of the flow; where the solution has come to a pole before that, it is not a number.
 
-use super::polynomial::{Monomial, Polynomial, is_free, power};
+use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
 use super::time::Clock;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -27,6 +27,8 @@ const RULES: &[Rule] = &[
     Rule { solve: affine },
     // a·x + b·xᵏ (J. Bernoulli 1695)
     Rule { solve: bernoulli },
+    // b·(a·x + c)ᵏ
+    Rule { solve: shifted_power },
     // a·x² + b·x + c (J. Riccati 1724)
     Rule { solve: riccati },
     // a + b·exp(k·x)
@@ -149,6 +151,68 @@ pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id
     graph.call(Function::Powf, &[base, exponent])
 }
 
+/// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1).
+fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+    let own = equation.x;
+    let (c, rest) = graph.coefficient(equation.rate);
+    let (mut b, mut found) = (graph.number(c), None);
+    for (base, exponent) in factors(graph, rest) {
+        if !is_free(graph, base, &|symbol| symbol == own) {
+            found = Some((base, exponent)).filter(|_| found.is_none());
+            found?;
+        } else {
+            let factor = graph.pow(base, exponent);
+            b = graph.mul(b, factor);
+        }
+    }
+    let (y, k) = found.filter(|(_, k)| *k != Ratio::ONE)?;
+    let a = diff::partial(graph, y, own);
+    if !is_free(graph, a, &|symbol| symbol == own) {
+        return None;
+    }
+    equation.steady(graph, &[y])?;
+    let m = k.add(Ratio::integer(-1))?;
+    let weight = equation.clock.over_step(graph, b)?;
+    let power = graph.pow(y, m);
+    let u = graph.product(&[a, weight, power]);
+    let u = graph.scale(Number::Exact(m).neg(), u);
+    let change = power_less_one(graph, u, m.recip()?.mul(Ratio::integer(-1))?)?;
+    let change = graph.mul(y, change);
+    let change = graph.div(change, a);
+    let x = graph.symbol(own);
+    Some(graph.add(x, change))
+}
+
+/// (1 + u)^r − 1 without a difference.
+fn power_less_one(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
+    let one = graph.integer(1);
+    let d = graph.add(one, u);
+    let d = graph.call(Function::NotNegative, &[d]);
+    if r.denominator > 2 || r.numerator.abs() > 8 {
+        let ln = graph.call(Function::Ln1p, &[u]);
+        let ln = graph.scale(Number::Exact(r), ln);
+        return Some(graph.call(Function::ExpM1, &[ln]));
+    }
+    // dⁿ − 1 = u·(1 + d + … + dⁿ⁻¹).
+    let mut sum = graph.zero();
+    for _ in 0..r.numerator.abs() {
+        let inner = graph.mul(d, sum);
+        sum = graph.add(one, inner);
+    }
+    let mut change = graph.mul(u, sum);
+    if r.denominator == 2 {
+        let root = graph.pow(d, Ratio { numerator: r.numerator.abs(), ..r });
+        let root = graph.add(one, root);
+        change = graph.div(change, root);
+    }
+    if r.numerator < 0 {
+        let whole = graph.pow(d, r);
+        change = graph.mul(change, whole);
+        change = graph.neg(change);
+    }
+    Some(change)
+}
+
 /// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
 /// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)).
 fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
@@ -198,13 +262,12 @@ pub(super) fn turn(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id)
 fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let own = equation.x;
     let (mut a, mut rest) = (graph.zero(), graph.zero());
-    for (c, term) in terms(graph, equation.rate) {
-        let term = graph.scale(c, term);
+    for term in terms(graph, equation.rate, own) {
         let side = if is_free(graph, term, &|symbol| symbol == own) { &mut a } else { &mut rest };
         *side = graph.add(*side, term);
     }
-    let (function, argument, b) = single_call(graph, rest, own)?;
-    if function != Function::Exp {
+    let (function, argument, b, exponent) = single_call(graph, rest, own)?;
+    if (function, exponent) != (Function::Exp, Ratio::ONE) {
         return None;
     }
     let k = diff::partial(graph, argument, own);
@@ -232,14 +295,7 @@ fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
 /// With u = k·x + c and U = k·∫a dt, by addition theorems of what is multiplied by e^U.
 fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let own = equation.x;
-    let (function, u, a, inverse) = match single_call(graph, equation.rate, own) {
-        Some((function, argument, a)) => (function, argument, a, false),
-        None => {
-            let reciprocal = graph.recip(equation.rate);
-            let (function, argument, a) = single_call(graph, reciprocal, own)?;
-            (function, argument, graph.recip(a), true)
-        }
-    };
+    let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
     let k = diff::partial(graph, u, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
@@ -247,8 +303,8 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let change = equation.clock.over_step(graph, a)?;
     let change = graph.mul(k, change);
     let one = graph.integer(1);
-    let end = match (function, inverse) {
-        (Function::Sin | Function::Cos, false) => {
+    let end = match (function, exponent) {
+        (Function::Sin | Function::Cos, Ratio::ONE) => {
             // tan of half the angle grows by e^U.
             let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
             let (across, along) = match function {
@@ -265,7 +321,7 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
             let turned = graph.scale(Number::integer(2), half);
             graph.add(u, turned)
         }
-        (Function::Sinh, false) => {
+        (Function::Sinh, Ratio::ONE) => {
             let half = graph.scale(Number::HALF, u);
             let tanh = graph.call(Function::Tanh, &[half]);
             let growth = graph.call(Function::Exp, &[change]);
@@ -273,13 +329,13 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
             let half = graph.call(Function::Atanh, &[grown]);
             graph.scale(Number::integer(2), half)
         }
-        (Function::Tanh, false) => {
+        (Function::Tanh, Ratio::ONE) => {
             let sinh = graph.call(Function::Sinh, &[u]);
             let growth = graph.call(Function::Exp, &[change]);
             let grown = graph.mul(growth, sinh);
             graph.call(Function::Asinh, &[grown])
         }
-        (Function::Cosh, true) => {
+        (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
             let sinh = graph.call(Function::Sinh, &[u]);
             let moved = graph.add(sinh, change);
             graph.call(Function::Asinh, &[moved])
@@ -293,37 +349,49 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     Some(graph.add(x, moved))
 }
 
-/// The terms of a sum with their coefficients.
-fn terms(graph: &mut Graph, id: Id) -> Vec<(Number, Id)> {
-    match graph.node(id).clone() {
-        Node::Linear(constant, mut terms) => {
-            let one = graph.integer(1);
-            terms.push((constant, one));
-            terms
+/// The terms of a sum, also where that is multiplied by what is free of x.
+fn terms(graph: &mut Graph, id: Id, x: Symbol) -> Vec<Id> {
+    if let Node::Linear(constant, inner) = graph.node(id).clone() {
+        let mut all = vec![graph.number(constant)];
+        for (c, term) in inner {
+            all.extend(terms(graph, term, x).into_iter().map(|term| graph.scale(c, term)));
         }
-        _ => vec![(Number::ONE, id)],
+        return all;
+    }
+    let reads = |graph: &Graph, id: Id| !is_free(graph, id, &|symbol| symbol == x);
+    let factors = factors(graph, id);
+    let mut reading = factors.iter().filter(|(base, _)| reads(graph, *base));
+    match (reading.next(), reading.next()) {
+        (Some((sum, Ratio::ONE)), None) if matches!(graph.node(*sum), Node::Linear(..)) => {
+            let mut others = graph.integer(1);
+            for (base, exponent) in factors.iter().filter(|(base, _)| base != sum) {
+                let factor = graph.pow(*base, *exponent);
+                others = graph.mul(others, factor);
+            }
+            terms(graph, *sum, x).into_iter().map(|term| graph.mul(others, term)).collect()
+        }
+        _ => vec![id],
     }
 }
 
-/// coefficient·function(argument) with a coefficient that is free of x.
-fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id)> {
+/// coefficient·function(argument)^(±1) with a coefficient that is free of x, and that exponent.
+fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id, Ratio)> {
     let (c, rest) = graph.coefficient(id);
     let (mut found, mut coefficient) = (None, graph.number(c));
-    for (base, exponent) in graph.factors(rest) {
-        let factor = graph.pow(base, exponent);
-        if is_free(graph, factor, &|symbol| symbol == x) {
+    for (base, exponent) in factors(graph, rest) {
+        if is_free(graph, base, &|symbol| symbol == x) {
+            let factor = graph.pow(base, exponent);
             coefficient = graph.mul(coefficient, factor);
             continue;
         }
         match graph.node(base).clone() {
-            Node::Call(Function::Exp, args) if found.is_none() => {
-                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0])));
+            _ if found.is_some() => return None,
+            Node::Call(Function::Exp, args) => {
+                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0]), Ratio::ONE));
             }
-            Node::Call(function, args) if exponent == Ratio::ONE && args.len() == 1 && found.is_none() => {
-                found = Some((function, args[0]));
-            }
+            Node::Call(function, args) if args.len() == 1 => found = Some((function, args[0], exponent)),
             _ => return None,
         }
     }
-    found.map(|(function, argument)| (function, argument, coefficient))
+    found.map(|(function, argument, exponent)| (function, argument, coefficient, exponent))
 }

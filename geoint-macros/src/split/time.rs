@@ -1,6 +1,6 @@
 //! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
 
-use super::polynomial::{Monomial, Polynomial, is_free, power};
+use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -38,10 +38,14 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
     }
     let reads_t = |symbol| symbol == Symbol::T;
     let (mut constant, mut changing) = (graph.integer(1), graph.integer(1));
-    for (base, exponent) in graph.factors(rate) {
+    for (base, exponent) in factors(graph, rate) {
         let factor = graph.pow(base, exponent);
         let side = if is_free(graph, factor, &reads_t) { &mut constant } else { &mut changing };
         *side = graph.mul(*side, factor);
+    }
+    if matches!(graph.node(changing), Node::Linear(..)) {
+        let whole = integral(graph, changing)?;
+        return Some(graph.mul(constant, whole));
     }
     let primitive = primitive(graph, changing)?;
     let h = graph.symbol(Symbol::H);
@@ -88,10 +92,10 @@ fn primitive(graph: &mut Graph, rate: Id) -> Option<Id> {
 
 /// k where a rate is k/t.
 pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let t = graph.symbol(Symbol::T);
-    let k = graph.mul(rate, t);
-    let depends = !is_free(graph, rate, &|symbol| symbol == Symbol::T);
-    (depends && is_free(graph, k, &|symbol| symbol == Symbol::T)).then_some(k)
+    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::T)?;
+    let inverse = |monomial: &Monomial| power(monomial, Symbol::T) == Ratio::integer(-1);
+    let k = powers.coefficient(graph, &[(Symbol::T, -1)]);
+    (powers.has_only(inverse) && !graph.is_zero(k)).then_some(k)
 }
 
 /// t/(t + h); not a number if the singular time 0 lies between both.
