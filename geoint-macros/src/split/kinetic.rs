@@ -177,7 +177,7 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let weight_end = at(graph, weight, Symbol::S, end);
-    let change = graph.div(weight, weight_end);
+    let change = quotient(graph, weight, weight_end);
 
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -191,6 +191,27 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     }
     flow.s = end;
     Some(flow)
+}
+
+/// a/b without the factors that both have: they may be zero.
+fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let ((above, a), (below, b)) = (graph.coefficient(a), graph.coefficient(b));
+    let (mut quotient, mut divisors) = (graph.number(above), factors(graph, b));
+    for (base, exponent) in factors(graph, a) {
+        match divisors.iter().position(|divisor| *divisor == (base, exponent)) {
+            Some(i) => drop(divisors.swap_remove(i)),
+            None => {
+                let factor = graph.pow(base, exponent);
+                quotient = graph.mul(quotient, factor);
+            }
+        }
+    }
+    let mut divisor = graph.number(below);
+    for (base, exponent) in divisors {
+        let factor = graph.pow(base, exponent);
+        divisor = graph.mul(divisor, factor);
+    }
+    graph.div(quotient, divisor)
 }
 
 /// A node with a symbol replaced.
@@ -251,7 +272,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let root_end = at(graph, root, Symbol::Q(0), end);
-    let quotient = graph.div(root, root_end);
+    let quotient = quotient(graph, root, root_end);
     let h = graph.symbol(Symbol::H);
     let change = graph.mul(h, group.energy);
     let mut flow = Flow::rest(graph, 1);

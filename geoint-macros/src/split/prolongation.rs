@@ -88,7 +88,8 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     let square = graph.pow(d, Ratio::integer(2));
     let square = graph.add(square, cross);
     let square = graph.neg(square);
-    let (cosine, sine) = turn(graph, square, h, false);
+    // The momentum that turns with s has a pole within every half a turn.
+    let (cosine, sine) = turn(graph, square, h, of.contains(&Symbol::S));
     let z = graph.mul(mean, h);
     let growth = graph.call(Function::Exp, &[z]);
     let d = [d, graph.neg(d)];

@@ -3,7 +3,7 @@
 //! What a rule returns is x at the end of the flow; where the solution has come to a pole before that, it is not a number.
 
 use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
-use super::time::Clock;
+use super::time::{Clock, slope};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -92,11 +92,16 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     if equation.clock == Clock::Own
         && let Some(k) = super::time::over_time(graph, a)
     {
-        let k = graph.neg(k);
-        let ratio = super::time::ratio(graph);
         return Some(match graph.as_number(k) {
-            Some(Number::Exact(k)) if k.denominator <= 2 => graph.pow(ratio, k),
-            _ => graph.call(Function::Powf, &[ratio, k]),
+            Some(Number::Exact(k)) if k.denominator <= 2 => {
+                let ratio = super::time::ratio(graph);
+                graph.pow(ratio, k.mul(Ratio::integer(-1))?)
+            }
+            _ => {
+                let ln = super::time::ln_ratio(graph);
+                let z = graph.mul(k, ln);
+                graph.call(Function::Exp, &[z])
+            }
         });
     }
     let z = equation.clock.over_step(graph, a)?;
@@ -302,10 +307,10 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     }
     let change = equation.clock.over_step(graph, a)?;
     let change = graph.mul(k, change);
-    let one = graph.integer(1);
-    let end = match (function, exponent) {
+    let turned = match (function, exponent) {
         (Function::Sin | Function::Cos, Ratio::ONE) => {
             // tan of half the angle grows by e^U.
+            let (one, two) = (graph.integer(1), graph.integer(2));
             let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
             let (across, along) = match function {
                 Function::Sin => (sine, graph.neg(cosine)),
@@ -315,38 +320,42 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
             let above = graph.mul(growth, across);
             let along = graph.add(one, along);
             let below = graph.mul(growth, along);
-            let two = graph.integer(2);
             let below = graph.add(two, below);
             let half = graph.call(Function::Atan2, &[above, below]);
-            let turned = graph.scale(Number::integer(2), half);
-            graph.add(u, turned)
-        }
-        (Function::Sinh, Ratio::ONE) => {
-            let half = graph.scale(Number::HALF, u);
-            let tanh = graph.call(Function::Tanh, &[half]);
-            let growth = graph.call(Function::Exp, &[change]);
-            let grown = graph.mul(growth, tanh);
-            let half = graph.call(Function::Atanh, &[grown]);
             graph.scale(Number::integer(2), half)
         }
-        (Function::Tanh, Ratio::ONE) => {
-            let sinh = graph.call(Function::Sinh, &[u]);
-            let growth = graph.call(Function::Exp, &[change]);
-            let grown = graph.mul(growth, sinh);
-            graph.call(Function::Asinh, &[grown])
+        // tanh u/2 grows by e^U,
+        (Function::Sinh, Ratio::ONE) => {
+            let half = graph.scale(Number::HALF, u);
+            let half = grown(graph, [Function::Tanh, Function::Atanh], half, change);
+            graph.scale(Number::integer(2), half)
         }
+        // sinh u by e^U,
+        (Function::Tanh, Ratio::ONE) => grown(graph, [Function::Sinh, Function::Asinh], u, change),
+        // or by U.
         (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
             let sinh = graph.call(Function::Sinh, &[u]);
-            let moved = graph.add(sinh, change);
-            graph.call(Function::Asinh, &[moved])
+            rise(graph, Function::Asinh, sinh, change)
         }
         _ => return None,
     };
-    // x = (u − c)/k.
-    let moved = graph.sub(end, u);
-    let moved = graph.div(moved, k);
+    let moved = graph.div(turned, k);
     let x = graph.symbol(own);
     Some(graph.add(x, moved))
+}
+
+/// How far u moves if f(u) grows by e^U.
+fn grown(graph: &mut Graph, [f, inverse]: [Function; 2], u: Id, change: Id) -> Id {
+    let value = graph.call(f, &[u]);
+    let growth = graph.call(Function::ExpM1, &[change]);
+    let change = graph.mul(value, growth);
+    rise(graph, inverse, value, change)
+}
+
+/// f(a + d) − f(a) by its slope, without a difference.
+fn rise(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
+    let slope = slope(graph, f, a, d);
+    graph.mul(d, slope)
 }
 
 /// The terms of a sum, also where that is multiplied by what is free of x.

@@ -23,6 +23,34 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
 }
 
 #[test]
+fn show_flows() {
+    for item in [
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p * s / 2.0 } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p * (2.0 + s) / 2.0 } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { q * q * p * p / 2.0 } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 1.4 * (0.8 * s).cosh() } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 1.4 * (0.8 * s).exp() } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p + q * q + s } },
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { q.cos() * s } },
+    ] {
+        let item = syn::parse2(item).expect("a function");
+        let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let found = split::pieces(&mut lowered.graph, lowered.energy, energy.degrees(), None).unwrap();
+        let context = emit::Context::new(&energy, &lowered.constants, &lowered.partial);
+        let changed: Vec<_> = found.iter().map(|piece| piece.flow.changed(&mut lowered.graph)).collect();
+        let printer = Printer::new(&lowered.graph, |symbol| if symbol == crate::ir::Symbol::H { "h".into() } else { context.user_name(symbol) });
+        for (piece, changed) in found.iter().zip(changed) {
+            println!("{} {}", piece.rule.name, printer.formula(piece.energy));
+            for (symbol, end) in changed {
+                println!("   {} = {}", printer.formula(lowered.graph.clone().symbol(symbol)), printer.formula(end));
+            }
+        }
+    }
+    panic!();
+}
+
+#[test]
 fn show() {
     for item in [
         quote! { fn f(q: f64, p: f64, s: f64) -> f64 { q * (0.6 * s).exp() + q * q } },

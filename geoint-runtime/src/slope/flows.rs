@@ -1,13 +1,14 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
-use super::{away, either, exp_derivative, factorial, polynomial, series};
+use super::{either, exp_derivative, factorial, polynomial, series};
 use crate::real::{Real, zero};
 
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    let x = away(x);
-    x.exp_m1() / x
+    // A series near 0, so that a scalar with a derivative finds it there too.
+    let small = |x: R| polynomial(x, series!(9, |k| 1.0 / factorial(k + 1)));
+    either(x, 0.03, small, || x.exp_m1() / x)
 }
 
 /// The derivative of [`phi_1`].

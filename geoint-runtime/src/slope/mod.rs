@@ -36,10 +36,11 @@ fn away<R: Real>(x: R) -> R {
     x + x.signum() * tiny()
 }
 
-/// `small(x)` where |x| < `bound`, `large()` elsewhere.
+/// `small(x)` where |x| ≤ `bound`, `large()` elsewhere.
 #[inline(always)]
 fn either<R: Real>(x: R, bound: f64, small: impl FnOnce(R) -> R, large: impl FnOnce() -> R) -> R {
-    if x.magnitude() < bound {
+    // By its value alone, where a scalar carries a derivative.
+    if !x.abs().any_above(bound) {
         small(x)
     } else if !x.abs().any_below(bound) {
         large()
