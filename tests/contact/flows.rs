@@ -78,6 +78,11 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     SinhOfAction, "prolongation" => 0.875 * (0.8125 * s + 0.125).sinh();
     TanhOfAction, "prolongation" => 1.375 * (0.8125 * s + 0.125).tanh();
     SechOfAction, "prolongation" => 1.375 / (0.8125 * s + 0.125).cosh();
+    ExponentialOfProduct, "prolongation" => 0.375 * (q * s).exp();
+    ExponentialOfProductDriven, "prolongation" => 0.375 * (q * s).exp() + q.sin();
+    SineOfProduct, "prolongation" => 1.375 * (q * s + 0.25).sin();
+    TanhOfProduct, "prolongation" => 1.375 * (q * s + 0.25).tanh();
+    PowerOfProduct, "prolongation" => 0.0625 * (1.5 + q * s).powi(4);
     // 11–12: products with functions of s.
     ExponentialTimesPotential, "prolongation" => q.cos() * (0.625 * s).exp();
     SineTimesPotential, "prolongation" => (0.3125 + q * q) * (1.375 * s).sin();

@@ -156,7 +156,7 @@ pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id
     graph.call(Function::Powf, &[base, exponent])
 }
 
-/// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1).
+/// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1), also for a = 0.
 fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let own = equation.x;
     let (c, rest) = graph.coefficient(equation.rate);
@@ -179,43 +179,45 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let m = k.add(Ratio::integer(-1))?;
     let weight = equation.clock.over_step(graph, b)?;
     let power = graph.pow(y, m);
-    let u = graph.product(&[a, weight, power]);
-    let u = graph.scale(Number::Exact(m).neg(), u);
-    let change = power_less_one(graph, u, m.recip()?.mul(Ratio::integer(-1))?)?;
-    let change = graph.mul(y, change);
-    let change = graph.div(change, a);
+    let relative = graph.mul(weight, power);
+    let relative = graph.scale(Number::Exact(m).neg(), relative);
+    let u = graph.mul(a, relative);
+    let mean = mean_of_power(graph, u, m.recip()?.mul(Ratio::integer(-1))?)?;
+    let change = graph.product(&[y, relative, mean]);
     let x = graph.symbol(own);
     Some(graph.add(x, change))
 }
 
-/// (1 + u)^r − 1 without a difference.
-fn power_less_one(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
+/// ((1 + u)^r − 1)/u without a difference, also for u = 0.
+fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
     let one = graph.integer(1);
     let d = graph.add(one, u);
     let d = graph.call(Function::NotNegative, &[d]);
     if r.denominator > 2 || r.numerator.abs() > 8 {
         let ln = graph.call(Function::Ln1p, &[u]);
         let ln = graph.scale(Number::Exact(r), ln);
-        return Some(graph.call(Function::ExpM1, &[ln]));
+        let mean = graph.call(Function::Phi1, &[ln]);
+        let mean_of_ln = mean_of_recip(graph, u);
+        let mean = graph.mul(mean_of_ln, mean);
+        return Some(graph.scale(Number::Exact(r), mean));
     }
-    // dⁿ − 1 = u·(1 + d + … + dⁿ⁻¹).
-    let mut sum = graph.zero();
+    // (dⁿ − 1)/u = 1 + d + … + dⁿ⁻¹.
+    let mut mean = graph.zero();
     for _ in 0..r.numerator.abs() {
-        let inner = graph.mul(d, sum);
-        sum = graph.add(one, inner);
+        let inner = graph.mul(d, mean);
+        mean = graph.add(one, inner);
     }
-    let mut change = graph.mul(u, sum);
     if r.denominator == 2 {
         let root = graph.pow(d, Ratio { numerator: r.numerator.abs(), ..r });
         let root = graph.add(one, root);
-        change = graph.div(change, root);
+        mean = graph.div(mean, root);
     }
     if r.numerator < 0 {
         let whole = graph.pow(d, r);
-        change = graph.mul(change, whole);
-        change = graph.neg(change);
+        mean = graph.mul(mean, whole);
+        mean = graph.neg(mean);
     }
-    Some(change)
+    Some(mean)
 }
 
 /// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
@@ -290,14 +292,29 @@ fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
         let change = graph.mul(a, h);
         (graph.add(x, change), graph.product(&[b, h, mean]))
     };
-    let shrunk = graph.product(&[k, weight, value]);
+    let grown = graph.mul(weight, value);
+    let shrunk = graph.mul(k, grown);
     let shrunk = graph.neg(shrunk);
-    let ln = graph.call(Function::Ln1p, &[shrunk]);
-    let ln = graph.div(ln, k);
-    Some(graph.sub(drift, ln))
+    if graph.as_number(k).is_some() {
+        let ln = graph.call(Function::Ln1p, &[shrunk]);
+        let ln = graph.div(ln, k);
+        return Some(graph.sub(drift, ln));
+    }
+    // Also for k = 0.
+    let ln = mean_of_recip(graph, shrunk);
+    let change = graph.mul(grown, ln);
+    Some(graph.add(drift, change))
 }
 
-/// With u = k·x + c and U = k·∫a dt, by addition theorems of what is multiplied by e^U.
+/// ln(1 + u)/u, or 1.
+fn mean_of_recip(graph: &mut Graph, u: Id) -> Id {
+    let one = graph.integer(1);
+    let end = graph.add(one, u);
+    graph.call(Function::LnSlope, &[one, end])
+}
+
+/// With u = k·x + c and U = k·∫a dt: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for sinh and sinh u for tanh are
+/// multiplied by e^U.
 fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let own = equation.x;
     let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
@@ -305,56 +322,60 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
     }
-    let change = equation.clock.over_step(graph, a)?;
-    let change = graph.mul(k, change);
-    let turned = match (function, exponent) {
+    let total = equation.clock.over_step(graph, a)?;
+    let exponent_of_growth = graph.mul(k, total);
+    let mean = graph.call(Function::Phi1, &[exponent_of_growth]);
+    // What is added to something that is multiplied by e^U, divided by k.
+    let gained = |graph: &mut Graph, x: Id| graph.product(&[total, mean, x]);
+    let moved = match (function, exponent) {
         (Function::Sin | Function::Cos, Ratio::ONE) => {
-            // tan of half the angle grows by e^U.
+            // tan of half the angle.
             let (one, two) = (graph.integer(1), graph.integer(2));
             let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
             let (across, along) = match function {
                 Function::Sin => (sine, graph.neg(cosine)),
                 _ => (cosine, sine),
             };
-            let growth = graph.call(Function::ExpM1, &[change]);
-            let above = graph.mul(growth, across);
             let along = graph.add(one, along);
-            let below = graph.mul(growth, along);
+            let [above, below] = [across, along].map(|x| gained(graph, x));
+            let (high, below) = (graph.mul(k, above), graph.mul(k, below));
             let below = graph.add(two, below);
-            let half = graph.call(Function::Atan2, &[above, below]);
+            let half = if graph.as_number(k).is_some() {
+                let half = graph.call(Function::Atan2, &[high, below]);
+                graph.div(half, k)
+            } else {
+                let arc = graph.call(Function::Arc, &[high, below]);
+                graph.mul(above, arc)
+            };
             graph.scale(Number::integer(2), half)
         }
-        // tanh u/2 grows by e^U,
         (Function::Sinh, Ratio::ONE) => {
             let half = graph.scale(Number::HALF, u);
-            let half = grown(graph, [Function::Tanh, Function::Atanh], half, change);
+            let tanh = graph.call(Function::Tanh, &[half]);
+            let gained = gained(graph, tanh);
+            let half = rise(graph, Function::Atanh, tanh, (gained, k));
             graph.scale(Number::integer(2), half)
         }
-        // sinh u by e^U,
-        (Function::Tanh, Ratio::ONE) => grown(graph, [Function::Sinh, Function::Asinh], u, change),
-        // or by U.
+        (Function::Tanh, Ratio::ONE) => {
+            let sinh = graph.call(Function::Sinh, &[u]);
+            let gained = gained(graph, sinh);
+            rise(graph, Function::Asinh, sinh, (gained, k))
+        }
+        // sinh u grows by U.
         (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
             let sinh = graph.call(Function::Sinh, &[u]);
-            rise(graph, Function::Asinh, sinh, change)
+            rise(graph, Function::Asinh, sinh, (total, k))
         }
         _ => return None,
     };
-    let moved = graph.div(turned, k);
     let x = graph.symbol(own);
     Some(graph.add(x, moved))
 }
 
-/// How far u moves if f(u) grows by e^U.
-fn grown(graph: &mut Graph, [f, inverse]: [Function; 2], u: Id, change: Id) -> Id {
-    let value = graph.call(f, &[u]);
-    let growth = graph.call(Function::ExpM1, &[change]);
-    let change = graph.mul(value, growth);
-    rise(graph, inverse, value, change)
-}
-
-/// f(a + d) − f(a) by its slope, without a difference.
-fn rise(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
-    let slope = slope(graph, f, a, d);
+/// (f(a + k·d) − f(a))/k by its slope, without a difference.
+fn rise(graph: &mut Graph, f: Function, a: Id, (d, k): (Id, Id)) -> Id {
+    let change = graph.mul(k, d);
+    let slope = slope(graph, f, a, change);
     graph.mul(d, slope)
 }
 

@@ -2,6 +2,7 @@
 
 mod cost;
 mod damping;
+mod flows;
 mod fuzz;
 mod precise;
 mod derivatives;
