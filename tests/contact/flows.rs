@@ -135,6 +135,21 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     ConjugateGeodesic, "Legendre conjugate" => (1.0 + 0.5 * p) * q * q;
 }
 
+// Strong damping and fast motion.
+instances! { stiff, f64, (q p s t):
+    StrongDecay, "prolongation" => 200.0 * s;
+    StrongFriction, "prolongation" => 150.0 * (1.5 + q.sin()) * s;
+    StrongVanDerPol, "prolongation" => -100.0 * (1.0 - q * q) * s + q;
+    StrongAffine, "prolongation" => 150.0 * (1.5 + q.sin()) * s + q.cos();
+    StrongRiccati, "prolongation" => 0.5 * s * s - 200.0;
+    StrongBernoulli, "prolongation" => 25.0 * s - 0.5 * s.powi(3);
+    StrongTanh, "prolongation" => 15.0 * (2.0 * s).tanh();
+    StrongSine, "prolongation" => 25.0 * (2.0 * s).sin();
+    StronglyDamped, "damped drift" => p * p * 0.75 + 200.0 * s;
+    FastOscillator, "damped oscillator" => p * p * 0.75 + 1500.0 * q * q + 0.5 * s;
+    StronglyDampedOscillator, "damped oscillator" => p * p * 0.75 + q * q + 100.0 * s;
+}
+
 instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
     Potentials, "prolongation" => (q[0] + 2.0 * q[1]).sin() * q[1];
     Kinetics, "drift" => p[0] * p[0] * 0.6875 + p[1] * p[0] + 0.875 * p[1] * p[1];

@@ -154,7 +154,10 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
-        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &reads_phase_space) {
+        if !whole
+            || degree(monomial.values().copied())? != Ratio::integer(2)
+            || !is_free(graph, relative, &reads_phase_space)
+        {
             return None;
         }
         let mut term = relative;
@@ -174,7 +177,7 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let constant = graph.mul(kinetic, square);
     let name = graph.symbol(Symbol::Ds);
     let rate = graph.div(name, weight);
-    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let weight_end = at(graph, weight, Symbol::S, end);
     let change = quotient(graph, weight, weight_end);
@@ -231,7 +234,11 @@ pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
         terms.next().is_none().then_some(first)?
     };
     let k = *monomial.get(&Symbol::P(0))?;
-    if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || !k.is_integer() || k.numerator < 2 || !is_free(graph, c, &reads_phase_space) {
+    if monomial.get(&Symbol::S) != Some(&Ratio::ONE)
+        || !k.is_integer()
+        || k.numerator < 2
+        || !is_free(graph, c, &reads_phase_space)
+    {
         return None;
     }
     let c = graph.scale(Number::Exact(k), c);
@@ -269,7 +276,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (p, name) = (graph.symbol(Symbol::P(0)), graph.symbol(Symbol::Ds));
     let constant = graph.mul(root, p);
     let rate = graph.mul(name, root);
-    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let root_end = at(graph, root, Symbol::Q(0), end);
     let quotient = quotient(graph, root, root_end);

@@ -43,8 +43,7 @@ impl Polynomial {
             Node::Power(base, exponent) => {
                 let base = Self::of(graph, base, counts)?;
                 if let Some((monomial, coefficient)) = base.single() {
-                    let powers: Option<Monomial> =
-                        monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
+                    let powers: Option<Monomial> = monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
                     // √(x²) is |x|.
                     let signed = exponent.is_integer() || monomial.values().all(|r| !r.is_integer());
                     let plain = monomial.values().all(|r| *r == Ratio::ONE);

@@ -39,7 +39,9 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         _ => false,
     })?;
     // What is of degree 1 in the momenta, or reads no positions, is a simpler family.
-    let bends = |monomial: &Monomial| monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::P(_)) && *power == Ratio::integer(2));
+    let bends = |monomial: &Monomial| {
+        monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::P(_)) && *power == Ratio::integer(2))
+    };
     let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(_)));
     if powers.has_only(|monomial| !bends(monomial)) || powers.has_only(|monomial| !reads_q(monomial)) {
         return None;
@@ -96,7 +98,10 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
 /// p·Wp/2 + b·p + g·q + c: the parabola of a throw.
 pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| {
-        matches!(monomial, [] | [(Symbol::Q(_) | Symbol::P(_), 1)] | [(Symbol::P(_), 2)] | [(Symbol::P(_), 1), (Symbol::P(_), 1)])
+        matches!(
+            monomial,
+            [] | [(Symbol::Q(_) | Symbol::P(_), 1)] | [(Symbol::P(_), 2)] | [(Symbol::P(_), 1), (Symbol::P(_), 1)]
+        )
     })?;
     let degrees = group.degrees;
     let of = |graph: &mut Graph, powers_of: &[(Symbol, i64)]| powers.coefficient(graph, powers_of);

@@ -14,9 +14,16 @@ pub(super) struct Equation {
     pub(super) clock: Clock,
 }
 
+/// Where x is at the end of the flow.
+pub(super) struct Solution {
+    pub(super) end: Id,
+    /// ∂end/∂x, which has no sums that cancel where a flow forgets its start, as the derivative of a formula has.
+    pub(super) by_start: Id,
+}
+
 /// An equation that can be solved, by its right-hand side.
 struct Rule {
-    solve: fn(&mut Graph, &Equation) -> Option<Id>,
+    solve: fn(&mut Graph, &Equation) -> Option<Solution>,
 }
 
 /// In order of preference: the first one that fits is taken.
@@ -38,7 +45,7 @@ const RULES: &[Rule] = &[
 ];
 
 /// x at the end of the flow.
-pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     RULES.iter().find_map(|rule| (rule.solve)(graph, equation))
 }
 
@@ -47,7 +54,12 @@ impl Equation {
     fn powers(&self, graph: &mut Graph) -> Option<Vec<(Ratio, Id)>> {
         let x = self.x;
         let polynomial = Polynomial::of(graph, self.rate, &|symbol| symbol == x)?;
-        Some(polynomial.terms().map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient)).collect())
+        Some(
+            polynomial
+                .terms()
+                .map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient))
+                .collect(),
+        )
     }
 
     /// What multiplies h in a solution for coefficients that do not depend on time.
@@ -57,31 +69,31 @@ impl Equation {
     }
 }
 
-fn constant(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn constant(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let x = equation.x;
     if !is_free(graph, equation.rate, &|symbol| symbol == x) {
         return None;
     }
     let change = equation.clock.over_step(graph, equation.rate)?;
     let x = graph.symbol(x);
-    Some(graph.add(x, change))
+    Some(Solution { end: graph.add(x, change), by_start: graph.integer(1) })
 }
 
 /// x·e^(ah) + b·h·φ₁(ah).
-fn affine(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     let x = graph.symbol(equation.x);
     match powers[..] {
         [(Ratio::ONE, a)] => {
-            let factor = growth(graph, equation, a)?;
-            Some(graph.mul(x, factor))
+            let growth = growth(graph, equation, a)?;
+            Some(Solution { end: graph.mul(x, growth), by_start: growth })
         }
         [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
             let h = equation.steady(graph, &[a, b])?;
             let z = graph.mul(a, h);
             let (growth, mean) = growth_and_mean(graph, z);
             let terms = [graph.mul(x, growth), graph.product(&[b, h, mean])];
-            Some(graph.sum(&terms))
+            Some(Solution { end: graph.sum(&terms), by_start: growth })
         }
         _ => None,
     }
@@ -108,16 +120,13 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     Some(graph.call(Function::Exp, &[z]))
 }
 
-/// eᶻ and φ₁(z), by one call.
+/// eᶻ and φ₁(z). (Not 1 + zφ₁(z), of which nothing is left after a strong decay.)
 pub(super) fn growth_and_mean(graph: &mut Graph, z: Id) -> (Id, Id) {
-    let mean = graph.call(Function::Phi1, &[z]);
-    let one = graph.integer(1);
-    let change = graph.mul(z, mean);
-    (graph.add(one, change), mean)
+    (graph.call(Function::Exp, &[z]), graph.call(Function::Phi1, &[z]))
 }
 
 /// x·E·D^(−1/m) with m = k − 1, E = e^(ah), D = 1 − m·b·xᵐ·h·φ₁(m·a·h).
-fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     let (linear, other): (Vec<_>, Vec<_>) = powers.into_iter().partition(|(power, _)| *power == Ratio::ONE);
     let [(k, b)] = other[..] else { return None };
@@ -142,8 +151,10 @@ fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let change = graph.mul(weight, power);
     let change = graph.scale(Number::Exact(m).neg(), change);
     let d = graph.add(one, change);
-    let shrunk = positive_power(graph, d, m.recip()?.mul(Ratio::integer(-1))?);
-    Some(graph.product(&[x, growth, shrunk]))
+    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let [shrunk, slope] = [inverse, k.mul(inverse)?].map(|exponent| positive_power(graph, d, exponent));
+    let end = graph.product(&[x, growth, shrunk]);
+    Some(Solution { end, by_start: graph.mul(growth, slope) })
 }
 
 /// A power of what must not be negative.
@@ -157,7 +168,7 @@ pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id
 }
 
 /// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1), also for a = 0.
-fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
     let (c, rest) = graph.coefficient(equation.rate);
     let (mut b, mut found) = (graph.number(c), None);
@@ -182,10 +193,13 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let relative = graph.mul(weight, power);
     let relative = graph.scale(Number::Exact(m).neg(), relative);
     let u = graph.mul(a, relative);
-    let mean = mean_of_power(graph, u, m.recip()?.mul(Ratio::integer(-1))?)?;
+    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let mean = mean_of_power(graph, u, inverse)?;
     let change = graph.product(&[y, relative, mean]);
-    let x = graph.symbol(own);
-    Some(graph.add(x, change))
+    let (x, one) = (graph.symbol(own), graph.integer(1));
+    let d = graph.add(one, u);
+    let by_start = positive_power(graph, d, k.mul(inverse)?);
+    Some(Solution { end: graph.add(x, change), by_start })
 }
 
 /// ((1 + u)^r − 1)/u without a difference, also for u = 0.
@@ -222,7 +236,7 @@ fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
 
 /// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
 /// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)).
-fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     if powers.iter().any(|(power, _)| !power.is_integer() || !(0..=2).contains(&power.numerator)) {
         return None;
@@ -248,7 +262,8 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let slope = graph.mul(slope, sine);
     let below = graph.sub(cosine, slope);
     let below = graph.call(Function::RecipPositive, &[below]);
-    Some(graph.mul(above, below))
+    let end = graph.mul(above, below);
+    Some(Solution { end, by_start: graph.pow(below, Ratio::integer(2)) })
 }
 
 /// cos ωh and sin ωh/ω from ω², of either sign; `half` if there is a pole before half a turn.
@@ -266,7 +281,7 @@ pub(super) fn turn(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id)
 }
 
 /// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
-fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
     let (mut a, mut rest) = (graph.zero(), graph.zero());
     for term in terms(graph, equation.rate, own) {
@@ -295,15 +310,18 @@ fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let grown = graph.mul(weight, value);
     let shrunk = graph.mul(k, grown);
     let shrunk = graph.neg(shrunk);
+    let one = graph.integer(1);
+    let d = graph.add(one, shrunk);
+    let by_start = graph.call(Function::RecipPositive, &[d]);
     if graph.as_number(k).is_some() {
         let ln = graph.call(Function::Ln1p, &[shrunk]);
         let ln = graph.div(ln, k);
-        return Some(graph.sub(drift, ln));
+        return Some(Solution { end: graph.sub(drift, ln), by_start });
     }
     // Also for k = 0.
     let ln = mean_of_recip(graph, shrunk);
     let change = graph.mul(grown, ln);
-    Some(graph.add(drift, change))
+    Some(Solution { end: graph.add(drift, change), by_start })
 }
 
 /// ln(1 + u)/u, or 1.
@@ -315,7 +333,7 @@ fn mean_of_recip(graph: &mut Graph, u: Id) -> Id {
 
 /// With u = k·x + c and U = k·∫a dt: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for sinh and sinh u for tanh are
 /// multiplied by e^U.
-fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
     let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
     let k = diff::partial(graph, u, own);
@@ -323,23 +341,33 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
         return None;
     }
     let total = equation.clock.over_step(graph, a)?;
-    let exponent_of_growth = graph.mul(k, total);
-    let mean = graph.call(Function::Phi1, &[exponent_of_growth]);
+    let z = graph.mul(k, total);
+    let (growth, mean) = growth_and_mean(graph, z);
+    let (one, two) = (graph.integer(1), graph.integer(2));
+    let square = |graph: &mut Graph, x: Id| graph.pow(x, Ratio::integer(2));
     // What is added to something that is multiplied by e^U, divided by k.
     let gained = |graph: &mut Graph, x: Id| graph.product(&[total, mean, x]);
-    let moved = match (function, exponent) {
+    let (moved, by_start) = match (function, exponent) {
         (Function::Sin | Function::Cos, Ratio::ONE) => {
-            // tan of half the angle.
-            let (one, two) = (graph.integer(1), graph.integer(2));
-            let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
-            let (across, along) = match function {
-                Function::Sin => (sine, graph.neg(cosine)),
-                _ => (cosine, sine),
+            // tan of half the angle. Of sin u ≈ u all digits count: not 1 − cos u.
+            let (across, along, forgotten) = if function == Function::Sin {
+                let half = graph.scale(Number::HALF, u);
+                let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[half]));
+                let [across, along, forgotten] =
+                    [[sine, cosine], [sine, sine], [cosine, cosine]].map(|[x, y]| graph.mul(x, y));
+                [across, along, forgotten].map(|x| graph.scale(Number::integer(2), x)).into()
+            } else {
+                let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[u]));
+                (cosine, graph.add(one, sine), graph.sub(one, sine))
             };
-            let along = graph.add(one, along);
             let [above, below] = [across, along].map(|x| gained(graph, x));
             let (high, below) = (graph.mul(k, above), graph.mul(k, below));
             let below = graph.add(two, below);
+            // 2E/(1 ∓ c + E²(1 ± c)).
+            let squared = square(graph, growth);
+            let kept = graph.mul(squared, along);
+            let sum = graph.add(forgotten, kept);
+            let by_start = graph.div(growth, sum);
             let half = if graph.as_number(k).is_some() {
                 let half = graph.call(Function::Atan2, &[high, below]);
                 graph.div(half, k)
@@ -347,29 +375,48 @@ fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
                 let arc = graph.call(Function::Arc, &[high, below]);
                 graph.mul(above, arc)
             };
-            graph.scale(Number::integer(2), half)
+            [half, by_start].map(|x| graph.scale(Number::integer(2), x)).into()
         }
         (Function::Sinh, Ratio::ONE) => {
             let half = graph.scale(Number::HALF, u);
             let tanh = graph.call(Function::Tanh, &[half]);
             let gained = gained(graph, tanh);
             let half = rise(graph, Function::Atanh, tanh, (gained, k));
-            graph.scale(Number::integer(2), half)
+            let end = graph.mul(growth, tanh);
+            let [above, below] = [tanh, end].map(|x| {
+                let squared = square(graph, x);
+                graph.sub(one, squared)
+            });
+            let below = graph.call(Function::RecipPositive, &[below]);
+            (graph.scale(Number::integer(2), half), graph.product(&[growth, above, below]))
         }
         (Function::Tanh, Ratio::ONE) => {
             let sinh = graph.call(Function::Sinh, &[u]);
             let gained = gained(graph, sinh);
-            rise(graph, Function::Asinh, sinh, (gained, k))
+            let moved = rise(graph, Function::Asinh, sinh, (gained, k));
+            let end = graph.mul(growth, sinh);
+            let slope = cosh_ratio(graph, u, end);
+            (moved, graph.mul(growth, slope))
         }
         // sinh u grows by U.
         (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
             let sinh = graph.call(Function::Sinh, &[u]);
-            rise(graph, Function::Asinh, sinh, (total, k))
+            let end = graph.add(sinh, z);
+            (rise(graph, Function::Asinh, sinh, (total, k)), cosh_ratio(graph, u, end))
         }
         _ => return None,
     };
     let x = graph.symbol(own);
-    Some(graph.add(x, moved))
+    Some(Solution { end: graph.add(x, moved), by_start })
+}
+
+/// cosh u/√(1 + end²).
+fn cosh_ratio(graph: &mut Graph, u: Id, end: Id) -> Id {
+    let (one, cosh) = (graph.integer(1), graph.call(Function::Cosh, &[u]));
+    let squared = graph.pow(end, Ratio::integer(2));
+    let squared = graph.add(one, squared);
+    let root = graph.sqrt(squared);
+    graph.div(cosh, root)
 }
 
 /// (f(a + k·d) − f(a))/k by its slope, without a difference.

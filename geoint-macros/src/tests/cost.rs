@@ -44,7 +44,8 @@ fn outer_solar_system() -> TokenStream {
 #[test]
 fn the_gradient_of_the_double_pendulum_is_short() {
     let item = syn::parse2(double_pendulum()).expect("a function");
-    let energy = parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let energy =
+        parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);

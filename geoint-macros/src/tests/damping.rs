@@ -16,7 +16,8 @@ fn damping(expr: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<Stri
 }
 
 fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<String>> {
-    let energy = parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
+    let energy =
+        parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
     let energy = energy.map_err(|e| e.messages())?;
     let lower::Lowered { mut graph, energy: root, damping, constants, .. } =
         lower::body(&energy).map_err(|e| e.messages())?;

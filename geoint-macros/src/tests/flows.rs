@@ -38,7 +38,13 @@ type Helper = (&'static str, fn(f64) -> f64, fn(&Big) -> Big, f64, [f64; 2]);
 fn helpers() -> [Helper; 5] {
     [
         ("phi_1", slope::phi_1, phi_1, 3.0, [-1e4, 700.0]),
-        ("phi_1_derivative", slope::phi_1_derivative, |x| (x.exp() * (x - exact(1.0)) + exact(1.0)) / (x * x), 3.0, [-1e4, 700.0]),
+        (
+            "phi_1_derivative",
+            slope::phi_1_derivative,
+            |x| (x.exp() * (x - exact(1.0)) + exact(1.0)) / (x * x),
+            3.0,
+            [-1e4, 700.0],
+        ),
         ("stumpff_c0", slope::stumpff_c0, |x| stumpff(x)[0].clone(), 3.0, [-4e5, 1e6]),
         ("stumpff_c1", slope::stumpff_c1, |x| stumpff(x)[1].clone(), 3.0, [-4e5, 1e6]),
         (
@@ -90,18 +96,53 @@ fn helpers_have_limits() {
         assert_eq!(slope::stumpff_c1_derivative(x), -1.0 / 6.0);
     }
     assert_eq!([slope::phi_1(-1e4), slope::phi_1_derivative(-1e4)], [1e-4, 1e-8]);
-    assert!([slope::phi_1(f64::NAN), slope::stumpff_c0(f64::NAN), slope::stumpff_c1(f64::NAN)].iter().all(|x| x.is_nan()));
+    assert!(
+        [slope::phi_1(f64::NAN), slope::stumpff_c0(f64::NAN), slope::stumpff_c1(f64::NAN)].iter().all(|x| x.is_nan())
+    );
 }
 
 /// Terms of which many sums can be split.
 const TERMS: &[&str] = &[
-    "1.0", "q[0]", "q[0].sin()", "q[0] * q[1]", "q[0] * q[0]", "q[1] * q[1]", "p[0]", "p[0] * p[0]", "p[1] * p[1]",
-    "p[0] * p[1]", "(2.0 + p[1]).sqrt()", "s", "s * s", "s.powi(3)", "s.exp()", "(0.5 * s + 0.2).sin()", "q[0] * s",
-    "(1.0 + q[0] * q[0]) * s * s", "q[1].cos() * (0.3 * s).exp()", "p[0] * s", "p[1] * s.sin()", "p[0] * q[0]",
-    "p[0] * q[1]", "p[1] * q[0]", "p[1] * q[1]", "p[0] * q[0] * q[0]", "p[1] * (1.5 + q[1]).sqrt()", "p[0] * q[1].cos()",
-    "t * s", "s / t", "(2.0 * t).sin() * q[0]", "(2.0 * t).cos() * s", "t * t * p[0]", "(0.3 * t).exp() * s * s",
-    "p[0] * p[0] * s", "(p[0] * p[0] + p[1] * p[1]) * (0.5 * s).exp()", "(s - p[0] * q[0] - p[1] * q[1]).powi(2)",
-    "p[1].sin() * (s - p[0] * q[0] - p[1] * q[1])", "(p[0] * p[0] + q[1].cos()) * (0.5 * s).exp()", "t.tan() * s",
+    "1.0",
+    "q[0]",
+    "q[0].sin()",
+    "q[0] * q[1]",
+    "q[0] * q[0]",
+    "q[1] * q[1]",
+    "p[0]",
+    "p[0] * p[0]",
+    "p[1] * p[1]",
+    "p[0] * p[1]",
+    "(2.0 + p[1]).sqrt()",
+    "s",
+    "s * s",
+    "s.powi(3)",
+    "s.exp()",
+    "(0.5 * s + 0.2).sin()",
+    "q[0] * s",
+    "(1.0 + q[0] * q[0]) * s * s",
+    "q[1].cos() * (0.3 * s).exp()",
+    "p[0] * s",
+    "p[1] * s.sin()",
+    "p[0] * q[0]",
+    "p[0] * q[1]",
+    "p[1] * q[0]",
+    "p[1] * q[1]",
+    "p[0] * q[0] * q[0]",
+    "p[1] * (1.5 + q[1]).sqrt()",
+    "p[0] * q[1].cos()",
+    "t * s",
+    "s / t",
+    "(2.0 * t).sin() * q[0]",
+    "(2.0 * t).cos() * s",
+    "t * t * p[0]",
+    "(0.3 * t).exp() * s * s",
+    "p[0] * p[0] * s",
+    "(p[0] * p[0] + p[1] * p[1]) * (0.5 * s).exp()",
+    "(s - p[0] * q[0] - p[1] * q[1]).powi(2)",
+    "p[1].sin() * (s - p[0] * q[0] - p[1] * q[1])",
+    "(p[0] * p[0] + q[1].cos()) * (0.5 * s).exp()",
+    "t.tan() * s",
     "(t * q[0]).cos()",
 ];
 
@@ -146,7 +187,8 @@ fn flows(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
         let field = field(graph, piece.energy, &place);
         for i in 0..5 {
             let rate = (after[i] - before[i]) / 2e-5;
-            let error = (rate - field[i]).abs() / (1.0 + rate.abs() + field.iter().fold(0.0, |max, x| x.abs().max(max)));
+            let error =
+                (rate - field[i]).abs() / (1.0 + rate.abs() + field.iter().fold(0.0, |max, x| x.abs().max(max)));
             assert!(error < 1e-6, "{text}, {} at {h}, {i}: {rate} {}", piece.rule.name, field[i]);
         }
     }

@@ -47,10 +47,7 @@ fn perturbed_kepler() {
                 (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt() + a * (w * t).sin() * s
             }
         },
-        &[
-            "damped drift (Stage): s·a·sin(t·w) + (p[0]²/2 + p[1]²/2)",
-            "prolongation (Own): -1/√(q[0]² + q[1]²)",
-        ],
+        &["damped drift (Stage): s·a·sin(t·w) + (p[0]²/2 + p[1]²/2)", "prolongation (Own): -1/√(q[0]² + q[1]²)"],
     );
 }
 

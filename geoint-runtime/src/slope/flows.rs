@@ -6,9 +6,9 @@ use crate::real::Real;
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    // A series near 0, so that a scalar with a derivative finds it there too.
-    let small = |x: R| polynomial(x, series!(9, |k| 1.0 / factorial(k + 1)));
-    either(x, 0.03, small, || x.exp_m1() / x)
+    // The exponential that flows need as well.
+    let small = |x: R| polynomial(x, series!(18, |k| 1.0 / factorial(k + 1)));
+    either(x, 1.0, small, || (x.exp() - R::from_f64(1.0)) / x)
 }
 
 /// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
