@@ -1,6 +1,7 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
 mod cases;
+mod flows;
 mod implicit;
 mod laws;
 mod measure;

@@ -1,7 +1,7 @@
 //! Pieces whose momenta keep their direction.
 
 use super::flow::Flow;
-use super::polynomial::{Polynomial, is_free};
+use super::polynomial::{Polynomial, factors, is_free};
 use super::rules::Group;
 use super::scalar::{self, Equation, growth_and_mean, positive_power};
 use super::time::{Clock, over_time, ratio};
@@ -156,7 +156,10 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
-        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &reads_phase_space) {
+        if !whole
+            || degree(monomial.values().copied())? != Ratio::integer(2)
+            || !is_free(graph, relative, &reads_phase_space)
+        {
             return None;
         }
         let mut term = relative;
@@ -176,10 +179,10 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let constant = graph.mul(kinetic, square);
     let name = graph.symbol(Symbol::Ds);
     let rate = graph.div(name, weight);
-    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let weight_end = at(graph, weight, Symbol::S, end);
-    let change = graph.div(weight, weight_end);
+    let change = quotient(graph, weight, weight_end);
 
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -193,6 +196,27 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     }
     flow.s = end;
     Some(flow)
+}
+
+/// a/b without the factors that both have: they may be zero.
+fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let ((above, a), (below, b)) = (graph.coefficient(a), graph.coefficient(b));
+    let (mut quotient, mut divisors) = (graph.number(above), factors(graph, b));
+    for (base, exponent) in factors(graph, a) {
+        match divisors.iter().position(|divisor| *divisor == (base, exponent)) {
+            Some(i) => drop(divisors.swap_remove(i)),
+            None => {
+                let factor = graph.pow(base, exponent);
+                quotient = graph.mul(quotient, factor);
+            }
+        }
+    }
+    let mut divisor = graph.number(below);
+    for (base, exponent) in divisors {
+        let factor = graph.pow(base, exponent);
+        divisor = graph.mul(divisor, factor);
+    }
+    graph.div(quotient, divisor)
 }
 
 /// A node with a symbol replaced.
@@ -212,7 +236,11 @@ pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
         terms.next().is_none().then_some(first)?
     };
     let k = *monomial.get(&Symbol::P(0))?;
-    if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || !k.is_integer() || k.numerator < 2 || !is_free(graph, c, &reads_phase_space) {
+    if monomial.get(&Symbol::S) != Some(&Ratio::ONE)
+        || !k.is_integer()
+        || k.numerator < 2
+        || !is_free(graph, c, &reads_phase_space)
+    {
         return None;
     }
     let c = graph.scale(Number::Exact(k), c);
@@ -250,10 +278,10 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (p, name) = (graph.symbol(Symbol::P(0)), graph.symbol(Symbol::Ds));
     let constant = graph.mul(root, p);
     let rate = graph.mul(name, root);
-    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let root_end = at(graph, root, Symbol::Q(0), end);
-    let quotient = graph.div(root, root_end);
+    let quotient = quotient(graph, root, root_end);
     let h = graph.symbol(Symbol::H);
     let change = graph.mul(h, group.energy);
     let mut flow = Flow::rest(graph, 1);
@@ -268,7 +296,7 @@ fn smooth_root(graph: &mut Graph, square: Id) -> Id {
     let (c, rest) = graph.coefficient(square);
     let c = graph.number(c);
     let mut root = graph.sqrt(c);
-    for (base, exponent) in graph.factors(rest) {
+    for (base, exponent) in factors(graph, rest) {
         let factor = match exponent.mul(Ratio::HALF).filter(|half| half.denominator <= 2) {
             Some(half) => graph.pow(base, half),
             None => {

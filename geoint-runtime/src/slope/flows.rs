@@ -1,19 +1,22 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
-use super::{away, either, exp_derivative, factorial, polynomial, series};
-use crate::real::{Real, zero};
+use super::{either, factorial, polynomial, series};
+use crate::real::Real;
 
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    let x = away(x);
-    x.exp_m1() / x
+    // The exponential that flows need as well.
+    let small = |x: R| polynomial(x, series!(18, |k| 1.0 / factorial(k + 1)));
+    either(x, 1.0, small, || (x.exp() - R::from_f64(1.0)) / x)
 }
 
-/// The derivative of [`phi_1`].
+/// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
 #[inline(always)]
 pub fn phi_1_derivative<R: Real>(x: R) -> R {
-    exp_derivative(zero(), x)
+    let one = R::from_f64(1.0);
+    let small = |x: R| polynomial(x, series!(18, |k| (k + 1) as f64 / factorial(k + 2)));
+    either(x, 1.0, small, || (x.exp().multiply_add(x - one, one)) / x / x)
 }
 
 /// c₀(x) = cos √x, cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
@@ -35,9 +38,9 @@ pub fn stumpff_c1<R: Real>(x: R) -> R {
 /// The derivative of [`stumpff_c1`], (c₀ − c₁)/2x.
 #[inline(always)]
 pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
-    let small = |x: R| -polynomial(-x, series!(9, |k| (k + 1) as f64 / factorial(2 * k + 3)));
+    let small = |x: R| -polynomial(-x, series!(13, |k| (k + 1) as f64 / factorial(2 * k + 3)));
     let large = || (stumpff_c0(x) - stumpff_c1(x)) / (x + x);
-    either(x, 1.0, small, large)
+    either(x, 4.0, small, large)
 }
 
 /// One function of √x where x is positive, another one of √−x where it is negative. x is not near zero.
