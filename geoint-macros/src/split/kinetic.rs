@@ -3,11 +3,11 @@
 use super::flow::Flow;
 use super::polynomial::{Polynomial, factors, is_free};
 use super::rules::Group;
-use super::scalar::{self, Equation, growth_and_mean, positive_power};
+use super::scalar::{self, Equation, positive_power};
 use super::time::{Clock, over_time, ratio};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 fn is_momentum(symbol: Symbol) -> bool {
     matches!(symbol, Symbol::P(_))
@@ -95,20 +95,17 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
 pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (kinetic, g) = damped_parts(graph, group)?;
     let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::T);
-    let (growth, weight) = if group.clock == Clock::Own && !free_of_time(graph, g) {
-        if !free_of_time(graph, kinetic) {
-            return None;
-        }
+    if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
+        return None;
+    }
+    let (decay, weight) = if group.clock == Clock::Own && !free_of_time(graph, g) {
         decay_over_time(graph, g)?
     } else {
-        if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
-            return None;
-        }
         let h = graph.symbol(Symbol::H);
         let z = graph.mul(g, h);
         let z = graph.neg(z);
-        let (growth, mean) = growth_and_mean(graph, z);
-        (growth, graph.mul(h, mean))
+        let mean = graph.call(Function::Phi1, &[z]);
+        (Decay::Exponential(z, mean), graph.mul(h, mean))
     };
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -117,16 +114,33 @@ pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
         *q = graph.add(*q, change);
     }
     for p in &mut flow.p {
-        *p = graph.mul(growth, *p);
+        *p = decay.of(graph, *p);
     }
     let change = graph.mul(weight, kinetic);
     let moved = graph.add(flow.s, change);
-    flow.s = graph.mul(growth, moved);
+    flow.s = decay.of(graph, moved);
     Some(flow)
 }
 
+/// How something decays over a step.
+enum Decay {
+    /// By eᶻ, with φ₁(z).
+    Exponential(Id, Id),
+    /// By a factor.
+    Factor(Id),
+}
+
+impl Decay {
+    fn of(&self, graph: &mut Graph, x: Id) -> Id {
+        match *self {
+            Decay::Exponential(z, mean) => graph.call(Function::Grown, &[x, z, mean]),
+            Decay::Factor(factor) => graph.mul(factor, x),
+        }
+    }
+}
+
 /// For g = k/t with an integer k ≥ 2 and r = t₀/t₁: E = rᵏ and w = h (r + r² + … + rᵏ⁻¹)/(k − 1), without a singularity at t₀ = 0.
-fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
+fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Decay, Id)> {
     let k = over_time(graph, g)?;
     let Some(Number::Exact(k)) = graph.as_number(k) else { return None };
     if !k.is_integer() || !(2..=16).contains(&k.numerator) {
@@ -141,7 +155,7 @@ fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
         sum = graph.mul(ratio, inner);
     }
     let mean = graph.scale(Number::Exact(Ratio::integer(k.numerator - 1).recip()?), sum);
-    Some((graph.pow(ratio, k), graph.mul(h, mean)))
+    Some((Decay::Factor(graph.pow(ratio, k)), graph.mul(h, mean)))
 }
 
 /// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).

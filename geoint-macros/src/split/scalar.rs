@@ -92,7 +92,7 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
             let h = equation.steady(graph, &[a, b])?;
             let z = graph.mul(a, h);
             let (growth, mean) = growth_and_mean(graph, z);
-            let terms = [graph.mul(x, growth), graph.product(&[b, h, mean])];
+            let terms = [graph.call(Function::Grown, &[x, z, mean]), graph.product(&[b, h, mean])];
             Some(Solution { end: graph.sum(&terms), by_start: growth })
         }
         _ => None,

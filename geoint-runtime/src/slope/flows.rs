@@ -11,6 +11,21 @@ pub fn phi_1<R: Real>(x: R) -> R {
     either(x, 1.0, small, || (x.exp() - R::from_f64(1.0)) / x)
 }
 
+/// x·eᶻ with φ₁(z) at hand: what is added to x, as long as that is not most of it.
+///
+/// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
+#[inline(always)]
+pub fn grown<R: Real>(x: R, z: R, mean: R) -> R {
+    if z.any_below(-1.0) { x * far(z) } else { (x * z).multiply_add(mean, x) }
+}
+
+/// Out of line: the optimiser would compute it before it knows whether it is needed.
+#[cold]
+#[inline(never)]
+fn far<R: Real>(z: R) -> R {
+    z.exp()
+}
+
 /// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
 #[inline(always)]
 pub fn phi_1_derivative<R: Real>(x: R) -> R {
