@@ -8,7 +8,10 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 
 /// Σ coefficient·monomial. Powers may be negative, or half of an odd number.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial(BTreeMap<Vec<(Symbol, (i64, i64))>, (Monomial, Id)>);
+pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
+
+/// A monomial in an order of its own.
+type Key = Vec<(Symbol, (i64, i64))>;
 
 /// Products of sums have this many terms at most.
 const MAX_TERMS: usize = 64;
@@ -115,7 +118,7 @@ impl Polynomial {
     }
 }
 
-fn key(monomial: &Monomial) -> Vec<(Symbol, (i64, i64))> {
+fn key(monomial: &Monomial) -> Key {
     monomial.iter().map(|(symbol, r)| (*symbol, (r.numerator, r.denominator))).collect()
 }
 
