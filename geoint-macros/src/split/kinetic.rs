@@ -105,7 +105,8 @@ pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let z = graph.mul(g, h);
         let z = graph.neg(z);
         let mean = graph.call(Function::Phi1, &[z]);
-        (Decay::Exponential(z, mean), graph.mul(h, mean))
+        let change = graph.mul(z, mean);
+        (Decay::Exponential(z, change), graph.mul(h, mean))
     };
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -124,7 +125,7 @@ pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
 
 /// How something decays over a step.
 enum Decay {
-    /// By eᶻ, with φ₁(z).
+    /// By eᶻ, with eᶻ − 1.
     Exponential(Id, Id),
     /// By a factor.
     Factor(Id),
@@ -133,7 +134,7 @@ enum Decay {
 impl Decay {
     fn of(&self, graph: &mut Graph, x: Id) -> Id {
         match *self {
-            Decay::Exponential(z, mean) => graph.call(Function::Grown, &[x, z, mean]),
+            Decay::Exponential(z, change) => graph.call(Function::Grown, &[x, z, change]),
             Decay::Factor(factor) => graph.mul(factor, x),
         }
     }

@@ -10,7 +10,7 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 #[derive(Clone, Debug)]
 pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
 
-/// Monomials in order.
+/// A monomial in an order of its own.
 type Key = Vec<(Symbol, (i64, i64))>;
 
 /// Products of sums have this many terms at most.

@@ -53,7 +53,7 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let z = graph.neg(z);
     let decay = if graph.is_zero(c) { one } else { graph.call(Function::Exp, &[z]) };
     let mut flow = Flow::rest(graph, group.degrees);
-    let mut action = flow.s;
+    let mut action = graph.product(&[decay, decay, flow.s]);
     for i in 0..group.degrees {
         let (q, p) = (Symbol::Q(i), Symbol::P(i));
         let [a, b] = [p, q].map(|symbol| {
@@ -87,11 +87,13 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let second = graph.add(mixed, energy);
         let [first, second] = [(cosine, lagrangian), (sine, second)].map(|(weight, x)| graph.mul(weight, x));
         let change = graph.sub(first, second);
+        // Each with its decay: the square of a sine that grows may be beyond all numbers.
+        let [sine, change] = [sine, change].map(|x| graph.mul(decay, x));
         let change = graph.mul(sine, change);
         let change = graph.scale(Number::HALF, change);
         action = graph.add(action, change);
     }
-    flow.s = graph.product(&[decay, decay, action]);
+    flow.s = action;
     Some(flow)
 }
 

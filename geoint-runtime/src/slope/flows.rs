@@ -6,17 +6,16 @@ use crate::real::Real;
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    // The exponential that flows need as well.
-    let small = |x: R| polynomial(x, series!(18, |k| 1.0 / factorial(k + 1)));
-    either(x, 1.0, small, || (x.exp() - R::from_f64(1.0)) / x)
+    let small = |x: R| polynomial(x, series!(7, |k| 1.0 / factorial(k + 1)));
+    either(x, 0.015625, small, || x.exp_m1() / x)
 }
 
-/// x·eᶻ with φ₁(z) at hand: what is added to x, as long as that is not most of it.
+/// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left.
 ///
 /// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
 #[inline(always)]
-pub fn grown<R: Real>(x: R, z: R, mean: R) -> R {
-    if z.any_below(-1.0) { x * far(z) } else { (x * z).multiply_add(mean, x) }
+pub fn grown<R: Real>(x: R, z: R, change: R) -> R {
+    if change.any_below(-0.5) { x * far(z) } else { x.multiply_add(change, x) }
 }
 
 /// Out of line: the optimiser would compute it before it knows whether it is needed.

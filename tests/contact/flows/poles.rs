@@ -97,7 +97,7 @@ poles! { flows_in_the_plane_that_end, [f64; 2], (q p s t):
 fn singular_times() {
     #[contact_hamiltonian]
     fn lane_emden(q: f64, p: f64, s: f64, t: f64) -> f64 {
-        p * p * 0.75 + 2.0 / t * s
+        p * p * 0.75 + 2.0 / t * s + 0.0 * q
     }
     #[contact_hamiltonian]
     fn decay(q: f64, p: f64, s: f64, t: f64, k: f64) -> f64 {
