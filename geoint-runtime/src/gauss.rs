@@ -85,15 +85,16 @@ where
         probe.visit(t, &x.q, &x.p);
 
         // The stages as if y' were constant.
-        let explicit = || {
+        let (system, nodes) = (*system, *nodes);
+        let explicit = move || {
             let (mut rate, mut slope) = (velocity, Y::Unknown::fill(zero));
             if Y::DERIVATIVE == 1 {
-                Y::field(system, t, &y0, &mut rate, &mut slope);
+                Y::field(&system, t, &y0, &mut rate, &mut slope);
             }
             core::array::from_fn(|i| {
                 let (mut y, mut f) = (y0, zero);
                 y.add_scaled(nodes[i], &rate);
-                Y::field(system, t + nodes[i], &y, &mut f, &mut slope);
+                Y::field(&system, t + nodes[i], &y, &mut f, &mut slope);
                 f
             })
         };
@@ -107,7 +108,7 @@ where
             let (mut change, mut f) = (zero, zero);
             change.add_scaled(nodes[i], &velocity);
             for j in 0..S {
-                Y::add(system, coupling[i][j], &k[j], &mut change);
+                Y::add(&system, coupling[i][j], &k[j], &mut change);
             }
             let mut stage = Point::<Y::Array, Plain>::new(point.q, point.p);
             let [dq, dp] = Y::increments(&change, &zero);
@@ -115,7 +116,7 @@ where
             probe.visit(t + nodes[i], &stage.q, &stage.p);
             let mut y = y0;
             y.add_scaled(R::from_f64(1.0), &change);
-            Y::field(system, t + nodes[i], &y, &mut f, slope);
+            Y::field(&system, t + nodes[i], &y, &mut f, slope);
             f
         };
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {
@@ -131,8 +132,9 @@ where
                     let row = &mut rows[i * Y::Unknown::LEN + r];
                     for j in 0..S {
                         row[j] = zero;
-                        Y::add(system, coupling[i][j], slope_row, &mut row[j]);
+                        Y::add(&system, -coupling[i][j], slope_row, &mut row[j]);
                     }
+                    row[i].as_mut_slice()[r] += R::from_f64(1.0);
                 }
                 f
             })
@@ -141,7 +143,7 @@ where
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {
-            Y::add(system, increments[i], &k[i], &mut change);
+            Y::add(&system, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
         let [dq, dp] = Y::increments(&change, &impulse);

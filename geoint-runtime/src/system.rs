@@ -155,7 +155,7 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
 ///
 /// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {
-    /// What depends on parameters only.
+    /// What depends on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.
     type Start: Copy + core::fmt::Debug;
@@ -164,8 +164,8 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     /// The number of Gauss points with which the mean of ∇H along the line from y to y + d is exact, 0 if it is ∇̄H; if known.
     const MEAN_POINTS: Option<usize> = None;
 
-    /// What depends on parameters only.
-    fn parameters(&self) -> Self::Parameters;
+    /// What depends on parameters and h only. f̄ does not depend on h.
+    fn parameters(&self, h: R) -> Self::Parameters;
     /// What all evaluations from `y` have in common.
     fn begin(parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
     /// f̄ and ∂f̄/∂d.
@@ -176,4 +176,29 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
+    /// h·f̄, and 1 − ∂(h·f̄)/∂(impulse) for d = impulse, or d = h ∂T/∂p(p + impulse/2).
+    ///
+    /// A kernel of few unknowns is written with h and masses in its constants instead.
+    #[inline(always)]
+    fn equation(
+        (constants, h): (&Self::Constants, R),
+        parameters: &Self::Parameters,
+        start: &Self::Start,
+        d: &Self::Unknown,
+        image: &mut Self::Unknown,
+        matrix: &mut Square<Self::Unknown>,
+    ) {
+        Self::slope(parameters, start, d, image, matrix);
+        for f in image.as_mut_slice() {
+            *f = h * *f;
+        }
+        let w = if Self::DERIVATIVE == 1 { h } else { R::from_f64(0.5) * h * h };
+        for (i, row) in Self::Unknown::entries::<Self::Unknown>(matrix).iter_mut().enumerate() {
+            let slope = core::mem::replace(row, Self::Unknown::nothing());
+            Self::add(constants, -w, &slope, row);
+            row.as_mut_slice()[i] += R::from_f64(1.0);
+        }
+    }
+    /// h ∂T/∂p, if T is quadratic.
+    fn drift(parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
 }

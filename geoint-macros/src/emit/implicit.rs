@@ -2,8 +2,9 @@
 
 use super::kernel::{Context, place, write};
 use super::system::self_type;
-use crate::diff::{Field, SecondOrder};
-use crate::ir::{Graph, Id, Symbol};
+use crate::diff::{Field, SecondOrder, jacobian};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -13,20 +14,20 @@ fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
-/// The levels of a kernel that is evaluated again and again: parameters, the start of a step, iterates.
+/// The levels of a kernel that is evaluated again and again: parameters and h, the start of a step, iterates.
 fn level(symbol: Symbol) -> usize {
     match symbol {
-        Symbol::Parameter(_) => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::T | Symbol::H => 1,
+        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::T => 1,
         Symbol::Dq(_) | Symbol::Dp(_) => 2,
     }
 }
 
 /// The statements that write f and its derivative.
-fn write_field(field: &Field, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
-    let (f, jacobian) = values.split_at(field.f.len());
-    let f = write("f", places, f);
-    let jacobian = write("jacobian", &square(places), jacobian);
+fn write_field(names: [&str; 2], places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
+    let (f, jacobian) = values.split_at(places.len());
+    let f = write(names[0], places, f);
+    let jacobian = write(names[1], &square(places), jacobian);
     quote!(#f #jacobian)
 }
 
@@ -34,26 +35,109 @@ fn roots(field: &Field) -> Vec<Id> {
     field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect()
 }
 
+/// With more unknowns than this the runtime prefers the fixed point to Newton's iteration.
+const MOST_UNKNOWNS: usize = 12;
+
+/// What Newton's iteration needs: h·f̄, then 1 − h·(∂f̄/∂d)·(∂d/∂impulse). What is known before the step is one factor.
+fn equation(graph: &mut Graph, field: &Field, second_order: Option<&SecondOrder>) -> Vec<Id> {
+    let (h, n) = (graph.symbol(Symbol::H), field.unknowns.len());
+    let image = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
+    let inverse_mass = second_order.map(|second_order| jacobian(graph, &second_order.acceleration, &momenta(n as u32)));
+    let square = graph.pow(h, Ratio::integer(2));
+    let half = graph.scale(Number::HALF, square);
+    let mut matrix = vec![];
+    for (i, row) in field.jacobian.iter().enumerate() {
+        for j in 0..n {
+            let mut terms = vec![graph.integer((i == j).into())];
+            match &inverse_mass {
+                None => subtract(graph, h, row[j], &mut terms),
+                // d = h·M⁻¹(p + impulse/2).
+                Some(inverse_mass) => {
+                    for (slope, inverse_mass) in row.iter().zip(inverse_mass) {
+                        let weight = graph.mul(half, inverse_mass[j]);
+                        subtract(graph, weight, *slope, &mut terms);
+                    }
+                }
+            }
+            matrix.push(graph.sum(&terms));
+        }
+    }
+    [image, matrix].concat()
+}
+
+/// −weight·x, a sum term by term: the chain of dependent operations is shorter.
+fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
+    let Node::Linear(constant, summands) = graph.node(x).clone() else {
+        let product = graph.mul(weight, x);
+        return terms.push(graph.neg(product));
+    };
+    terms.push(graph.scale(constant.neg(), weight));
+    for (c, x) in summands {
+        let weight = graph.scale(c, weight);
+        subtract(graph, weight, x, terms);
+    }
+}
+
+/// h ∂T/∂p as a function of what stands for the momenta.
+fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
+    let h = graph.symbol(Symbol::H);
+    let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
+        Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
+        _ => None,
+    });
+    let mut scaled = |velocity: &Id| {
+        let velocity = mean.apply(graph, *velocity);
+        graph.mul(h, velocity)
+    };
+    velocity.iter().map(&mut scaled).collect()
+}
+
+fn momenta(degrees: u32) -> Vec<Symbol> {
+    (0..degrees).map(Symbol::P).collect()
+}
+
 /// `impl DiscreteField`, and what an evaluation costs.
 pub(super) fn discrete_field(
     context: &Context<'_>,
     graph: &mut Graph,
-    (field, start): (&Field, &[Symbol]),
+    (field, start, second_order): (&Field, &[Symbol], Option<&SecondOrder>),
     (linear, mean_points): (bool, Option<u32>),
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
     let name = self_type(context);
     let unknown = context.unknown_type(field.unknowns.len());
     let places = context.unknown_places(field.unknowns.len());
-    let plan = schedule::plan(graph, level, &[&[], &[]], &[&roots(field)]);
+    let folded = field.unknowns.len() <= MOST_UNKNOWNS;
+    let equation = if folded { equation(graph, field, second_order) } else { vec![] };
+    let drift = second_order.map_or_else(Vec::new, |second_order| drift(graph, &second_order.velocity));
+    let plan = schedule::plan(graph, level, &[&[], &[]], &[&roots(field), &equation, &drift]);
     let parameters = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let begin = context.planned(&plan.stores[1], (start, "y"), |values| quote!([#(#values),*]));
-    let slope = context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(field, &places, &values));
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let (given, names) = ((&field.unknowns[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
+    let slope = context.planned(&plan.last[0], given, |values| write_field(names[0], &places, &values));
+    let equation = folded.then(|| {
+        let equation = context.planned(&plan.last[1], given, |values| write_field(names[1], &places, &values));
+        quote! {
+            #[inline(always)]
+            fn equation(
+                _: (&Self::Constants, R),
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                image: &mut #unknown,
+                matrix: &mut Square<#unknown>,
+            ) {
+                #equation
+            }
+        }
+    });
+    let mean: Vec<Symbol> = (0..drift.len() as u32).map(Symbol::Dp).collect();
+    let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
     let mean_points = match mean_points.map(Literal::u32_unsuffixed) {
         Some(points) => quote!(::core::option::Option::Some(#points)),
         None => quote!(::core::option::Option::None),
     };
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
         impl<R: #bounds> DiscreteField<R> for #name {
             type Parameters = [R; #prepared];
@@ -62,7 +146,7 @@ pub(super) fn discrete_field(
             const MEAN_POINTS: ::core::option::Option<usize> = #mean_points;
 
             #[inline]
-            fn parameters(&self) -> [R; #prepared] {
+            fn parameters(&self, h: R) -> [R; #prepared] {
                 #parameters
             }
             #[inline(always)]
@@ -78,6 +162,13 @@ pub(super) fn discrete_field(
                 jacobian: &mut Square<#unknown>,
             ) {
                 #slope
+            }
+            #equation
+            #[inline(always)]
+            fn drift(prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+                let mut drift = <#unknown as Array>::zero();
+                #drift
+                drift
             }
         }
     };
@@ -102,9 +193,9 @@ pub(super) fn collocation(
     let plan = schedule::plan(graph, level, &[&[]], &[&roots(field), velocity, acceleration]);
 
     let constants = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
-    let evaluate =
-        context.planned(&plan.last[0], (&field.unknowns, "y"), |values| write_field(field, &places, &values));
-    let momenta: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::P).collect();
+    let evaluate = context
+        .planned(&plan.last[0], (&field.unknowns, "y"), |values| write_field(["f", "jacobian"], &places, &values));
+    let momenta = momenta(context.energy.degrees());
     let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
     let y: Vec<_> = places.iter().map(|indices| place(quote!(y), indices)).collect();
     let [derivative, start, add, increments] = if second_order.is_some() {

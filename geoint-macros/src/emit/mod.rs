@@ -37,7 +37,7 @@ pub(crate) fn items(
         MeanValue::Gauss(points) => Some(points),
         MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
     };
-    let discrete = (&derivatives.discrete, &field.unknowns[..]);
+    let discrete = (&derivatives.discrete, &field.unknowns[..], derivatives.second_order.as_ref());
     let (discrete, discrete_cost) =
         implicit::discrete_field(context, graph, discrete, (structure.linear(), points), &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);

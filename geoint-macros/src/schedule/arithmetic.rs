@@ -108,6 +108,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
                 _ => above.push(self.operand(id)),
             }
         }
+        // What is there last is multiplied last.
+        above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
         let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));

@@ -54,7 +54,7 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
-        let (constants, parameters) = (system.constants(), system.parameters());
+        let (constants, parameters) = (system.constants(), system.parameters(h));
         Prepared { mean, constants, parameters, h, sums: [Compensated::new(); 2] }
     }
 
