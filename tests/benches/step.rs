@@ -111,7 +111,12 @@ fn pendulum() -> Vec<Pair> {
         Pair {
             name: "pendulum, DiscreteGradient".into(),
             subject: generated(pendulum_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| flat(hand().discrete_gradient(black_box(h), n, PENDULUM))),
+            unit: Box::new(move |n| flat(hand().discrete_gradient::<false>(black_box(h), n, PENDULUM))),
+        },
+        Pair {
+            name: "pendulum, DiscreteGradient, same sums".into(),
+            subject: generated(pendulum_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| flat(hand().discrete_gradient::<true>(black_box(h), n, PENDULUM))),
         },
     ]
 }
@@ -136,7 +141,12 @@ fn kepler() -> Vec<Pair> {
         Pair {
             name: "Kepler, DiscreteGradient".into(),
             subject: generated(kepler_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, KEPLER).to_vec()),
+            unit: Box::new(move |n| hand().discrete_gradient::<false>(black_box(h), n, KEPLER).to_vec()),
+        },
+        Pair {
+            name: "Kepler, DiscreteGradient, same sums".into(),
+            subject: generated(kepler_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<true>(black_box(h), n, KEPLER).to_vec()),
         },
     ]
 }
@@ -174,7 +184,12 @@ fn henon_heiles() -> Vec<Pair> {
         Pair {
             name: "Hénon–Heiles, DiscreteGradient".into(),
             subject: generated(henon_heiles_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, HENON_HEILES).to_vec()),
+            unit: Box::new(move |n| hand().discrete_gradient::<false>(black_box(h), n, HENON_HEILES).to_vec()),
+        },
+        Pair {
+            name: "Hénon–Heiles, DiscreteGradient, same sums".into(),
+            subject: generated(henon_heiles_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<true>(black_box(h), n, HENON_HEILES).to_vec()),
         },
     ]
 }
