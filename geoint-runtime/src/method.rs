@@ -93,6 +93,19 @@ pub enum Refusal {
     Singular,
     /// An increment is orthogonal to the direction along which it is to change the energy.
     SingularDirection,
+    /// The energy is not defined, or has a pole, on the way.
+    OutsideDomain {
+        /// The function and the term.
+        what: &'static str,
+    },
+}
+
+impl Refusal {
+    /// Nothing wrong if there is no pole.
+    #[inline(always)]
+    pub(crate) fn at_pole(found: Option<&'static str>) -> Result<(), Refusal> {
+        found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))
+    }
 }
 
 /// Sees every point at which a step looks at the energy.
@@ -110,16 +123,33 @@ impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for Unwatched {
     fn visit(&mut self, _: R, _: &S::Array, _: &S::Array) {}
 }
 
-/// Remembers the first point outside the domain of the energy.
-pub(crate) struct DomainWatch<'a, S> {
-    pub(crate) system: &'a S,
-    pub(crate) found: Option<&'static str>,
+/// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step.
+pub(crate) struct DomainWatch<'a, S, A, R> {
+    system: &'a S,
+    start: (R, A, A),
+    found: Option<&'static str>,
 }
 
-impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for DomainWatch<'_, S> {
+impl<'a, S: Hamiltonian<R>, R: Real> DomainWatch<'a, S, S::Array, R> {
+    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C>) -> Self {
+        DomainWatch { system, start: (t, x.q, x.p), found: None }
+    }
+
+    /// What explains best why a step was refused.
+    pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<&'static str> {
+        match refusal {
+            Some(Refusal::OutsideDomain { what }) => Some(what),
+            _ => self.found,
+        }
+    }
+}
+
+impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for DomainWatch<'_, S, S::Array, R> {
     fn visit(&mut self, t: R, q: &S::Array, p: &S::Array) {
         if self.found.is_none() {
-            self.found = self.system.outside_domain(t, q, p);
+            let (t0, q0, p0) = &self.start;
+            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p]);
+            self.found = self.system.outside_domain(t, q, p).or_else(pole);
         }
     }
 }
