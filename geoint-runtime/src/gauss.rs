@@ -123,7 +123,9 @@ where
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {
             core::array::from_fn(|i| look(probe, i, k, &mut Y::Unknown::fill(zero)))
         };
-        let (k, _) = newton.solve(&[visible; S], explicit, probe, image, |probe, k, derivative| {
+        // −2p/h turns p round in the middle of the step.
+        let still = if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 };
+        let (k, _) = newton.solve((&[visible; S], still), explicit, probe, image, |probe, k, derivative| {
             let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(derivative);
             core::array::from_fn(|i| {
                 // f'(Yᵢ)·∂Yᵢ/∂kⱼ.

@@ -1,6 +1,7 @@
 //! Newton's iteration with a matrix that is not quite the derivative: corrections shrink by a factor, not by squares.
 
 use crate::array::{Array, Square};
+use crate::damped;
 use crate::linear;
 use crate::method::Refusal;
 use crate::real::Real;
@@ -11,7 +12,8 @@ const MAX_ITERATIONS: u32 = 100;
 /// An error of so many roundings cannot be seen in the result.
 const LEFT_OVER: f64 = 1.0 / 1024.0;
 
-/// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on.
+/// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on; or, if that fails, from where damped
+/// corrections lead.
 ///
 /// `residual` writes the residual and a matrix near its derivative. What is left after a correction is about the next one:
 /// the iteration ends where that is bound to be below rounding, or where rounding keeps corrections from shrinking.
@@ -22,9 +24,19 @@ pub(crate) fn solve<A: Array>(
     guess: A,
     mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
 ) -> Result<A, Refusal> {
-    let epsilon = A::Real::epsilon();
     // A guess may look beyond the domain of the energy where the solution need not.
-    let mut x = if guess.is_finite() { guess } else { A::zero() };
+    let guess = if guess.is_finite() { guess } else { A::zero() };
+    iterate(origin, guess, &mut residual).or_else(|refusal| {
+        iterate(origin, damped::approach(origin, 0.0, &mut residual), &mut residual).map_err(|_| refusal)
+    })
+}
+
+fn iterate<A: Array>(
+    origin: &A,
+    mut x: A,
+    residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+) -> Result<A, Refusal> {
+    let epsilon = A::Real::epsilon();
     let mut matrix = A::fill(A::zero());
     let mut before = f64::INFINITY;
     for iterations in 1..=MAX_ITERATIONS {
@@ -44,7 +56,8 @@ pub(crate) fn solve<A: Array>(
         if !correction.is_finite() {
             return Err(Refusal::NotConverged { iterations, correction });
         }
-        before = correction;
+        // What a correction shrinks to says nothing if it was larger than the solution.
+        before = correction.min(1.0);
     }
     Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: before })
 }

@@ -194,11 +194,14 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         };
         let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed };
         let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
-        let (impulse, lost) = newton.solve(&changed, explicit, probe, image, |probe, impulse, derivative| {
-            let image = look.image(probe, impulse, derivative);
-            prepared.derivative(derivative);
-            image
-        })?;
+        // −2p turns p round, and its mean is 0.
+        let still = if S::DERIVATIVE == 1 { 0.0 } else { -2.0 };
+        let (impulse, lost) =
+            newton.solve((&changed, still), explicit, probe, image, |probe, impulse, derivative| {
+                let image = look.image(probe, impulse, derivative);
+                prepared.derivative(derivative);
+                image
+            })?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
         let lost = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
         let (q, p) = (x.q, x.p);
