@@ -9,3 +9,5 @@ mod corrected;
 mod geometry;
 mod discrete_gradients;
 mod clock;
+mod quotients;
+mod rigid_body;
