@@ -2,7 +2,7 @@
 
 use crate::array::{Array, Square};
 use crate::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, check_end};
 use crate::newton::Newton;
 use crate::point::{Plain, Point, Summation};
 use crate::real::Real;
@@ -151,7 +151,7 @@ where
         let (q, p) = (x.q, x.p);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        Refusal::at_pole(energy.pole_between([t, t + *h], [&q, &x.q], [&p, &x.p]))
+        check_end(energy, [t, t + *h], [&q, &p], [&x.q, &x.p])
     }
 }
 

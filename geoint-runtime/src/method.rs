@@ -101,11 +101,24 @@ pub enum Refusal {
 }
 
 impl Refusal {
-    /// Nothing wrong if there is no pole.
+    /// Nothing wrong if nothing was found.
     #[inline(always)]
-    pub(crate) fn at_pole(found: Option<&'static str>) -> Result<(), Refusal> {
+    pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
         found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))
     }
+}
+
+/// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at
+/// it in between only.
+#[inline(always)]
+pub(crate) fn check_end<S: Hamiltonian<R>, R: Real>(
+    system: &S,
+    t: [R; 2],
+    [q0, p0]: [&S::Array; 2],
+    [q1, p1]: [&S::Array; 2],
+) -> Result<(), Refusal> {
+    Refusal::outside(system.outside_domain(t[1], q1, p1))?;
+    Refusal::outside(system.pole_between(t, [q0, q1], [p0, p1]))
 }
 
 /// Sees every point at which a step looks at the energy.

@@ -9,6 +9,9 @@ use crate::real::Real;
 /// Reached only where there is no convergence worth the name.
 const MAX_ITERATIONS: u32 = 100;
 
+/// Iterations without a smaller correction than all before are due to rounding if there are so many.
+const MOST_STUCK: u32 = 4;
+
 /// An error of so many roundings cannot be seen in the result.
 const LEFT_OVER: f64 = 1.0 / 1024.0;
 
@@ -38,7 +41,7 @@ fn iterate<A: Array>(
 ) -> Result<A, Refusal> {
     let epsilon = A::Real::epsilon();
     let mut matrix = A::fill(A::zero());
-    let mut before = f64::INFINITY;
+    let (mut before, mut smallest, mut stuck) = (f64::INFINITY, f64::INFINITY, 0);
     for iterations in 1..=MAX_ITERATIONS {
         let mut delta = A::zero();
         residual(&x, &mut delta, &mut matrix)?;
@@ -49,8 +52,13 @@ fn iterate<A: Array>(
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         let correction = relative(&delta, &x, origin);
         let next = correction * (correction / before);
-        let stuck = correction >= before && correction * correction <= epsilon;
-        if correction == 0.0 || iterations > 1 && (next <= LEFT_OVER * epsilon || stuck) {
+        // Once may be chance: corrections that turn round one another shrink on the whole.
+        stuck = if correction < smallest { 0 } else { stuck + 1 };
+        smallest = smallest.min(correction);
+        if correction == 0.0
+            || iterations > 1
+                && (next <= LEFT_OVER * epsilon || stuck >= MOST_STUCK && correction * correction <= epsilon)
+        {
             return if positive { Ok(x) } else { Err(Refusal::Singular) };
         }
         if !correction.is_finite() {

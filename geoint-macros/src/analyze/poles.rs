@@ -1,4 +1,6 @@
 //! Where the energy is infinite, and what changes its sign there: a step from one side to the other has jumped.
+//!
+//! Only both ends of a step are compared. Two poles in one step go unnoticed.
 
 use super::dependence::symbols;
 use crate::ir::{Function, Graph, Id, Node, Symbol};

@@ -6,7 +6,7 @@ use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint,
 use crate::array::Array;
 use crate::composition::SymmetricMap;
 use crate::gauss::Gauss;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, check_end};
 use crate::point::{Compensated, Point, Summation};
 use crate::quasi_newton;
 use crate::real::Real;
@@ -89,7 +89,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        Refusal::at_pole(system.pole_between([t, t + *h], [&x[0], &point.q], [&x[1], &point.p]))
+        check_end(system, [t, t + *h], x.each_ref(), [&point.q, &point.p])
     }
 }
 

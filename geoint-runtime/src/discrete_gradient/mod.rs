@@ -206,7 +206,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let lost = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
         let (q, p) = (x.q, x.p);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        Refusal::at_pole(prepared.energy.hidden_pole_between([t, t + h], [&q, &x.q], [&p, &x.p]))
+        Refusal::outside(prepared.energy.hidden_pole_between([t, t + h], [&q, &x.q], [&p, &x.p]))
     }
 }
 
