@@ -4,7 +4,7 @@
 //! references from an explicit solver of order 8 at a relative tolerance of 10⁻¹³.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Hamiltonian, Method};
+use geoint_runtime::{Hamiltonian, Method, Reason};
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -228,6 +228,14 @@ fn coordinate_increments_in_the_plane() {
     let mut sim = Throw { m, g }.integrator(CoordinateIncrement::default(), h, top);
     assert_eq!(sim.step(), Err(StepError::SingularDirection { t: 0.0 }));
     assert_eq!(sim.state(), top);
+    // Shorter steps are not level, if shorter ones are allowed.
+    let adaptive = Throw { m, g }.adaptive(CoordinateIncrement::default(), 1e-2, top).first_step(h);
+    let mut sim = adaptive.steps_between(h, h);
+    let expected = Err(StepError::StepTooSmall { t: 0.0, h, reason: Reason::SingularDirection });
+    assert_eq!((sim.step(), sim.state()), (expected, top));
+    let mut sim = adaptive;
+    assert_eq!(sim.step(), Ok(()));
+    assert!(sim.rejections() > 0 && sim.time() < h);
     let mut sim = Throw { m, g }.integrator(Gonzalez, h, top);
     assert_eq!(sim.step(), Ok(()));
 }
