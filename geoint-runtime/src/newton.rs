@@ -1,6 +1,7 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
 use crate::array::{Array, Square};
+use crate::damped;
 use crate::linear;
 use crate::method::Refusal;
 use crate::predictor::Predictor;
@@ -70,10 +71,13 @@ impl<A: Array> Newton<A> {
     ///
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
+    ///
+    /// Where no guess leads to a solution, `still` times `origin` is a start from which one is approached: at that increment nothing
+    /// moves, so that the energy is defined there if it is at the start of the step.
     #[inline(always)]
     pub(crate) fn solve<Q>(
         &mut self,
-        origin: &A,
+        (origin, still): (&A, f64),
         explicit: impl Fn() -> A,
         context: &mut Q,
         image: impl Fn(&mut Q, &A) -> A,
@@ -88,18 +92,32 @@ impl<A: Array> Newton<A> {
                 return Ok((x, A::zero()));
             }
         }
-        let mut extrapolated = !self.rough;
+        let mut attempt = if self.rough { Attempt::Explicit } else { Attempt::Extrapolated };
         loop {
-            let guess = if extrapolated { self.predictor.predict() } else { aside(&explicit) };
+            let guess = match attempt {
+                Attempt::Extrapolated => self.predictor.predict(),
+                Attempt::Explicit => aside(&explicit),
+                Attempt::Damped => damped::approach(origin, still, |x, residual, matrix| {
+                    *residual = *x;
+                    residual.add_scaled(A::Real::from_f64(-1.0), &derivative(context, x, matrix));
+                    one_minus::<A>(matrix);
+                    Ok(())
+                }),
+            };
             match self.iterate(guess, origin, |x, matrix| derivative(context, x, matrix)) {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);
                     return Ok((x, lost));
                 }
-                // Something may have happened that was not to be foreseen.
-                Err(_) if extrapolated => extrapolated = false,
-                Err(refusal) => return Err(refusal),
+                Err(refusal) => {
+                    attempt = match attempt {
+                        // Something may have happened that was not to be foreseen.
+                        Attempt::Extrapolated => Attempt::Explicit,
+                        Attempt::Explicit => Attempt::Damped,
+                        Attempt::Damped => return Err(refusal),
+                    }
+                }
             }
         }
     }
@@ -154,7 +172,8 @@ impl<A: Array> Newton<A> {
             if !square.is_finite() {
                 return Err(not_converged(iterations, square));
             }
-            before = square;
+            // What a correction shrinks to says nothing if it was larger than the solution.
+            before = square.min(1.0);
         }
         Err(not_converged(MAX_ITERATIONS, before))
     }
@@ -169,6 +188,13 @@ impl<A: Array> Newton<A> {
             self.reach = reach;
         }
     }
+}
+
+/// Where an iteration starts.
+enum Attempt {
+    Extrapolated,
+    Explicit,
+    Damped,
 }
 
 /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
@@ -190,7 +216,7 @@ fn fixed_point<A: Array>(guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -
             // Rounding ends every iteration.
             return (square <= 4096.0 * A::Real::epsilon() * A::Real::epsilon()).then_some(x);
         }
-        before = square;
+        before = square.min(1.0);
     }
     None
 }

@@ -35,6 +35,21 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array) -> Option<&'static str>;
 
+    /// The first pole of H, if any, between two points, each with its time: what H divides by, or takes a logarithm of, is zero
+    /// there and has another sign at the second point than at the first.
+    ///
+    /// A step that looks at H on both sides only would not notice. Implicit methods ask before they take one.
+    #[inline(always)]
+    fn pole_between(&self, _t: [R; 2], _q: [&Self::Array; 2], _p: [&Self::Array; 2]) -> Option<&'static str> {
+        None
+    }
+
+    /// The same of poles that divided differences do not notice either: 1/q has none across its pole, but 1/|q| has.
+    #[inline(always)]
+    fn hidden_pole_between(&self, _t: [R; 2], _q: [&Self::Array; 2], _p: [&Self::Array; 2]) -> Option<&'static str> {
+        None
+    }
+
     /// The energy of a state.
     fn energy(&self, state: &State<Self::Coordinates>) -> R {
         self.hamiltonian(state.t, &state.q.into_array(), &state.p.into_array())

@@ -4,6 +4,7 @@
 //! user's own signature names.
 
 mod damping;
+mod domain;
 mod flows;
 mod implicit;
 mod kernel;
