@@ -103,3 +103,10 @@ use proc_macro::TokenStream;
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::hamiltonian(args.into(), item.into()).into()
 }
+
+/// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.
+#[doc(hidden)]
+#[proc_macro]
+pub fn most_unknowns(_: TokenStream) -> TokenStream {
+    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(emit::MOST_UNKNOWNS)).into()
+}

@@ -224,12 +224,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// Why a step is refused: once more, watched.
     #[cold]
     fn reason(&self, h: f64) -> Reason {
-        let mut watch = DomainWatch { system: &self.system, found: None };
+        let mut watch = DomainWatch::new(&self.system, self.t, &self.x);
         let outcome = self.attempt(&mut prepare(&self.system, &self.method, h), &mut watch);
-        match (outcome, watch.found) {
-            (Ok((_, error)), _) => Reason::Inaccurate { error },
-            (Err(_), Some(what)) => Reason::OutsideDomain { what },
-            (Err(reason), None) => reason,
+        match outcome {
+            Ok((_, error)) => Reason::Inaccurate { error },
+            Err(reason @ Reason::OutsideDomain { .. }) => reason,
+            Err(reason) => watch.reason(None).map_or(reason, |what| Reason::OutsideDomain { what }),
         }
     }
 

@@ -48,7 +48,8 @@ impl<const K: usize> Composition<K> {
 /// A symmetric map of order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
-    note = "maps to compose: `StormerVerlet`, `PositionVerlet`, `ImplicitMidpoint`, `DiscreteGradient`"
+    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for quadratic fields: `Kahan`",
+    note = "maps for every energy: `ImplicitMidpoint`, `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`, `ItohAbePair`"
 )]
 pub trait SymmetricMap: Copy {
     /// The composed method.

@@ -85,7 +85,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     fn creep(&mut self, steps: u64) -> Result<(), StepError> {
         for _ in 0..steps {
             let (mut prepared, mut x) = (self.prepared, self.x);
-            let mut watch = DomainWatch { system: &self.system, found: None };
+            let mut watch = DomainWatch::new(&self.system, self.time(), &self.x);
             let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
             if outcome.is_ok() && self.is_good(1, &x) {
                 self.accept(1, prepared, x);
@@ -93,14 +93,16 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
             }
             watch.visit(self.clock().at(1), &x.q, &x.p);
             let t = real(self.time());
-            return Err(match (outcome, watch.found) {
-                (_, Some(what)) => StepError::OutsideDomain { t, what },
-                (Ok(()), None) => StepError::NonFinite { t },
-                (Err(Refusal::Singular), None) => StepError::Singular { t },
-                (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
-                (Err(Refusal::NotConverged { iterations, correction }), None) => {
+            if let Some(what) = watch.reason(outcome.err()) {
+                return Err(StepError::OutsideDomain { t, what });
+            }
+            return Err(match outcome {
+                Err(Refusal::Singular) => StepError::Singular { t },
+                Err(Refusal::SingularDirection) => StepError::SingularDirection { t },
+                Err(Refusal::NotConverged { iterations, correction }) => {
                     StepError::NotConverged { t, iterations, correction }
                 }
+                Ok(()) | Err(Refusal::OutsideDomain { .. }) => StepError::NonFinite { t },
             });
         }
         Ok(())

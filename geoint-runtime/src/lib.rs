@@ -55,6 +55,7 @@ pub mod error;
 pub mod point;
 pub mod method;
 pub mod system;
+mod damped;
 mod damping;
 mod linear;
 mod newton;

@@ -93,10 +93,40 @@ pub enum Refusal {
     Singular,
     /// An increment is orthogonal to the direction along which it is to change the energy.
     SingularDirection,
+    /// The energy is not defined, or has a pole, on the way.
+    OutsideDomain {
+        /// The function and the term.
+        what: &'static str,
+    },
+}
+
+impl Refusal {
+    /// Nothing wrong if nothing was found.
+    #[inline(always)]
+    pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
+        found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))
+    }
+}
+
+/// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at
+/// it in between only.
+#[inline(always)]
+pub(crate) fn check_end<S: Hamiltonian<R>, R: Real>(
+    system: &S,
+    t: [R; 2],
+    [q0, p0]: [&S::Array; 2],
+    [q1, p1]: [&S::Array; 2],
+) -> Result<(), Refusal> {
+    Refusal::outside(system.outside_domain(t[1], q1, p1))?;
+    Refusal::outside(system.pole_between(t, [q0, q1], [p0, p1]))
 }
 
 /// Sees every point at which a step looks at the energy.
 pub trait Probe<S: Hamiltonian<R>, R: Real> {
+    /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
+    /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
+    const PATIENT: bool = true;
+
     /// The energy is about to be looked at here.
     fn visit(&mut self, t: R, q: &S::Array, p: &S::Array);
 }
@@ -106,20 +136,39 @@ pub trait Probe<S: Hamiltonian<R>, R: Real> {
 pub struct Unwatched;
 
 impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for Unwatched {
+    const PATIENT: bool = false;
+
     #[inline(always)]
     fn visit(&mut self, _: R, _: &S::Array, _: &S::Array) {}
 }
 
-/// Remembers the first point outside the domain of the energy.
-pub(crate) struct DomainWatch<'a, S> {
-    pub(crate) system: &'a S,
-    pub(crate) found: Option<&'static str>,
+/// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step.
+pub(crate) struct DomainWatch<'a, S, A, R> {
+    system: &'a S,
+    start: (R, A, A),
+    found: Option<&'static str>,
 }
 
-impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for DomainWatch<'_, S> {
+impl<'a, S: Hamiltonian<R>, R: Real> DomainWatch<'a, S, S::Array, R> {
+    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C>) -> Self {
+        DomainWatch { system, start: (t, x.q, x.p), found: None }
+    }
+
+    /// What explains best why a step was refused.
+    pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<&'static str> {
+        match refusal {
+            Some(Refusal::OutsideDomain { what }) => Some(what),
+            _ => self.found,
+        }
+    }
+}
+
+impl<S: Hamiltonian<R>, R: Real> Probe<S, R> for DomainWatch<'_, S, S::Array, R> {
     fn visit(&mut self, t: R, q: &S::Array, p: &S::Array) {
         if self.found.is_none() {
-            self.found = self.system.outside_domain(t, q, p);
+            let (t0, q0, p0) = &self.start;
+            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p]);
+            self.found = self.system.outside_domain(t, q, p).or_else(pole);
         }
     }
 }

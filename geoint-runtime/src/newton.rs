@@ -1,6 +1,7 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
 use crate::array::{Array, Square};
+use crate::damped;
 use crate::linear;
 use crate::method::Refusal;
 use crate::predictor::Predictor;
@@ -22,9 +23,9 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// With more unknowns than this, an elimination costs more than the evaluations that it saves: for six bodies (18 unknowns) a step
-/// with the fixed point takes a third to a tenth of the time.
-const MOST_UNKNOWNS: usize = 12;
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
+/// it emits a kernel for Newton's iteration.
+const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
 
 /// The square of the factor by which corrections of the fixed point must shrink.
 const SHRINKING: f64 = 0.1;
@@ -70,10 +71,13 @@ impl<A: Array> Newton<A> {
     ///
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
+    ///
+    /// Where no guess leads to a solution, `still` times `origin`, if given, is a start from which one is approached: at that increment
+    /// nothing moves, so that the energy is defined there if it is at the start of the step.
     #[inline(always)]
     pub(crate) fn solve<Q>(
         &mut self,
-        origin: &A,
+        (origin, still): (&A, Option<f64>),
         explicit: impl Fn() -> A + Copy,
         context: &mut Q,
         image: impl Fn(&mut Q, &A) -> A,
@@ -88,11 +92,19 @@ impl<A: Array> Newton<A> {
                 return Ok((x, A::zero()));
             }
         }
-        let mut extrapolated = !self.rough;
+        let mut attempt = if self.rough { Attempt::Explicit } else { Attempt::Extrapolated };
         loop {
             let mut guess = self.predictor.predict();
-            if !extrapolated {
-                guess.copy_from(&aside(explicit));
+            match attempt {
+                Attempt::Extrapolated => {}
+                Attempt::Explicit => guess.copy_from(&aside(explicit)),
+                Attempt::Damped(still) => {
+                    guess = damped::approach(origin, still, |x, residual, matrix| {
+                        *residual = *x;
+                        residual.add_scaled(A::Real::from_f64(-1.0), &derivative(context, x, matrix));
+                        Ok(())
+                    });
+                }
             }
             match self.iterate(guess, origin, |x, matrix| derivative(context, x, matrix)) {
                 Ok((x, lost, iterations)) => {
@@ -100,9 +112,14 @@ impl<A: Array> Newton<A> {
                     self.push(&x);
                     return Ok((x, lost));
                 }
-                // Something may have happened that was not to be foreseen.
-                Err(_) if extrapolated => extrapolated = false,
-                Err(refusal) => return Err(refusal),
+                Err(refusal) => {
+                    attempt = match (attempt, still) {
+                        // Something may have happened that was not to be foreseen.
+                        (Attempt::Extrapolated, _) => Attempt::Explicit,
+                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        _ => return Err(refusal),
+                    }
+                }
             }
         }
     }
@@ -142,9 +159,11 @@ impl<A: Array> Newton<A> {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
             let square = relative_square(&delta, &x, origin);
-            let shrunk = square / before;
+            // What a correction shrinks to says nothing if it was larger than the solution.
+            let last = before.min(1.0);
+            let shrunk = square / last;
             if iterations == 2 {
-                self.see(square, before);
+                self.see(square, last);
             }
             let left = square * shrunk * shrunk;
             let done = iterations > 1
@@ -174,6 +193,13 @@ impl<A: Array> Newton<A> {
     }
 }
 
+/// Where an iteration starts.
+enum Attempt {
+    Extrapolated,
+    Explicit,
+    Damped(f64),
+}
+
 /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
 #[inline(always)]
 fn fixed_point<A: Array>(guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -> Option<A> {
@@ -193,7 +219,7 @@ fn fixed_point<A: Array>(guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -
             // Rounding ends every iteration.
             return (square <= 4096.0 * A::Real::epsilon() * A::Real::epsilon()).then_some(x);
         }
-        before = square;
+        before = square.min(1.0);
     }
     None
 }
@@ -250,7 +276,7 @@ fn within<A: Array>(delta: &A, size: impl Fn(usize) -> f64, bound: f64) -> bool 
 
 /// The square of the largest entry of `delta`, each relative to the entry of `origin + x` that it corrects.
 #[inline(always)]
-fn relative_square<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
+pub(crate) fn relative_square<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
     let size = sizes(x, origin);
     let mut correction = 0.0;
     for i in 0..A::LEN {

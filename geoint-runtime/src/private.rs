@@ -9,5 +9,5 @@ pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::State;
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, QuadraticKinetic, Separable,
 };

@@ -35,6 +35,21 @@ pub trait Hamiltonian<R: Real = f64>: Copy {
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array) -> Option<&'static str>;
 
+    /// The first pole of H, if any, between two points, each with its time: what H divides by, or takes a logarithm of, is zero
+    /// there and has another sign at the second point than at the first.
+    ///
+    /// A step that looks at H on both sides only would not notice. Implicit methods ask before they take one.
+    #[inline(always)]
+    fn pole_between(&self, _t: [R; 2], _q: [&Self::Array; 2], _p: [&Self::Array; 2]) -> Option<&'static str> {
+        None
+    }
+
+    /// The same of poles that divided differences do not notice either: 1/q has none across its pole, but 1/|q| has.
+    #[inline(always)]
+    fn hidden_pole_between(&self, _t: [R; 2], _q: [&Self::Array; 2], _p: [&Self::Array; 2]) -> Option<&'static str> {
+        None
+    }
+
     /// The energy of a state.
     fn energy(&self, state: &State<Self::Coordinates>) -> R {
         self.hamiltonian(state.t, &state.q.into_array(), &state.p.into_array())
@@ -150,6 +165,17 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> [Self::Array; 2];
 }
 
+/// How the mean of ∇H along a line is had: exactly, if H is a sum of functions of linear forms and of a polynomial.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mean {
+    /// By so many points of Gauss: H is a polynomial.
+    Gauss(usize),
+    /// By extrapolation of ∇̄H over the parts of the line in 1, 2, … so many; with 1 it is ∇̄H.
+    Parts(usize),
+    /// No closed form is known.
+    NotClosed,
+}
+
 /// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
 /// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
 ///
@@ -161,8 +187,8 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Start: Copy + core::fmt::Debug;
     /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
     const LINEAR: bool;
-    /// The number of Gauss points with which the mean of ∇H along the line from y to y + d is exact, 0 if it is ∇̄H; if known.
-    const MEAN_POINTS: Option<usize> = None;
+    /// How the mean of ∇H along the line from y to y + d is had.
+    const MEAN: Mean = Mean::NotClosed;
 
     /// What depends on parameters and h only. f̄ does not depend on h.
     fn parameters(&self, h: R) -> Self::Parameters;

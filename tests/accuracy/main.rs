@@ -8,4 +8,7 @@ mod orders;
 mod corrected;
 mod geometry;
 mod discrete_gradients;
+mod mean_value;
 mod clock;
+mod quotients;
+mod rigid_body;

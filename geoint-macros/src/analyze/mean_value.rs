@@ -4,51 +4,43 @@ use super::degree::Degrees;
 use super::dependence::{Dependence, symbols};
 use super::form::{Expansion, Form, UNIT};
 use super::leaves::leaves;
-use super::terms::{Sums, Term};
+use super::terms::Sums;
 use crate::ir::{Graph, Id, Symbol};
 
 /// How to have the mean of ∇H exactly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum MeanValue {
-    /// It is the tree discrete gradient: H is a sum of ridge functions φ(l) with affine l and of terms of degree 2.
-    Tree,
-    /// By Gauss quadrature with so many points: H is a polynomial.
+    /// By so many points of Gauss: H is a polynomial.
     Gauss(u32),
-    /// The tree's of the ridge functions (and terms of degree 2), and so many points of Gauss for the polynomial.
-    Mixed { ridge: Id, polynomial: Id, points: u32 },
+    /// By extrapolation of the tree discrete gradients over the parts of a line in 1, 2, … so many: H is a sum of ridge
+    /// functions φ(l) with affine l, and of a polynomial. With 1 it is the tree discrete gradient.
+    Parts(u32),
     /// Not known to be closed, because of this term.
     NotClosed(Id),
 }
 
-/// ∇ of a polynomial of this degree is one of degree less by one, for which Gauss needs so many points.
+/// ∇ of a polynomial of this degree is one of degree less by one, for which Gauss needs so many points. The tree discrete
+/// gradient is one of that degree in both ends, and even in their distance: as many numbers of parts determine its limit.
 fn points(degree: u32) -> u32 {
     degree.div_ceil(2)
 }
 
-pub(super) fn mean_value(graph: &mut Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> MeanValue {
-    let (mut ridge, mut polynomial, mut highest) = (vec![], vec![], 0);
+pub(super) fn mean_value(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> MeanValue {
+    let mut parts = 1;
     for term in Sums::new(graph, dependence).terms(energy, |_| true) {
         let Some(last) = term.factors.last().copied().filter(|last| dependence.reads(*last).state()) else { continue };
-        match degrees.get(last) {
-            Some(degree) if degree <= 2 => ridge.push(term),
-            _ if is_ridge(graph, dependence, degrees, last) => ridge.push(term),
-            Some(degree) => {
-                highest = highest.max(degree);
-                polynomial.push(term);
-            }
+        let needed = match degrees.get(last) {
+            Some(0..=2) => 1,
+            _ if is_ridge(graph, dependence, degrees, last) => 1,
+            Some(degree) => points(degree),
             None => return MeanValue::NotClosed(last),
-        }
+        };
+        parts = parts.max(needed);
     }
-    match (polynomial.is_empty(), degrees.get(energy)) {
-        (true, _) => MeanValue::Tree,
-        (_, Some(degree)) => MeanValue::Gauss(points(degree)),
-        (_, None) => {
-            let mut sum = |terms: Vec<Term>| {
-                let terms: Vec<Id> = terms.iter().map(|term| term.build(graph)).collect();
-                graph.sum(&terms)
-            };
-            MeanValue::Mixed { ridge: sum(ridge), polynomial: sum(polynomial), points: points(highest) }
-        }
+    match degrees.get(energy) {
+        // A point of Gauss costs less than the parts.
+        Some(degree) if parts > 1 && points(degree) == parts => MeanValue::Gauss(parts),
+        _ => MeanValue::Parts(parts),
     }
 }
 

@@ -9,6 +9,7 @@ mod sweep;
 use crate::analyze::Structure;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use field::{Field, SecondOrder};
+#[cfg(test)]
 pub(crate) use forward::jacobian;
 
 /// The partial derivatives of a node with respect to positions and momenta.

@@ -2,7 +2,8 @@
 
 use super::kernel::{Context, place, write};
 use super::system::self_type;
-use crate::diff::{Field, SecondOrder, jacobian};
+use crate::analyze::{MeanValue, Structure};
+use crate::diff::{Field, SecondOrder};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{self, Operations};
@@ -35,34 +36,33 @@ fn roots(field: &Field) -> Vec<Id> {
     field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect()
 }
 
-/// With more unknowns than this the runtime prefers the fixed point to Newton's iteration.
-const MOST_UNKNOWNS: usize = 12;
+/// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
+/// evaluations that it saves. For six bodies (18 unknowns) a step with the fixed point takes a third to a tenth of the time.
+///
+/// The runtime reads this number, which has to be one: with a smaller one here, Newton's iteration would do without its own
+/// kernel; with a larger one, that kernel would be compiled for nothing.
+pub(crate) const MOST_UNKNOWNS: usize = 12;
 
-/// What Newton's iteration needs: h·f̄, then 1 − h·(∂f̄/∂d)·(∂d/∂impulse). What is known before the step is one factor.
-fn equation(graph: &mut Graph, field: &Field, second_order: Option<&SecondOrder>) -> Vec<Id> {
+/// What Newton's iteration needs where T is quadratic: h·f̄, and 1 − h·(∂f̄/∂d)·(∂d/∂impulse) with d = h·M⁻¹(p + impulse/2).
+/// What is known before the step is one factor.
+///
+/// Other systems are left to the runtime: the compiler would take a quarter longer.
+fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec<Id> {
     let (h, n) = (graph.symbol(Symbol::H), field.unknowns.len());
-    let image = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
-    let inverse_mass = second_order.map(|second_order| jacobian(graph, &second_order.acceleration, &momenta(n as u32)));
+    let mut roots = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
     let square = graph.pow(h, Ratio::integer(2));
     let half = graph.scale(Number::HALF, square);
-    let mut matrix = vec![];
     for (i, row) in field.jacobian.iter().enumerate() {
         for j in 0..n {
             let mut terms = vec![graph.integer((i == j).into())];
-            match &inverse_mass {
-                None => subtract(graph, h, row[j], &mut terms),
-                // d = h·M⁻¹(p + impulse/2).
-                Some(inverse_mass) => {
-                    for (slope, inverse_mass) in row.iter().zip(inverse_mass) {
-                        let weight = graph.mul(half, inverse_mass[j]);
-                        subtract(graph, weight, *slope, &mut terms);
-                    }
-                }
+            for (slope, inverse_mass) in row.iter().zip(&second_order.inverse_mass) {
+                let weight = graph.mul(half, inverse_mass[j]);
+                subtract(graph, weight, *slope, &mut terms);
             }
-            matrix.push(graph.sum(&terms));
+            roots.push(graph.sum(&terms));
         }
     }
-    [image, matrix].concat()
+    roots
 }
 
 /// −weight·x, a sum term by term: the chain of dependent operations is shorter.
@@ -101,14 +101,14 @@ pub(super) fn discrete_field(
     context: &Context<'_>,
     graph: &mut Graph,
     (field, start, second_order): (&Field, &[Symbol], Option<&SecondOrder>),
-    (linear, mean_points): (bool, Option<u32>),
+    structure: &Structure,
     bounds: &TokenStream,
 ) -> (TokenStream, Operations) {
     let name = self_type(context);
     let unknown = context.unknown_type(field.unknowns.len());
     let places = context.unknown_places(field.unknowns.len());
-    let folded = field.unknowns.len() <= MOST_UNKNOWNS;
-    let equation = if folded { equation(graph, field, second_order) } else { vec![] };
+    let folded = second_order.filter(|_| field.unknowns.len() <= MOST_UNKNOWNS);
+    let equation = folded.map_or_else(Vec::new, |second_order| equation(graph, field, second_order));
     let drift = second_order.map_or_else(Vec::new, |second_order| drift(graph, &second_order.velocity));
     let plan = schedule::plan(graph, level, &[&[], &[]], &[&roots(field), &equation, &drift]);
     let parameters = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
@@ -116,7 +116,7 @@ pub(super) fn discrete_field(
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let (given, names) = ((&field.unknowns[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
     let slope = context.planned(&plan.last[0], given, |values| write_field(names[0], &places, &values));
-    let equation = folded.then(|| {
+    let equation = folded.map(|_| {
         let equation = context.planned(&plan.last[1], given, |values| write_field(names[1], &places, &values));
         quote! {
             #[inline(always)]
@@ -134,16 +134,24 @@ pub(super) fn discrete_field(
     });
     let mean: Vec<Symbol> = (0..drift.len() as u32).map(Symbol::Dp).collect();
     let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
-    let mean_points = match mean_points.map(Literal::u32_unsuffixed) {
-        Some(points) => quote!(::core::option::Option::Some(#points)),
-        None => quote!(::core::option::Option::None),
+    let linear = structure.linear();
+    let mean = match structure.mean_value {
+        MeanValue::Gauss(points) => {
+            let points = Literal::u32_unsuffixed(points);
+            quote!(Gauss(#points))
+        }
+        MeanValue::Parts(parts) => {
+            let parts = Literal::u32_unsuffixed(parts);
+            quote!(Parts(#parts))
+        }
+        MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     let tokens = quote! {
         impl<R: #bounds> DiscreteField<R> for #name {
             type Parameters = [R; #prepared];
             type Start = [R; #started];
             const LINEAR: bool = #linear;
-            const MEAN_POINTS: ::core::option::Option<usize> = #mean_points;
+            const MEAN: Mean = Mean::#mean;
 
             #[inline]
             fn parameters(&self, h: R) -> [R; #prepared] {

@@ -4,6 +4,7 @@
 //! user's own signature names.
 
 mod damping;
+mod domain;
 mod flows;
 mod implicit;
 mod kernel;
@@ -11,11 +12,12 @@ mod report;
 mod straight_line;
 mod system;
 
-use crate::analyze::{MeanValue, Structure};
+use crate::analyze::Structure;
 use crate::diff::Derivatives;
 use crate::ir::Graph;
 use crate::parse::Energy;
 pub(crate) use damping::function;
+pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -32,14 +34,8 @@ pub(crate) fn items(
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let points = match structure.mean_value {
-        MeanValue::Tree => Some(0),
-        MeanValue::Gauss(points) => Some(points),
-        MeanValue::Mixed { .. } | MeanValue::NotClosed(_) => None,
-    };
     let discrete = (&derivatives.discrete, &field.unknowns[..], derivatives.second_order.as_ref());
-    let (discrete, discrete_cost) =
-        implicit::discrete_field(context, graph, discrete, (structure.linear(), points), &bounds);
+    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, structure, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 
     let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
@@ -58,7 +54,7 @@ pub(crate) fn items(
         )]
         const _: () = {
             use #runtime::private::{
-                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Method, QuadraticKinetic, Real,
+                Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real,
                 Separable, Square, State, is_positive_semidefinite, slope,
             };
 

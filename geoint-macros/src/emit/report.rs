@@ -175,23 +175,19 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     match structure.mean_value {
         // It is for systems that keep their energy.
         _ if structure.damping.is_some() => Ok(()),
-        MeanValue::Tree => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
-        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue` is exact with {}", gauss(points)),
-        MeanValue::Mixed { polynomial, points, .. } => {
-            let (polynomial, gauss) = (printer.excerpt(polynomial), gauss(points));
+        MeanValue::Parts(1) => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
+        MeanValue::Parts(parts) => {
+            writeln!(text, "- `MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
+        }
+        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
+        MeanValue::NotClosed(term) => {
+            let term = printer.excerpt(term);
             writeln!(
                 text,
-                "- `MeanValue` is a quadrature, exact with {gauss} for {polynomial} and with none for the rest"
+                "- `MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}"
             )
         }
-        MeanValue::NotClosed(term) => {
-            writeln!(text, "- `MeanValue` is a quadrature; no closed form was found for {}", printer.excerpt(term))
-        }
     }
-}
-
-fn gauss(points: u32) -> String {
-    format!("{points} Gauss point{}", if points == 1 { "" } else { "s" })
 }
 
 /// A derivative, written out unless it fills the screen.

@@ -13,6 +13,7 @@ mod schedules;
 mod mean_value;
 mod meaning;
 mod momenta;
+mod poles;
 mod snapshots;
 mod structures;
 

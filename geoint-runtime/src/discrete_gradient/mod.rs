@@ -50,6 +50,7 @@ pub struct Prepared<S: DiscreteField<R>, R: Real> {
 
 #[derive(Clone, Copy, Debug)]
 struct Coefficients<S: DiscreteField<R>, R: Real> {
+    energy: S,
     system: S::Constants,
     tree: S::Parameters,
     h: R,
@@ -60,8 +61,9 @@ struct Coefficients<S: DiscreteField<R>, R: Real> {
 impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
     fn new(system: &S, h: R) -> Self {
         let zero = S::Unknown::zero();
+        let (constants, tree) = (system.constants(), system.parameters(h));
         let mut prepared =
-            Coefficients { system: system.constants(), tree: system.parameters(h), h, inverse: S::Unknown::fill(zero) };
+            Coefficients { energy: *system, system: constants, tree, h, inverse: S::Unknown::fill(zero) };
         if S::LINEAR {
             prepared.inverse = prepared.inverse();
         }
@@ -219,13 +221,16 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
         let derivative =
             |probe: &mut P, impulse: &S::Unknown, matrix: &mut Square<S::Unknown>| look.image(probe, impulse, matrix);
-        let (impulse, lost) = newton.solve(&changed, explicit, probe, image, derivative)?;
+        // −2p turns p round, and its mean is 0.
+        let still = P::PATIENT.then_some(if S::DERIVATIVE == 1 { 0.0 } else { -2.0 });
+        let (impulse, lost) = newton.solve((&changed, still), explicit, probe, image, derivative)?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
         let behind =
             if C::PLAIN && S::DERIVATIVE == 2 { none } else { prepared.lost(&changed, &carried, &impulse, &lost) };
         let lost = S::increments(&behind, &lost);
+        let (q, p) = (x.q, x.p);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        Ok(())
+        Refusal::outside(prepared.energy.hidden_pole_between([t, t + h], [&q, &x.q], [&p, &x.p]))
     }
 }
 

@@ -62,7 +62,7 @@ struct Spring;
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
         State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
@@ -231,19 +231,16 @@ const _: () = {
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
     impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
-        type Parameters = [R; 2];
+        type Parameters = [R; 0];
         type Start = [R; 11];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            0,
-        );
+        const MEAN: Mean = Mean::Parts(1);
         #[inline]
-        fn parameters(&self, h: R) -> [R; 2] {
-            let v0 = -h;
-            [h, v0]
+        fn parameters(&self, h: R) -> [R; 0] {
+            []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 2], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+        fn begin(prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
             let p0 = y[1][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -275,7 +272,7 @@ const _: () = {
         }
         #[inline(always)]
         fn slope(
-            prepared: &[R; 2],
+            prepared: &[R; 0],
             start: &[R; 11],
             d: &[[R; 1]; 2],
             f: &mut [[R; 1]; 2],
@@ -374,111 +371,7 @@ const _: () = {
             jacobian[1][0][1][0] = k5;
         }
         #[inline(always)]
-        fn equation(
-            _: (&Self::Constants, R),
-            prepared: &[R; 2],
-            start: &[R; 11],
-            d: &[[R; 1]; 2],
-            image: &mut [[R; 1]; 2],
-            matrix: &mut Square<[[R; 1]; 2]>,
-        ) {
-            let start_1 = start[1];
-            let dp0 = d[1][0];
-            let k2 = R::from_f64(1.0);
-            let start_0 = start[0];
-            let start_2 = start[2];
-            let prepared_0 = prepared[0];
-            let k6 = R::from_f64(0.0);
-            let start_3 = start[3];
-            let dq0 = d[0][0];
-            let start_5 = start[5];
-            let start_6 = start[6];
-            let start_4 = start[4];
-            let k12 = R::from_f64(2.0);
-            let start_8 = start[8];
-            let start_9 = start[9];
-            let start_7 = start[7];
-            let k16 = R::from_f64(0.5);
-            let start_10 = start[10];
-            let k18 = R::from_f64(-0.5);
-            let prepared_1 = prepared[1];
-            let v0 = start_1 + dp0;
-            let v1 = v0 * v0;
-            let v2 = k2 + v1;
-            let v3 = v2.sqrt();
-            let v4 = start_0 + v3;
-            let v5 = k2 / v4;
-            let v6 = start_2 + dp0;
-            let v7 = prepared_0 * v6;
-            let v8 = v7 * v5;
-            let v9 = k6 < start_3;
-            let v10 = start_3 + dq0;
-            let v11 = k6 < v10;
-            let v12 = v9 && v11;
-            let v13 = !v9;
-            let v14 = !v11;
-            let v15 = v13 && v14;
-            let v16 = v12 || v15;
-            let (v51, v52) = if v16 {
-                let (v25, v26) = if v9 {
-                    let v17 = start_5 + dq0;
-                    let v18 = v10 * v10;
-                    let v19 = start_6 + v18;
-                    let v20 = start_4 * v17;
-                    let v21 = v20 * v19;
-                    let v22 = k12 * v10;
-                    let v23 = v22.multiply_add(v17, v19);
-                    let v24 = start_4 * v23;
-                    (v21, v24)
-                } else {
-                    (k6, k6)
-                };
-                (v25, v26)
-            } else {
-                let (v33, v34, v35) = if v11 {
-                    let v27 = v10 * v10;
-                    let v28 = v27 * v10;
-                    let v29 = start_8 * v28;
-                    let v30 = v27 * v27;
-                    let v31 = start_4 * v30;
-                    let v32 = start_9 * v27;
-                    (v29, v31, v32)
-                } else {
-                    (k6, k6, k6)
-                };
-                let v36 = start_7 + v33;
-                let v37 = k16 * dq0;
-                let v38 = v34 - start_10;
-                let v39 = -v37;
-                let v40 = v39.multiply_add(v36, v38);
-                let v41 = k2 / dq0;
-                let v42 = k16 * v36;
-                let v43 = v41.multiply_add(v40, v42);
-                let v44 = v41 * v41;
-                let v45 = dq0.multiply_add(v35, v36);
-                let v46 = k18.multiply_add(v45, v33);
-                let v47 = v41 * v46;
-                let v48 = -v44;
-                let v49 = v48.multiply_add(v40, v47);
-                let v50 = k16.multiply_add(v35, v49);
-                (v43, v50)
-            };
-            let v53 = prepared_1 * v51;
-            let v54 = v5 * v5;
-            let v55 = v7 * v0;
-            let v56 = v55 * v54;
-            let v57 = v56 / v3;
-            let v58 = prepared_1.multiply_add(v5, v57);
-            let v59 = prepared_0 * v52;
-            image[0][0] = v8;
-            image[1][0] = v53;
-            matrix[0][0][0][0] = k2;
-            matrix[0][0][1][0] = v58;
-            matrix[1][0][0][0] = v59;
-            matrix[1][0][1][0] = k2;
-        }
-        #[inline(always)]
-        fn drift(prepared: &[R; 2], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn drift(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
         }

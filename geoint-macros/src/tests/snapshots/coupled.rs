@@ -21,7 +21,7 @@ Conserved by the flow
 
 Discrete gradients
 - `DiscreteGradient` keeps all of that, to rounding
-- `MeanValue` is exact with 2 Gauss points
+- `MeanValue::<2>` is exact: Gauss points for a polynomial
 
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 7
@@ -59,7 +59,7 @@ struct Coupled;
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
         State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
@@ -68,7 +68,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` is exact with 2 Gauss points\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             Hamiltonian::energy(self, state)
@@ -174,33 +174,20 @@ const _: () = {
     }
     impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
     impl<R: Real> DiscreteField<R> for Coupled {
-        type Parameters = [R; 6];
-        type Start = [R; 10];
+        type Parameters = [R; 0];
+        type Start = [R; 8];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            2,
-        );
+        const MEAN: Mean = Mean::Gauss(2);
         #[inline]
-        fn parameters(&self, h: R) -> [R; 6] {
-            let k0 = R::from_f64(0.5);
-            let k1 = R::from_f64(-0.5);
-            let k2 = R::from_f64(1.0);
-            let v0 = k0 * h;
-            let v1 = -v0;
-            let v2 = -h;
-            let v3 = k1.multiply_add(h, k2);
-            let v4 = k0.multiply_add(h, k2);
-            [v0, h, v1, v2, v3, v4]
+        fn parameters(&self, h: R) -> [R; 0] {
+            []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 6], t: R, y: &[[R; 2]; 2]) -> [R; 10] {
+        fn begin(prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
             let q0 = y[0][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
             let p0 = y[1][0];
-            let prepared_2 = prepared[2];
-            let prepared_1 = prepared[1];
-            let prepared_0 = prepared[0];
             let q1 = y[0][1];
             let p1 = y[1][1];
             let v0 = q0 * q0;
@@ -208,15 +195,12 @@ const _: () = {
             let v2 = k2 * p0;
             let v3 = p0 * p0;
             let v4 = k2 * q0;
-            let v5 = prepared_2 * v0;
-            let v6 = v5 - prepared_1;
-            let v7 = prepared_0 * v3;
-            [v1, q0, v2, q1, v3, p0, v4, p1, v6, v7]
+            [v1, q0, v2, q1, v3, p0, v4, p1]
         }
         #[inline(always)]
         fn slope(
-            prepared: &[R; 6],
-            start: &[R; 10],
+            prepared: &[R; 0],
+            start: &[R; 8],
             d: &[[R; 2]; 2],
             f: &mut [[R; 2]; 2],
             jacobian: &mut Square<[[R; 2]; 2]>,
@@ -282,83 +266,7 @@ const _: () = {
             jacobian[1][1][1][1] = k15;
         }
         #[inline(always)]
-        fn equation(
-            _: (&Self::Constants, R),
-            prepared: &[R; 6],
-            start: &[R; 10],
-            d: &[[R; 2]; 2],
-            image: &mut [[R; 2]; 2],
-            matrix: &mut Square<[[R; 2]; 2]>,
-        ) {
-            let start_1 = start[1];
-            let dq0 = d[0][0];
-            let k2 = R::from_f64(1.0);
-            let start_0 = start[0];
-            let start_2 = start[2];
-            let dp0 = d[1][0];
-            let prepared_0 = prepared[0];
-            let k7 = R::from_f64(0.5);
-            let dq1 = d[0][1];
-            let start_3 = start[3];
-            let prepared_1 = prepared[1];
-            let start_5 = start[5];
-            let start_4 = start[4];
-            let start_6 = start[6];
-            let prepared_2 = prepared[2];
-            let dp1 = d[1][1];
-            let start_7 = start[7];
-            let prepared_3 = prepared[3];
-            let start_8 = start[8];
-            let start_9 = start[9];
-            let k20 = R::from_f64(0.0);
-            let prepared_4 = prepared[4];
-            let prepared_5 = prepared[5];
-            let v0 = start_1 + dq0;
-            let v1 = v0 * v0;
-            let v2 = k2 + v1;
-            let v3 = start_0 + v2;
-            let v4 = start_2 + dp0;
-            let v5 = prepared_0 * v4;
-            let v6 = v5 * v3;
-            let v7 = k7.multiply_add(dq1, start_3);
-            let v8 = prepared_1 * v7;
-            let v9 = start_5 + dp0;
-            let v10 = v9 * v9;
-            let v11 = start_4 + v10;
-            let v12 = start_6 + dq0;
-            let v13 = prepared_2 * v12;
-            let v14 = v13 * v11;
-            let v15 = k7.multiply_add(dp1, start_7);
-            let v16 = prepared_3 * v15;
-            let v17 = prepared_3 * v0;
-            let v18 = v17.multiply_add(v4, k2);
-            let v19 = prepared_2.multiply_add(v1, start_8);
-            let v20 = prepared_0.multiply_add(v10, start_9);
-            let v21 = prepared_1 * v9;
-            let v22 = v21.multiply_add(v12, k2);
-            image[0][0] = v6;
-            image[0][1] = v8;
-            image[1][0] = v14;
-            image[1][1] = v16;
-            matrix[0][0][0][0] = v18;
-            matrix[0][0][0][1] = k20;
-            matrix[0][0][1][0] = v19;
-            matrix[0][0][1][1] = k20;
-            matrix[0][1][0][0] = k20;
-            matrix[0][1][0][1] = prepared_4;
-            matrix[0][1][1][0] = k20;
-            matrix[0][1][1][1] = k20;
-            matrix[1][0][0][0] = v20;
-            matrix[1][0][0][1] = k20;
-            matrix[1][0][1][0] = v22;
-            matrix[1][0][1][1] = k20;
-            matrix[1][1][0][0] = k20;
-            matrix[1][1][0][1] = k20;
-            matrix[1][1][1][0] = k20;
-            matrix[1][1][1][1] = prepared_5;
-        }
-        #[inline(always)]
-        fn drift(prepared: &[R; 6], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn drift(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut drift = <[[R; 2]; 2] as Array>::zero();
             drift
         }

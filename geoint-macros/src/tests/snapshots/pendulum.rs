@@ -72,7 +72,7 @@ pub struct Pendulum<R = f64> {
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Method, QuadraticKinetic, Real, Separable, Square,
+        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
         State, is_positive_semidefinite, slope,
     };
     const _: fn() = || {
@@ -220,9 +220,7 @@ const _: () = {
         type Parameters = [R; 4];
         type Start = [R; 1];
         const LINEAR: bool = false;
-        const MEAN_POINTS: ::core::option::Option<usize> = ::core::option::Option::Some(
-            0,
-        );
+        const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 4] {
             let a1 = self.l;
