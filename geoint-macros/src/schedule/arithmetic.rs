@@ -141,12 +141,12 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     // ------------------------------------------------------------------------------------------------------ powers
 
-    pub(super) fn find_reciprocals(&mut self, roots: &[Id]) {
+    pub(super) fn find_reciprocals(&mut self, reachable: &[Id]) {
         let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
-        for id in self.graph.reachable(roots) {
-            match *self.graph.node(id) {
+        for id in reachable {
+            match *self.graph.node(*id) {
                 Node::Power(base, exponent)
-                    if exponent.numerator < 0 && self.levels.of(self.graph, id) == Some(self.level) =>
+                    if exponent.numerator < 0 && self.levels.of(self.graph, *id) == Some(self.level) =>
                 {
                     exponents.entry(base).or_default().push(exponent);
                 }
