@@ -40,6 +40,7 @@ pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
             Refusal::NotConverged { iterations, .. } => format!("no convergence in {iterations} iterations"),
             Refusal::Singular => "no unique solution".into(),
             Refusal::SingularDirection => "an increment orthogonal to its direction".into(),
+            Refusal::OutsideDomain { what } => what.into(),
         })?;
     }
     Ok(looks.0)

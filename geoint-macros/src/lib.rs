@@ -148,3 +148,10 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()
 }
+
+/// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.
+#[doc(hidden)]
+#[proc_macro]
+pub fn most_unknowns(_: TokenStream) -> TokenStream {
+    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(emit::MOST_UNKNOWNS)).into()
+}

@@ -224,13 +224,16 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// Why a step is refused: once more, watched.
     #[cold]
     fn reason(&self, h: f64) -> Reason {
-        let mut watch = Watch { system: &self.system, found: None };
+        let mut watch = Watch::new(&self.system, self.t, &self.x);
         let outcome = self.attempt(&mut prepare(&self.system, &self.method, h), &mut watch);
-        match (outcome, watch.found) {
-            (Ok((_, error)), _) => Reason::Inaccurate { error },
-            (Err(_), Some(Found::OutsideDomain(what))) => Reason::OutsideDomain { what },
-            (Err(_), Some(Found::Pole(piece))) => Reason::Pole { piece },
-            (Err(reason), None) => reason,
+        match outcome {
+            Ok((_, error)) => Reason::Inaccurate { error },
+            Err(reason @ Reason::OutsideDomain { .. }) => reason,
+            Err(reason) => match watch.reason(None) {
+                Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
+                Some(Found::Pole(piece)) => Reason::Pole { piece },
+                None => reason,
+            },
         }
     }
 

@@ -40,6 +40,24 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
         }
     }
 
+    /// self ← x, entry by entry: `self` may then stay in registers although `x` is in memory.
+    #[inline(always)]
+    fn copy_from(&mut self, x: &Self) {
+        for (y, x) in self.as_mut_slice().iter_mut().zip(x.as_slice()) {
+            *y = *x;
+        }
+    }
+
+    /// Zeros to which something is to be added: −0 + x is x, which the optimiser cannot say of 0 + x.
+    #[inline(always)]
+    fn nothing() -> Self {
+        let mut nothing = Self::zero();
+        for x in nothing.as_mut_slice() {
+            *x = -*x;
+        }
+        nothing
+    }
+
     /// Whether every entry is a finite number.
     #[inline(always)]
     fn is_finite(&self) -> bool {

@@ -48,8 +48,9 @@ impl<const K: usize> Composition<K> {
 /// A symmetric map of order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
-    note = "maps to compose: `StormerVerlet`, `PositionVerlet`, `ImplicitMidpoint`, `DiscreteGradient`; of contact systems \
-            `ContactSplitting`, `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for quadratic fields: `Kahan`",
+    note = "maps for every energy: `ImplicitMidpoint`, `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`, `ItohAbePair`",
+    note = "maps for contact systems: `ContactSplitting`, `ContactLeapfrog`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait SymmetricMap: Copy {
     /// The composed method.

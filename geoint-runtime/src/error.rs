@@ -23,7 +23,7 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// A stage of the step left the domain of a function in the energy.
+    /// A stage of the step left the domain of a function in the energy, or a pole of it is between the ends of the step.
     OutsideDomain {
         /// Time of the last good state.
         t: f64,
@@ -84,7 +84,7 @@ pub enum Reason {
         /// The estimate, in units of what is tolerated.
         error: f64,
     },
-    /// It looks at the energy where that is not defined.
+    /// It looks at the energy where that is not defined, or from both sides of a pole.
     OutsideDomain {
         /// The function and the term.
         what: &'static str,
@@ -110,6 +110,7 @@ impl From<Refusal> for Reason {
             Refusal::Singular => Reason::Singular,
             Refusal::SingularDirection => Reason::SingularDirection,
             Refusal::NotConverged { .. } => Reason::NotConverged,
+            Refusal::OutsideDomain { what } => Reason::OutsideDomain { what },
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::array::{Array, Square};
 use crate::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, check_end};
 use crate::newton::Newton;
 use crate::point::{Plain, Point, Summation};
 use crate::real::Real;
@@ -25,7 +25,8 @@ pub struct ImplicitMidpoint;
 
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, Y, R, const S: usize> {
+pub struct Prepared<E, P, Y, R, const S: usize> {
+    energy: E,
     system: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
@@ -43,7 +44,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y::Constants, Y::Unknown, R, S>;
+    type Prepared = Prepared<Y, Y::Constants, Y::Unknown, R, S>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
@@ -61,6 +62,7 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
+            energy: *system,
             system: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
@@ -78,22 +80,23 @@ where
         x: &mut Point<Y::Array, C>,
         probe: &mut P,
     ) -> Result<(), Refusal> {
-        let Prepared { system, h, coupling, nodes, weights, increments, newton } = prepared;
+        let Prepared { energy, system, h, coupling, nodes, weights, increments, newton } = prepared;
         let zero = Y::Unknown::zero();
         let (y0, changed) = Y::start(&x.q, &x.p);
         let velocity = Y::velocity(system, &changed);
         probe.visit(t, &x.q, &x.p);
 
         // The stages as if y' were constant.
-        let explicit = || {
+        let (system, nodes) = (*system, *nodes);
+        let explicit = move || {
             let (mut rate, mut slope) = (velocity, Y::Unknown::fill(zero));
             if Y::DERIVATIVE == 1 {
-                Y::field(system, t, &y0, &mut rate, &mut slope);
+                Y::field(&system, t, &y0, &mut rate, &mut slope);
             }
             core::array::from_fn(|i| {
                 let (mut y, mut f) = (y0, zero);
                 y.add_scaled(nodes[i], &rate);
-                Y::field(system, t + nodes[i], &y, &mut f, &mut slope);
+                Y::field(&system, t + nodes[i], &y, &mut f, &mut slope);
                 f
             })
         };
@@ -107,7 +110,7 @@ where
             let (mut change, mut f) = (zero, zero);
             change.add_scaled(nodes[i], &velocity);
             for j in 0..S {
-                Y::add(system, coupling[i][j], &k[j], &mut change);
+                Y::add(&system, coupling[i][j], &k[j], &mut change);
             }
             let mut stage = Point::<Y::Array, Plain>::new(point.q, point.p);
             let [dq, dp] = Y::increments(&change, &zero);
@@ -115,13 +118,15 @@ where
             probe.visit(t + nodes[i], &stage.q, &stage.p);
             let mut y = y0;
             y.add_scaled(R::from_f64(1.0), &change);
-            Y::field(system, t + nodes[i], &y, &mut f, slope);
+            Y::field(&system, t + nodes[i], &y, &mut f, slope);
             f
         };
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {
             core::array::from_fn(|i| look(probe, i, k, &mut Y::Unknown::fill(zero)))
         };
-        let (k, _) = newton.solve(&[visible; S], explicit, probe, image, |probe, k, derivative| {
+        // −2p/h turns p round in the middle of the step.
+        let still = P::PATIENT.then_some(if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 });
+        let (k, _) = newton.solve((&[visible; S], still), explicit, probe, image, |probe, k, derivative| {
             let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(derivative);
             core::array::from_fn(|i| {
                 // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
@@ -131,8 +136,9 @@ where
                     let row = &mut rows[i * Y::Unknown::LEN + r];
                     for j in 0..S {
                         row[j] = zero;
-                        Y::add(system, coupling[i][j], slope_row, &mut row[j]);
+                        Y::add(&system, -coupling[i][j], slope_row, &mut row[j]);
                     }
+                    row[i].as_mut_slice()[r] += R::from_f64(1.0);
                 }
                 f
             })
@@ -141,12 +147,13 @@ where
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {
-            Y::add(system, increments[i], &k[i], &mut change);
+            Y::add(&system, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
+        let (q, p) = (x.q, x.p);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        Ok(())
+        check_end(energy, [t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()])
     }
 }
 

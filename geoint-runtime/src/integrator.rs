@@ -1,8 +1,8 @@
 //! A system under a method: the object that users step.
 
+use crate::contact::Conformal;
 use crate::error::StepError;
 use crate::method::{Clock, Found, Method, Probe, Refusal, Watch};
-use crate::contact::Conformal;
 use crate::point::{Compensated, Plain, Point, Summation, WithoutAction};
 use crate::real::{Real, zero};
 use crate::state::{Action, Coordinates};
@@ -80,7 +80,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     fn creep(&mut self, steps: u64) -> Result<(), StepError> {
         for _ in 0..steps {
             let (mut prepared, mut x) = (self.prepared, self.x);
-            let mut watch = Watch { system: &self.system, found: None };
+            let mut watch = Watch::new(&self.system, self.time(), &self.x);
             let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
             if outcome.is_ok() && self.is_good(1, &x) {
                 self.accept(1, prepared, x);
@@ -88,10 +88,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             }
             watch.look(self.clock().at(1), &x.q, &x.p, &x.s);
             let t = real(self.time());
-            return Err(match (outcome, watch.found) {
+            return Err(match (outcome, watch.reason(outcome.err())) {
                 (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
                 (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
-                (Ok(()), None) => StepError::NonFinite { t },
+                (Ok(()) | Err(Refusal::OutsideDomain { .. }), None) => StepError::NonFinite { t },
                 (Err(Refusal::Singular), None) => StepError::Singular { t },
                 (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
                 (Err(Refusal::NotConverged { iterations, correction }), None) => {

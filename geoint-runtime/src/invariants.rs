@@ -43,8 +43,9 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     fn changes(&self, system: &S, [q, p]: &[S::Array; 2], [dq, dp]: &[S::Array; 2]) -> R {
         let ((y, mut changed), (d, change)) = (S::start(q, p), S::start(dq, dp));
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        let start = S::begin(&system.parameters(), zero(), &y);
-        S::slope(&system.parameters(), &start, &d, &mut f, &mut jacobian);
+        let parameters = system.parameters(zero());
+        let start = S::begin(&parameters, zero(), &y);
+        S::slope(&parameters, &start, &d, &mut f, &mut jacobian);
         if S::DERIVATIVE == 1 {
             // f̄ = J∇̄H: the rates of q and of p.
             let (rate_q, rate_p) = f.as_slice().split_at(S::Array::LEN);

@@ -55,6 +55,7 @@ pub mod error;
 pub mod point;
 pub mod method;
 pub mod system;
+mod damped;
 mod damping;
 mod linear;
 mod newton;
@@ -131,9 +132,9 @@ pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian,
-        ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PhaseSpace,
-        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
+        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
+        PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
         SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

@@ -5,7 +5,7 @@ use crate::real::Real;
 
 /// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
 ///
-/// Returns whether the determinant is positive; `None` if a pivot vanishes or is not a number.
+/// Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<bool> {
     let n = A::LEN;
@@ -15,7 +15,8 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<boo
         // Cramer's rule: one division in place of two that wait for each other.
         let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
         let determinant = a * d - b0 * c;
-        if determinant.magnitude() == 0.0 || determinant.magnitude().is_nan() {
+        let size = determinant.magnitude();
+        if size == 0.0 || !size.is_finite() {
             return None;
         }
         let reciprocal = A::Real::from_f64(1.0) / determinant;
@@ -36,7 +37,7 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<boo
         let (upper, lower) = rows.split_at_mut(k + 1);
         let top = upper[k].as_mut_slice();
         let pivot = top[k].magnitude();
-        if pivot == 0.0 || pivot.is_nan() {
+        if pivot == 0.0 || !pivot.is_finite() {
             return None;
         }
         positive ^= top[k].any_below(0.0);

@@ -94,10 +94,41 @@ pub enum Refusal {
     Singular,
     /// An increment is orthogonal to the direction along which it is to change the energy.
     SingularDirection,
+    /// The energy is not defined, or has a pole, on the way.
+    OutsideDomain {
+        /// The function and the term.
+        what: &'static str,
+    },
+}
+
+impl Refusal {
+    /// Nothing wrong if nothing was found.
+    #[inline(always)]
+    pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
+        found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))
+    }
+}
+
+/// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at
+/// it in between only.
+#[inline(always)]
+pub(crate) fn check_end<S: PhaseSpace<R>, R: Real>(
+    system: &S,
+    t: [R; 2],
+    q: [&S::Array; 2],
+    p: [&S::Array; 2],
+    s: [&S::Action; 2],
+) -> Result<(), Refusal> {
+    Refusal::outside(system.outside_domain(t[1], q[1], p[1], s[1]))?;
+    Refusal::outside(system.pole_between(t, q, p, s))
 }
 
 /// Sees every point at which a step looks at the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
+    /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
+    /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
+    const PATIENT: bool = true;
+
     /// The energy is about to be looked at here.
     fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
 
@@ -122,27 +153,54 @@ pub trait Probe<S: PhaseSpace<R>, R: Real> {
 pub struct Unwatched;
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
+    const PATIENT: bool = false;
+
     #[inline(always)]
     fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Remembers the first point outside the domain of the energy, or the first flow that ended before it was through.
-pub(crate) struct Watch<'a, S> {
-    pub(crate) system: &'a S,
-    pub(crate) found: Option<Found>,
+/// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
+/// that ended before it was through.
+pub(crate) struct Watch<'a, S, X> {
+    system: &'a S,
+    start: X,
+    found: Option<Found>,
 }
 
 /// What a watch has seen first.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Found {
+    /// The energy is not defined.
     OutsideDomain(&'static str),
+    /// The flow of this piece ends.
     Pole(&'static str),
 }
 
-impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S> {
+/// Where a step starts: its time, and q, p, s.
+type Start<S, R> = (R, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+
+impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
+    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
+        Watch { system, start: (t, x.q, x.p, x.s), found: None }
+    }
+}
+
+impl<S, X> Watch<'_, S, X> {
+    /// What explains best why a step was refused.
+    pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
+        match refusal {
+            Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
+            _ => self.found,
+        }
+    }
+}
+
+impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
         if self.found.is_none() {
-            self.found = self.system.outside_domain(t, q, p, s).map(Found::OutsideDomain);
+            let (t0, q0, p0, s0) = &self.start;
+            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p], [s0, s]);
+            self.found = self.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
         }
     }
 

@@ -17,6 +17,8 @@ pub trait Summation<A: Array>: Copy + Debug {
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
     /// Digits that the last increment has lost, for the next addition.
     fn owe(&mut self, lost: &A);
+    /// What the sum is too small by.
+    fn carry(&self) -> A;
 }
 
 /// Every addition is rounded.
@@ -34,6 +36,10 @@ impl<A: Array> Summation<A> for Plain {
     }
     #[inline(always)]
     fn owe(&mut self, _: &A) {}
+    #[inline(always)]
+    fn carry(&self) -> A {
+        A::zero()
+    }
 }
 
 /// Every addition is rounded, and the action of a contact system is not followed.
@@ -52,6 +58,10 @@ impl<A: Array> Summation<A> for WithoutAction {
     }
     #[inline(always)]
     fn owe(&mut self, _: &A) {}
+    #[inline(always)]
+    fn carry(&self) -> A {
+        A::zero()
+    }
 }
 
 /// What an addition rounds off is carried to the next one: sums of many small increments grow errors of a single rounding.
@@ -59,13 +69,6 @@ impl<A: Array> Summation<A> for WithoutAction {
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<A> {
     carry: A,
-}
-
-impl<A: Array> Compensated<A> {
-    /// What the sum is too small by.
-    pub(crate) fn carry(&self) -> A {
-        self.carry
-    }
 }
 
 impl<A: Array> Summation<A> for Compensated<A> {
@@ -76,12 +79,13 @@ impl<A: Array> Summation<A> for Compensated<A> {
     #[inline(always)]
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
         // Acting on zero, the flow gives the increment.
-        let mut increment = A::zero();
+        let mut increment = A::nothing();
         flow(&mut increment);
         let carry = self.carry.as_mut_slice();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
-            // Both roundings are kept: an increment has more digits than fit beside the carry.
-            let (change, first) = exact_sum(increment.as_slice()[i], carry[i]);
+            // Both roundings are kept: an increment has more digits than fit beside the carry. Should it be the smaller one, the
+            // error of the first is lost, which is a rounding of the carry.
+            let (change, first) = sum_with_small(increment.as_slice()[i], carry[i]);
             let (sum, second) = exact_sum(*x, change);
             carry[i] = first + second;
             *x = sum;
@@ -91,11 +95,22 @@ impl<A: Array> Summation<A> for Compensated<A> {
     fn owe(&mut self, lost: &A) {
         self.carry.add_scaled(A::Real::from_f64(1.0), lost);
     }
+    #[inline(always)]
+    fn carry(&self) -> A {
+        self.carry
+    }
+}
+
+/// a + b and its rounding error, if |b| ≤ |a|. T. J. Dekker, Numer. Math. 18 (1971) 224.
+#[inline(always)]
+fn sum_with_small<R: Real>(a: R, b: R) -> (R, R) {
+    let sum = a + b;
+    (sum, b - (sum - a))
 }
 
 /// a + b and its rounding error.
 #[inline(always)]
-fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
+pub(crate) fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     let added = sum - a;
     (sum, (a - (sum - added)) + (b - added))

@@ -7,8 +7,9 @@ use crate::real::Real;
 /// nothing to do for a second Newton iteration.
 const POINTS: usize = 9;
 
-/// (−1)ʲ (9 choose j + 1), j = 0 … 8: the ninth difference of the sequence is zero.
-const WEIGHTS: [f64; POINTS] = [9.0, -36.0, 84.0, -126.0, 126.0, -84.0, 36.0, -9.0, 1.0];
+/// (−1)ʲ (9 choose j + 1), j = 0 … 3; those of j = 4 … 7 are their opposites, and the last is 1: the ninth difference of the
+/// sequence is zero.
+const WEIGHTS: [f64; 4] = [9.0, -36.0, 84.0, -126.0];
 
 /// Extrapolates a smooth sequence by a polynomial through its last terms.
 #[derive(Clone, Copy, Debug)]
@@ -23,13 +24,18 @@ impl<A: Array> Predictor<A> {
         Predictor { terms: [A::zero(); POINTS], started: false }
     }
 
-    /// The next term, from the oldest on: only one product and one sum wait for the latest term.
+    /// The next term: only one product and one sum wait for the latest one. Other terms of opposite weights are one product.
     #[inline(always)]
     pub(crate) fn predict(&self) -> A {
-        let mut sum = A::zero();
-        for j in (0..POINTS).rev() {
-            sum.add_scaled(A::Real::from_f64(WEIGHTS[j]), &self.terms[j]);
+        let [latest, inner @ .., before, oldest] = &self.terms;
+        let mut sum = *oldest;
+        sum.add_scaled(A::Real::from_f64(-WEIGHTS[0]), before);
+        for j in (0..3).rev() {
+            let mut pair = inner[j];
+            pair.add_scaled(A::Real::from_f64(-1.0), &inner[5 - j]);
+            sum.add_scaled(A::Real::from_f64(WEIGHTS[j + 1]), &pair);
         }
+        sum.add_scaled(A::Real::from_f64(WEIGHTS[0]), latest);
         sum
     }
 

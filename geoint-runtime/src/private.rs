@@ -3,8 +3,8 @@
 pub use crate::adaptive::Adaptive;
 pub use crate::array::{Array, Square};
 pub use crate::contact::{
-    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient, ContactMidpoint,
-    ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
+    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient,
+    ContactMidpoint, ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
 };
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;

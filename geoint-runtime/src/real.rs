@@ -178,7 +178,7 @@ macro_rules! floats {
 }
 
 floats! {
-    f64, f64::abs, |t0: f64, n: u64, h: f64| t0 + n as f64 * h, {
+    f64, f64::abs, |t0: f64, n: u64, h: f64| t0 + n as i64 as f64 * h, {
         sqrt() = sqrt, cbrt() = cbrt, hypot(y) = hypot,
         sin() = sin, cos() = cos, tan() = tan, asin() = asin, acos() = acos, atan() = atan, atan2(x) = atan2,
         sinh() = sinh, cosh() = cosh, tanh() = tanh, asinh() = asinh, acosh() = acosh, atanh() = atanh,

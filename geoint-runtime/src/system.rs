@@ -25,6 +25,21 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> Option<&'static str>;
 
+    /// The first pole of H, if any, between two points, each with its time: what H divides by, or takes a logarithm of, is zero
+    /// there and has another sign at the second point than at the first.
+    ///
+    /// A step that looks at H on both sides only would not notice. Implicit methods ask before they take one.
+    #[inline(always)]
+    fn pole_between(
+        &self,
+        _t: [R; 2],
+        _q: [&Self::Array; 2],
+        _p: [&Self::Array; 2],
+        _s: [&Self::Action; 2],
+    ) -> Option<&'static str> {
+        None
+    }
+
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
         let (t, q, p, s) = Self::Action::parts(*state);
@@ -71,6 +86,19 @@ pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
         for slope in dp.as_mut_slice() {
             *slope = -*slope;
         }
+    }
+
+    /// The same as [`pole_between`](PhaseSpace::pole_between) of poles that divided differences do not notice either: 1/q has none across
+    /// its pole, but 1/|q| has.
+    #[inline(always)]
+    fn hidden_pole_between(
+        &self,
+        _t: [R; 2],
+        _q: [&Self::Array; 2],
+        _p: [&Self::Array; 2],
+        _s: [&(); 2],
+    ) -> Option<&'static str> {
+        None
     }
 
     /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
@@ -199,7 +227,7 @@ pub enum Mean {
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {
-    /// What depends on parameters only.
+    /// What depends on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.
     type Start: Copy + core::fmt::Debug;
@@ -208,8 +236,8 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     /// How the mean of ∇H along the line from y to y + d is had.
     const MEAN: Mean = Mean::NotClosed;
 
-    /// What depends on parameters only.
-    fn parameters(&self) -> Self::Parameters;
+    /// What depends on parameters and h only. f̄ does not depend on h.
+    fn parameters(&self, h: R) -> Self::Parameters;
     /// What all evaluations from `y` have in common.
     fn begin(parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
     /// f̄ and ∂f̄/∂d.
@@ -220,4 +248,29 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
         f: &mut Self::Unknown,
         jacobian: &mut Square<Self::Unknown>,
     );
+    /// h·f̄, and 1 − ∂(h·f̄)/∂(impulse) for d = impulse, or d = h ∂T/∂p(p + impulse/2).
+    ///
+    /// A kernel of few unknowns is written with h and masses in its constants instead.
+    #[inline(always)]
+    fn equation(
+        (constants, h): (&Self::Constants, R),
+        parameters: &Self::Parameters,
+        start: &Self::Start,
+        d: &Self::Unknown,
+        image: &mut Self::Unknown,
+        matrix: &mut Square<Self::Unknown>,
+    ) {
+        Self::slope(parameters, start, d, image, matrix);
+        for f in image.as_mut_slice() {
+            *f = h * *f;
+        }
+        let w = if Self::DERIVATIVE == 1 { h } else { R::from_f64(0.5) * h * h };
+        for (i, row) in Self::Unknown::entries::<Self::Unknown>(matrix).iter_mut().enumerate() {
+            let slope = core::mem::replace(row, Self::Unknown::nothing());
+            Self::add(constants, -w, &slope, row);
+            row.as_mut_slice()[i] += R::from_f64(1.0);
+        }
+    }
+    /// h ∂T/∂p, if T is quadratic.
+    fn drift(parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
 }

@@ -125,7 +125,8 @@ where
     D: DiscreteField<Dual>,
 {
     let y = &[q, p].concat()[..S::Unknown::LEN];
-    let parameters = plain.parameters();
+    let h = 0.3;
+    let parameters = plain.parameters(h);
     let start = S::begin(&parameters, t, &array(y));
     let at = |size: f64, noise: &mut Noise| {
         let increment: Vec<f64> = noise.take(y.len()).map(|x| size * x).collect();
@@ -135,7 +136,7 @@ where
         (increment, rows.flat_map(|row| row.as_slice().to_vec()).collect::<Vec<f64>>())
     };
     let (increment, rows) = at(0.1, noise);
-    let parameters = dual.parameters();
+    let parameters = dual.parameters(h.into());
     let start = D::begin(&parameters, t.into(), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
@@ -144,11 +145,48 @@ where
             assert_near("the Jacobian between two points", rows[row * y.len() + column], f.derivative(), 1e-12);
         }
     }
+    check_equation::<S, D>((plain, dual), h, (t, q, p), &increment);
     // Where both ends meet there is no 0/0 and no jump.
     let (_, met) = at(0.0, noise);
     let (_, near) = at(1e-9, noise);
     for (met, near) in met.iter().zip(&near) {
         assert_near("the Jacobian where both ends meet", *met, *near, 1e-7);
+    }
+}
+
+/// The equation of a step: h·f̄ from f̄, and Newton's matrix by derivatives with respect to the impulse.
+fn check_equation<S, D>((plain, dual): (&S, &D), h: f64, (t, q, p): (f64, &[f64], &[f64]), impulse: &[f64])
+where
+    S: DiscreteField<f64>,
+    D: DiscreteField<Dual>,
+{
+    let y = &[q, p].concat()[..S::Unknown::LEN];
+    let (parameters, exact) = (plain.parameters(h), dual.parameters(h.into()));
+    let mean: Vec<f64> = p.iter().zip(impulse).map(|(p, impulse)| p + 0.5 * impulse).collect();
+    let first_order = S::DERIVATIVE == 1;
+    let d: S::Unknown = if first_order { array(impulse) } else { S::drift(&parameters, &array(&mean)) };
+    let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
+    let mut matrix = S::Unknown::fill(S::Unknown::zero());
+    let start = S::begin(&parameters, t, &array(y));
+    S::slope(&parameters, &start, &d, &mut f, &mut matrix);
+    S::equation((&plain.constants(), h), &parameters, &start, &d, &mut image, &mut matrix);
+    for (f, image) in f.as_slice().iter().zip(image.as_slice()) {
+        assert_near("h times the field between two points", *image, h * f, 1e-14);
+    }
+    let rows: Vec<f64> =
+        S::Unknown::entries::<S::Unknown>(&mut matrix).iter().flat_map(|row| row.as_slice().to_vec()).collect();
+    let start = D::begin(&exact, t.into(), &array(&seeded(y, usize::MAX)));
+    for column in 0..y.len() {
+        let seeds: Vec<Dual> = seeded(impulse, column);
+        let half = Dual::from(0.5);
+        let mean: Vec<Dual> = seeded(p, usize::MAX).into_iter().zip(&seeds).map(|(p, x)| p + half * *x).collect();
+        let d: D::Unknown = if first_order { array(&seeds) } else { D::drift(&exact, &array(&mean)) };
+        let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
+        D::slope(&exact, &start, &d, &mut f, &mut unused);
+        for (row, f) in f.as_slice().iter().enumerate() {
+            let expected = f64::from(u8::from(row == column)) - h * f.derivative();
+            assert_near("Newton's matrix", rows[row * y.len() + column], expected, 1e-12);
+        }
     }
 }
 

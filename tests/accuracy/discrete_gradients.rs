@@ -4,7 +4,7 @@
 //! references from an explicit solver of order 8 at a relative tolerance of 10⁻¹³.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::Method;
+use geoint_runtime::{Hamiltonian, Method, Reason};
 use geoint_tests::measure::{Noise, distance, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -228,8 +228,57 @@ fn coordinate_increments_in_the_plane() {
     let mut sim = Throw { m, g }.integrator(CoordinateIncrement::default(), h, top);
     assert_eq!(sim.step(), Err(StepError::SingularDirection { t: 0.0 }));
     assert_eq!(sim.state(), top);
+    // Shorter steps are not level, if shorter ones are allowed.
+    let adaptive = Throw { m, g }.adaptive(CoordinateIncrement::default(), 1e-2, top).first_step(h);
+    let mut sim = adaptive.steps_between(h, h);
+    let expected = Err(StepError::StepTooSmall { t: 0.0, h, reason: Reason::SingularDirection });
+    assert_eq!((sim.step(), sim.state()), (expected, top));
+    let mut sim = adaptive;
+    assert_eq!(sim.step(), Ok(()));
+    assert!(sim.rejections() > 0 && sim.time() < h);
     let mut sim = Throw { m, g }.integrator(Gonzalez, h, top);
     assert_eq!(sim.step(), Ok(()));
+}
+
+/// Of order 2 where H is separable and both directions are at midpoints; of one degree of freedom directions cancel.
+#[test]
+fn coordinate_increments_have_order_2_at_midpoints() {
+    fn check(name: &str, expected: f64, errors: [f64; 3]) {
+        for pair in errors.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            println!("{name}: order {order:.3}");
+            assert!((order - expected).abs() < 0.05, "{name}: {order:.3}, expected {expected}");
+        }
+    }
+    let with = |alpha, beta, gamma, delta| CoordinateIncrement { alpha, beta, gamma, delta };
+    // As long as force and velocity are not orthogonal.
+    let plane = |method| errors(method, State::new([0.3, 0.2], [0.35, 0.25]), 0.2, [0.02, 0.01, 0.005]);
+    check("midpoints", 2.0, plane(CoordinateIncrement::default()));
+    check("α, δ elsewhere", 2.0, plane(with(0.2, 0.5, 0.5, 0.9)));
+    check("β elsewhere", 1.0, plane(with(0.5, 1.0, 0.5, 0.5)));
+    check("γ elsewhere", 1.0, plane(with(0.5, 0.5, 0.0, 0.5)));
+
+    let line = |end: &dyn Fn(f64) -> Vec<f64>, exact: &[f64]| [0.02, 0.01, 0.005].map(|h| distance(&end(h), exact));
+    let start = (0.7, 0.4);
+    let pendulum = Pendulum::system::<f64>();
+    let lifted = State::new(Double::from(start.0), Double::from(start.1));
+    let exact = solution(&Pendulum::system::<Double>(), &lifted, 1.0.into(), 20);
+    let exact: Vec<f64> = exact.iter().map(|x| x.value()).collect();
+    let swing = |h| {
+        let mut sim = pendulum.integrator(with(0.1, 0.9, 0.0, 0.3), h, State::new(start.0, start.1));
+        flat(&sim.until(1.0).last().unwrap().unwrap())
+    };
+    check("one degree of freedom", 2.0, line(&swing, &exact));
+    // cosh √2 and sinh √2 of the saddle's matrix, whose square is 2.
+    let root = 2.0_f64.sqrt();
+    let (q, p) = start;
+    let (cosh, sinh) = (root.cosh(), root.sinh() / root);
+    let exact = [cosh * q + sinh * (q + p), cosh * p + sinh * (q - p)];
+    let leave = |h| {
+        let mut sim = Saddle.integrator(CoordinateIncrement::default(), h, State::new(start.0, start.1));
+        flat(&sim.until(1.0).last().unwrap().unwrap())
+    };
+    check("not separable", 1.0, line(&leave, &exact));
 }
 
 /// Kepler's ellipse with e = 0.6: all of them keep the energy, but only the tree discrete gradient keeps angular momentum. What

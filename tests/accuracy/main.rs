@@ -11,3 +11,5 @@ mod geometry;
 mod discrete_gradients;
 mod mean_value;
 mod clock;
+mod quotients;
+mod rigid_body;

@@ -44,9 +44,10 @@ where
 
 #[test]
 fn a_step_is_their_flow_but_for_the_fifth_order() {
-    for (name, [coarse, fine]) in
-        [("chain", [0.1, 0.05].map(|h| defect(Chain, Chain, h))), ("driven", [0.1, 0.05].map(|h| defect(Driven, Driven, h)))]
-    {
+    for (name, [coarse, fine]) in [
+        ("chain", [0.1, 0.05].map(|h| defect(Chain, Chain, h))),
+        ("driven", [0.1, 0.05].map(|h| defect(Driven, Driven, h))),
+    ] {
         let order = (coarse / fine).log2();
         assert!((order - 5.0).abs() < 0.3, "{name}: {coarse:.1e}, {fine:.1e}, order {order:.2}");
     }

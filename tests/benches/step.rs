@@ -21,8 +21,10 @@ use std::time::{Duration, Instant};
 const COMPARED: (u64, f64) = (1000, 1e-12);
 
 fn main() {
-    let by_hand: Vec<Pair> =
-        [pendulum(), kepler(), contact(), henon_heiles(), outer_solar_system(), double_pendulum()].into_iter().flatten().collect();
+    let by_hand: Vec<Pair> = [pendulum(), kepler(), contact(), henon_heiles(), outer_solar_system(), double_pendulum()]
+        .into_iter()
+        .flatten()
+        .collect();
     for pair in &by_hand {
         let (steps, bound) = COMPARED;
         let difference = pair.difference(steps);
@@ -113,7 +115,12 @@ fn pendulum() -> Vec<Pair> {
         Pair {
             name: "pendulum, DiscreteGradient".into(),
             subject: generated(pendulum_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| flat(hand().discrete_gradient(black_box(h), n, PENDULUM))),
+            unit: Box::new(move |n| flat(hand().discrete_gradient::<false>(black_box(h), n, PENDULUM))),
+        },
+        Pair {
+            name: "pendulum, DiscreteGradient, same sums".into(),
+            subject: generated(pendulum_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| flat(hand().discrete_gradient::<true>(black_box(h), n, PENDULUM))),
         },
     ]
 }
@@ -138,7 +145,12 @@ fn kepler() -> Vec<Pair> {
         Pair {
             name: "Kepler, DiscreteGradient".into(),
             subject: generated(kepler_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, KEPLER).to_vec()),
+            unit: Box::new(move |n| hand().discrete_gradient::<false>(black_box(h), n, KEPLER).to_vec()),
+        },
+        Pair {
+            name: "Kepler, DiscreteGradient, same sums".into(),
+            subject: generated(kepler_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<true>(black_box(h), n, KEPLER).to_vec()),
         },
     ]
 }
@@ -149,7 +161,8 @@ fn contact() -> Vec<Pair> {
     let start = ContactState::new([z[0], z[1]], [z[2], z[3]], z[4]);
     let driven = move || black_box(systems::DrivenKepler { mu: 1.0, alpha, omega: std::f64::consts::TAU });
     let damped = move || black_box(systems::DampedKepler { mu: 1.0, alpha });
-    let hand = move || black_box(by_hand::perturbed_kepler::PerturbedKepler { mu: 1.0, alpha, omega: std::f64::consts::TAU });
+    let hand =
+        move || black_box(by_hand::perturbed_kepler::PerturbedKepler { mu: 1.0, alpha, omega: std::f64::consts::TAU });
     vec![
         Pair {
             name: "driven Kepler, ContactSplitting".into(),
@@ -231,7 +244,12 @@ fn henon_heiles() -> Vec<Pair> {
         Pair {
             name: "Hénon–Heiles, DiscreteGradient".into(),
             subject: generated(henon_heiles_system(), DiscreteGradient, h, start),
-            unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, HENON_HEILES).to_vec()),
+            unit: Box::new(move |n| hand().discrete_gradient::<false>(black_box(h), n, HENON_HEILES).to_vec()),
+        },
+        Pair {
+            name: "Hénon–Heiles, DiscreteGradient, same sums".into(),
+            subject: generated(henon_heiles_system(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<true>(black_box(h), n, HENON_HEILES).to_vec()),
         },
     ]
 }

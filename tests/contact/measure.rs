@@ -31,7 +31,13 @@ pub(crate) fn field<R: Scalar, S: Contact<R>>(system: &S, t: R, x: &[R]) -> Vec<
     let (p, dq, dp) = (p.as_slice(), dq.as_slice(), dp.as_slice());
     let power = p.iter().zip(dp).fold(R::from_f64(0.0), |sum, (p, rate)| sum + *p * *rate);
     let forces = p.iter().zip(dq).map(|(p, slope)| -*slope - *p * ds);
-    let action = power - system.hamiltonian(t, &S::Coordinates::into_array(state::<S::Coordinates>(t, x).q), &state::<S::Coordinates>(t, x).p.into_array(), &s);
+    let action = power
+        - system.hamiltonian(
+            t,
+            &S::Coordinates::into_array(state::<S::Coordinates>(t, x).q),
+            &state::<S::Coordinates>(t, x).p.into_array(),
+            &s,
+        );
     dp.iter().copied().chain(forces).chain([action]).collect()
 }
 

@@ -234,7 +234,8 @@ fn modified_energies() {
                 if let Some(x) = x.get_mut(j) {
                     *x = Dual::variable(x.value());
                 }
-                let state = crate::measure::state::<<P::Over<Dual> as PhaseSpace<Dual>>::Coordinates>(Dual::from(now), &x);
+                let state =
+                    crate::measure::state::<<P::Over<Dual> as PhaseSpace<Dual>>::Coordinates>(Dual::from(now), &x);
                 ModifiedEnergy::modified_energy(&system, Dual::from(h), &state)
             };
             let n = x.len() / 2;

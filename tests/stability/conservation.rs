@@ -1,7 +1,7 @@
 //! Long runs: energy to rounding, energy within bounds, energy lost.
 
-use geoint_runtime::prelude::*;
 use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
 use geoint_tests::measure::{Line, distance, regression, solution};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;

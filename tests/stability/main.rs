@@ -4,5 +4,7 @@ mod conservation;
 mod damping;
 mod adaptive;
 mod refusals;
+mod poles;
+mod long_steps;
 mod rounding;
 mod trajectories;

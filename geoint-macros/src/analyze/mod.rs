@@ -11,6 +11,7 @@ mod equations;
 mod generators;
 mod momenta;
 mod mean_value;
+mod poles;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
@@ -19,6 +20,7 @@ use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
+pub(crate) use poles::{Pole, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.

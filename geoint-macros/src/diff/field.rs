@@ -26,6 +26,8 @@ pub(crate) struct Field {
 pub(crate) struct SecondOrder {
     /// ∂T/∂p.
     pub(crate) velocity: Vec<Id>,
+    /// M⁻¹.
+    pub(crate) inverse_mass: Vec<Vec<Id>>,
     /// M⁻¹p.
     pub(crate) acceleration: Vec<Id>,
 }
@@ -142,5 +144,5 @@ pub(crate) fn second_order(
         graph.sum(&terms)
     };
     let acceleration = inverse_mass.iter().map(row).collect();
-    Some(SecondOrder { velocity: gradient.p.clone(), acceleration })
+    Some(SecondOrder { velocity: gradient.p.clone(), inverse_mass, acceleration })
 }

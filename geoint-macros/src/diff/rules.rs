@@ -150,11 +150,8 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost => vec![one, g.zero()],
-        // x·eᶻ; its third argument is a function of z.
-        Function::Grown => {
-            let growth = g.call(Function::Exp, &[y]);
-            vec![growth, value, g.zero()]
-        }
+        // x + x·change, with change = eᶻ − 1.
+        Function::Grown => vec![g.call(Function::Grown, &[one, y, args[2]]), g.zero(), x],
         Function::Root => {
             let reciprocal = g.recip(value);
             vec![g.scale(Number::HALF, reciprocal)]

@@ -5,6 +5,7 @@
 
 mod contact;
 mod damping;
+mod domain;
 mod flows;
 mod implicit;
 mod kernel;
@@ -17,6 +18,7 @@ use crate::diff::Derivatives;
 use crate::ir::{Graph, Id};
 use crate::parse::Energy;
 pub(crate) use contact::contact_items;
+pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -41,7 +43,7 @@ pub(crate) fn items(
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let discrete = (&derivatives.discrete, &field.unknowns[..]);
+    let discrete = (&derivatives.discrete, &field.unknowns[..], derivatives.second_order.as_ref());
     let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, structure, &bounds);
     let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
 

@@ -1,15 +1,13 @@
-//! The struct, and what every system offers: its energy, its domain.
+//! The struct, and what every system offers: its energy, its gradient.
 
-use super::damping;
 use super::kernel::{Context, write};
-use crate::analyze::{self, Damping, Structure};
+use super::{damping, domain};
+use crate::analyze::Structure;
 use crate::diff::Derivatives;
-use crate::ir::op::Domain;
-use crate::ir::{Function, Graph, Id, Node, print::Printer};
+use crate::ir::{Function, Graph, Id, Node};
 use crate::parse::{Energy, Form, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-use std::collections::HashSet;
 
 /// The generated struct: a field a parameter.
 pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
@@ -114,7 +112,8 @@ pub(super) fn hamiltonian(
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
-    let outside = outside_domain(context, graph, structure.energy, structure.damping.as_ref());
+    let domain = domain::domain(context, graph, structure.energy, structure.damping.as_ref());
+    let hidden = domain::hidden(context, graph, structure.energy);
     let rate = damping::rate(context, graph, structure, &derivatives.field.f);
     let places = context.coordinates();
     let roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
@@ -141,9 +140,7 @@ pub(super) fn hamiltonian(
             fn hamiltonian(&self, t: R, q: &#array, p: &#array, _: &()) -> R {
                 #value
             }
-            fn outside_domain(&self, t: R, q: &#array, p: &#array, _: &()) -> ::core::option::Option<&'static str> {
-                #outside
-            }
+            #domain
         }
         impl<R: #bounds> Hamiltonian<R> for #name {
             #[inline]
@@ -151,6 +148,7 @@ pub(super) fn hamiltonian(
                 #slopes
             }
             #rate
+            #hidden
         }
     }
 }
@@ -180,101 +178,4 @@ pub(super) fn modified_energy(
             }
         }
     }
-}
-
-/// A condition under which a node is undefined, as a method call on an argument.
-struct Check {
-    argument: Id,
-    /// Tokens behind the argument.
-    test: TokenStream,
-    message: String,
-}
-
-/// The first condition that does not hold. A contact flow may begin where a function of time alone is singular: flows look after
-/// that themselves.
-pub(super) fn outside_domain(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    energy: Id,
-    damping: Option<&Damping>,
-) -> TokenStream {
-    let mut checks = checks(context, graph, energy);
-    if context.energy.form == Form::Contact {
-        checks.retain(|check| analyze::reads(graph, check.argument).state());
-    }
-    let mut matrix = vec![];
-    if let Some(damping) = damping {
-        let coefficients = damping::coefficients(context, graph, damping).into_iter();
-        let negative = quote!(.any_below(0.0));
-        checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
-        matrix = damping::open_matrix(graph, damping);
-    }
-    let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
-    context.routine(graph, &roots, |mut values| {
-        let matrix = damping::matrix_test(context, &values.split_off(checks.len()));
-        let tests = checks.iter().zip(values).map(|(Check { test, message, .. }, value)| {
-            quote!(if #value #test { return ::core::option::Option::Some(#message); })
-        });
-        quote!(#(#tests)* #matrix ::core::option::Option::None)
-    })
-}
-
-/// What has to be tested for the energy, and its gradient, to be defined. Branches test for themselves: that is what an
-/// `if` around a root is for.
-fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    // The smallest positive number: below it is zero or negative.
-    let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
-    let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));
-    let mut checks = vec![];
-    for id in unconditional(graph, energy, context.partial) {
-        match graph.node(id) {
-            Node::Power(base, exponent) => {
-                let term = printer.excerpt(*base);
-                let (test, message) = match (exponent.is_integer(), exponent.numerator < 0) {
-                    (true, false) => continue,
-                    (true, true) => (zero.clone(), format!("division by zero: {term}")),
-                    (false, true) => {
-                        (not_positive.clone(), format!("division by the root of a number that is not positive: {term}"))
-                    }
-                    (false, false) => (quote!(.any_below(0.0)), format!("`sqrt` of a negative number: {term}")),
-                };
-                checks.push(Check { argument: *base, test, message });
-            }
-            Node::Call(function, args) => {
-                let Domain::Interval(low, high, what) = function.entry().domain else { continue };
-                let message = format!("`{}` of {what}: {}", function.entry().name, printer.excerpt(args[0]));
-                let open = matches!(function, Function::Ln | Function::Log2 | Function::Log10);
-                let low = proc_macro2::Literal::f64_unsuffixed(low.abs());
-                let below = match (open, function.entry().domain) {
-                    (true, _) => not_positive.clone(),
-                    (_, Domain::Interval(bound, ..)) if bound < 0.0 => quote!(.any_below(-#low)),
-                    _ => quote!(.any_below(#low)),
-                };
-                checks.push(Check { argument: args[0], test: below, message: message.clone() });
-                if high.is_finite() {
-                    let high = proc_macro2::Literal::f64_unsuffixed(high);
-                    checks.push(Check { argument: args[0], test: quote!(.any_above(#high)), message });
-                }
-            }
-            _ => {}
-        }
-    }
-    checks
-}
-
-/// The root, and more nodes, with all that is computed for them whatever the conditions are.
-fn unconditional(graph: &Graph, root: Id, more: &[Id]) -> Vec<Id> {
-    let (mut seen, mut open) = (HashSet::new(), [&[root], more].concat());
-    while let Some(id) = open.pop() {
-        if seen.insert(id) {
-            match graph.node(id) {
-                Node::Select(condition, _, _) => open.push(*condition),
-                node => open.extend(node.children()),
-            }
-        }
-    }
-    let mut all: Vec<Id> = seen.into_iter().collect();
-    all.sort();
-    all
 }

@@ -91,31 +91,48 @@ impl Graph {
 
     /// Every node that the roots are built of, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        self.traverse(roots, |_| true)
+        let mut scratch = self.seen.borrow_mut();
+        let (traversal, seen) = self.traversal(&mut scratch);
+        let mut last = 0;
+        for root in roots {
+            seen[root.index()] = traversal;
+            last = last.max(root.index() + 1);
+        }
+        // From above: what a node is built of has smaller numbers. Cheaper than to sort.
+        let mut found = vec![];
+        while last > 0 {
+            last -= 1;
+            if seen[last] == traversal {
+                found.push(Id::from_index(last));
+                self.nodes[last].for_each_child(|child| seen[child.index()] = traversal);
+            }
+        }
+        found.reverse();
+        found
     }
 
     /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
     /// not looked at.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
-        self.traverse(&[root], |id| !known.contains(id))
-    }
-
-    /// Every node that can be reached through nodes that are `wanted`, operands first.
-    fn traverse(&self, roots: &[Id], wanted: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
-        let (traversal, seen) = &mut *scratch;
-        *traversal += 1;
-        seen.resize(self.nodes.len(), 0);
+        let (traversal, seen) = self.traversal(&mut scratch);
         let mut found = vec![];
-        let mut open = roots.to_vec();
+        let mut open = vec![root];
         while let Some(id) = open.pop() {
-            if wanted(id) && std::mem::replace(&mut seen[id.index()], *traversal) != *traversal {
+            if !known.contains(id) && std::mem::replace(&mut seen[id.index()], traversal) != traversal {
                 found.push(id);
                 self.node(id).for_each_child(|child| open.push(child));
             }
         }
         found.sort_unstable();
         found
+    }
+
+    /// The number of a new traversal, and for each node that of the last one that saw it.
+    fn traversal<'a>(&self, scratch: &'a mut (u32, Vec<u32>)) -> (u32, &'a mut Vec<u32>) {
+        scratch.0 += 1;
+        scratch.1.resize(self.nodes.len(), 0);
+        (scratch.0, &mut scratch.1)
     }
 
     /// Whether a node is not defined for some values of its operands.

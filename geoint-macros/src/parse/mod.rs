@@ -131,7 +131,19 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     match coordinates {
         Some(coordinates) => {
             let Options { requirements, damping, split, lift, .. } = options;
-            errors.or(Energy { form, name, runtime, float, coordinates, arguments, requirements, damping, split, lift, item })
+            errors.or(Energy {
+                form,
+                name,
+                runtime,
+                float,
+                coordinates,
+                arguments,
+                requirements,
+                damping,
+                split,
+                lift,
+                item,
+            })
         }
         None => Err(errors),
     }
@@ -219,8 +231,10 @@ fn arguments(
                     .at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
             }
             Ok(shape) if role == Role::Action && !shape.extents.is_empty() => {
-                errors
-                    .at(&typed.ty, format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`"));
+                errors.at(
+                    &typed.ty,
+                    format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`"),
+                );
             }
             Ok(shape) => arguments.push((role, Argument { name: name.clone(), ty: (*typed.ty).clone(), shape })),
             // One message a type: q and p share theirs.

@@ -108,6 +108,8 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
                 _ => above.push(self.operand(id)),
             }
         }
+        // What is there last is multiplied last.
+        above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
         let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
@@ -139,12 +141,12 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     // ------------------------------------------------------------------------------------------------------ powers
 
-    pub(super) fn find_reciprocals(&mut self, roots: &[Id]) {
+    pub(super) fn find_reciprocals(&mut self, reachable: &[Id]) {
         let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
-        for id in self.graph.reachable(roots) {
-            match *self.graph.node(id) {
+        for id in reachable {
+            match *self.graph.node(*id) {
                 Node::Power(base, exponent)
-                    if exponent.numerator < 0 && self.levels.of(self.graph, id) == Some(self.level) =>
+                    if exponent.numerator < 0 && self.levels.of(self.graph, *id) == Some(self.level) =>
                 {
                     exponents.entry(base).or_default().push(exponent);
                 }

@@ -38,8 +38,9 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     ) -> Block {
         let mut uses: Table<usize> = Table::default();
         let mut count = |id: Id| uses.insert(id, uses.get(id).unwrap_or(0) + 1);
-        for id in graph.reachable(roots) {
-            graph.node(id).for_each_child(&mut count);
+        let reachable = graph.reachable(roots);
+        for id in &reachable {
+            graph.node(*id).for_each_child(&mut count);
         }
         roots.iter().copied().for_each(count);
         let mut lowering = Lowering {
@@ -52,7 +53,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             ready: vec![],
             reciprocals: HashMap::default(),
         };
-        lowering.find_reciprocals(roots);
+        lowering.find_reciprocals(&reachable);
         lowering.block(roots)
     }
 

@@ -284,7 +284,8 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let f = powers.coefficient(graph, &[(Symbol::P(0), 2)]);
     let only = powers.terms().count() == 1;
-    let others = |symbol| matches!(symbol, Symbol::P(_) | Symbol::S) || symbol == Symbol::T && group.clock == Clock::Own;
+    let others =
+        |symbol| matches!(symbol, Symbol::P(_) | Symbol::S) || symbol == Symbol::T && group.clock == Clock::Own;
     if !only || graph.is_zero(f) || !is_free(graph, f, &others) {
         return None;
     }

@@ -20,8 +20,8 @@ use crate::ir::{Graph, Id};
 pub(crate) use flow::{Flow, Piece, level};
 pub(crate) use mechanics::{Mechanics, is_conformal, mechanics};
 pub(crate) use partition::{Pieces, pieces};
-pub(crate) use rules::RULES;
 use rules::Group;
+pub(crate) use rules::RULES;
 pub(crate) use time::Clock;
 
 /// The energy that [`Pieces`] keep, or let decay, up to h⁴.

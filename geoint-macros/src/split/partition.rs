@@ -144,7 +144,9 @@ fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
     let (c, rest) = graph.coefficient(term);
     let factors = graph.factors(rest);
     let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
-        *exponent == Ratio::ONE && matches!(graph.node(*base), Node::Linear(..)) && analyze::reads(graph, *base).kinds() > 1
+        *exponent == Ratio::ONE
+            && matches!(graph.node(*base), Node::Linear(..))
+            && analyze::reads(graph, *base).kinds() > 1
     };
     let sum = factors.iter().position(is_coupling_sum)?;
     let mut others = graph.number(c);

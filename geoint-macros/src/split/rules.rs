@@ -41,5 +41,7 @@ pub(crate) static RULES: &[Rule] = &[
     Rule { name: "weighted drift", family: "F(s) p·Wp/2", solve: kinetic::weighted },
     Rule { name: "weighted power", family: "s pᵏ", solve: kinetic::power },
     Rule { name: "geodesic", family: "f(q) p²", solve: kinetic::geodesic },
-    Rule { name: "Legendre conjugate", family: "H(p, −q, s − q·p) for H of another family", solve: conjugate::solve },
+    Rule {
+        name: "Legendre conjugate", family: "H(p, −q, s − q·p) for H of another family", solve: conjugate::solve
+    },
 ];

@@ -19,7 +19,8 @@ mod consts {
 fn lowered(body: &str) -> Result<lower::Lowered, Vec<String>> {
     let body: proc_macro2::TokenStream = body.parse().expect("tokens");
     let item = quote!(fn energy(q: [f64; 3], p: [f64; 3], t: f64, a: f64) -> f64 { #body });
-    let energy = parse::energy(parse::Form::Hamiltonian, quote!(), syn::parse2(item).expect("a function")).map_err(|e| e.messages())?;
+    let energy = parse::energy(parse::Form::Hamiltonian, quote!(), syn::parse2(item).expect("a function"))
+        .map_err(|e| e.messages())?;
     lower::body(&energy).map_err(|errors| errors.messages())
 }
 

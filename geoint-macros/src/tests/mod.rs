@@ -15,6 +15,7 @@ mod mean_value;
 mod meaning;
 mod momenta;
 mod pieces;
+mod poles;
 mod snapshots;
 mod structures;
 

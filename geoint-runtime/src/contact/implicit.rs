@@ -2,7 +2,7 @@
 
 use super::Contact;
 use crate::array::{Array, Square};
-use crate::method::{Probe, Refusal};
+use crate::method::{Probe, Refusal, check_end};
 use crate::newton::Newton;
 use crate::point::{Point, Summation};
 use crate::real::{Real, zero};
@@ -25,13 +25,13 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     fn constants(&self, h: R) -> Self::Constants;
     /// What all evaluations of a step from `x` have in common; `t` is the time of its middle.
     fn begin(constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
-    /// Φ and ∂Φ/∂d.
+    /// Φ and 1 − ∂Φ/∂d.
     fn image(
         constants: &Self::Constants,
         start: &Self::Start,
         d: &Self::Unknown,
         f: &mut Self::Unknown,
-        jacobian: &mut Square<Self::Unknown>,
+        matrix: &mut Square<Self::Unknown>,
     );
     /// What a solution adds to x. Not a number if the step has none.
     fn end(constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
@@ -39,7 +39,8 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
 
 /// What a step needs.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, Y, R> {
+pub struct Prepared<S, P, Y, R> {
+    system: S,
     constants: P,
     half: R,
     newton: Newton<Y>,
@@ -47,16 +48,16 @@ pub struct Prepared<P, Y, R> {
 
 /// What a step of `M` needs.
 pub(super) type PreparedFor<S, M, R> =
-    Prepared<<S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
+    Prepared<S, <S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
 
 pub(super) fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
-    Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, newton: Newton::new() }
+    Prepared { system: *system, constants: system.constants(h), half: R::from_f64(0.5) * h, newton: Newton::new() }
 }
 
 /// A step that looks at the energy at x + `ahead`·d.
 #[inline(always)]
 pub(super) fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    Prepared { constants, half, newton }: &mut PreparedFor<S, M, R>,
+    Prepared { system, constants, half, newton }: &mut PreparedFor<S, M, R>,
     ahead: f64,
     t: R,
     x: &mut Point<S::Array, C, R>,
@@ -78,25 +79,27 @@ pub(super) fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P:
         S::image(constants, &start, &once, &mut twice, &mut unused);
         twice
     };
-    let look = |probe: &mut P, d: &S::Unknown, jacobian: &mut Square<S::Unknown>| {
+    let look = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
         let (mut seen, mut f) = (origin, none);
         seen.add_scaled(R::from_f64(ahead), d);
         let (q, p, s) = apart::<S, M, R>(&seen);
         probe.look(middle, &q, &p, &s);
-        S::image(constants, &start, d, &mut f, jacobian);
+        S::image(constants, &start, d, &mut f, matrix);
         f
     };
     let image = |probe: &mut P, d: &S::Unknown| look(probe, d, &mut S::Unknown::fill(none));
-    let (d, _) = newton.solve(&origin, explicit, probe, image, look)?;
+    let still = P::PATIENT.then_some(0.0);
+    let (d, _) = newton.solve((&origin, still), explicit, probe, image, look)?;
 
     let end = S::end(constants, &start, &d);
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
     let (dq, dp, ds) = apart::<S, M, R>(&end);
+    let (q, p, s) = (x.q, x.p, x.s);
     x.add(&dq, &dp);
     x.s += ds;
-    Ok(())
+    check_end(system, [t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s])
 }
 
 /// Positions, momenta and the action.

@@ -16,8 +16,9 @@ const SINGULAR: f64 = 1e-8;
 /// λ = ∂H/∂p at (αq₁ + (1 − α)q₀, βp₁ + (1 − β)p₀) and μ = ∂H/∂q at (γq₁ + (1 − γ)q₀, δp₁ + (1 − δ)p₀). The energy is kept
 /// to rounding for every h.
 ///
-/// Order 1, for every H. With one degree of freedom λ and μ cancel, and this is [`ItohAbe`](super::ItohAbe). With more, there is no
-/// step where an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection).
+/// Order 1, for every H. Order 2 and symmetric for T(p) + V(q) if β = γ = ½, as by default: then λ and μ are at midpoints, and α
+/// and δ do not matter. With one degree of freedom λ and μ cancel, and this is [`ItohAbe`](super::ItohAbe), with its orders. With more,
+/// there is no step where an increment is orthogonal to its direction: [`StepError::SingularDirection`](crate::StepError::SingularDirection).
 /// Differences of H are taken from the tree discrete gradient. A. J. Chorin, T. J. R. Hughes, M. F. McCracken &
 /// J. E. Marsden, Comm. Pure Appl. Math. 31 (1978) 205.
 #[derive(Clone, Copy, Debug, PartialEq)]

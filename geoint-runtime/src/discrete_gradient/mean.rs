@@ -6,7 +6,7 @@ use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint,
 use crate::array::Array;
 use crate::composition::SymmetricMap;
 use crate::gauss::Gauss;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, check_end};
 use crate::point::{Compensated, Point, Summation};
 use crate::quasi_newton;
 use crate::real::Real;
@@ -46,6 +46,7 @@ pub trait MeanGradient: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
     mean: G,
+    system: S,
     constants: S::Constants,
     parameters: S::Parameters,
     h: R,
@@ -54,8 +55,8 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
-        let (constants, parameters) = (system.constants(), system.parameters());
-        Prepared { mean, constants, parameters, h, sums: [Compensated::new(); 2] }
+        let (constants, parameters) = (system.constants(), system.parameters(h));
+        Prepared { mean, system: *system, constants, parameters, h, sums: [Compensated::new(); 2] }
     }
 
     #[inline]
@@ -65,7 +66,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         point: &mut Point<S::Array, C>,
         probe: &mut P,
     ) -> Result<(), Refusal> {
-        let Prepared { mean, constants, parameters, h, sums } = self;
+        let Prepared { mean, system, constants, parameters, h, sums } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
         let mut energy = Energy { constants, parameters, probe, t: t + half, h: *h };
         let x = [point.q, point.p];
@@ -88,7 +89,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        Ok(())
+        check_end(system, [t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()])
     }
 }
 

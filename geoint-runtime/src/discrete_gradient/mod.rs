@@ -22,8 +22,8 @@ use crate::array::{Array, Square};
 use crate::composition::substeps;
 use crate::linear;
 use crate::method::{Claims, Method, Probe, Refusal};
-use crate::newton::{self, Newton};
-use crate::point::{Compensated, Plain, Point, Summation};
+use crate::newton::Newton;
+use crate::point::{Compensated, Plain, Point, Summation, exact_sum};
 use crate::real::{Real, zero};
 use crate::system::{Conservative, DiscreteField};
 
@@ -50,6 +50,7 @@ pub struct Prepared<S: DiscreteField<R>, R: Real> {
 
 #[derive(Clone, Copy, Debug)]
 struct Coefficients<S: DiscreteField<R>, R: Real> {
+    energy: S,
     system: S::Constants,
     tree: S::Parameters,
     h: R,
@@ -60,8 +61,9 @@ struct Coefficients<S: DiscreteField<R>, R: Real> {
 impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
     fn new(system: &S, h: R) -> Self {
         let zero = S::Unknown::zero();
+        let (constants, tree) = (system.constants(), system.parameters(h));
         let mut prepared =
-            Coefficients { system: system.constants(), tree: system.parameters(), h, inverse: S::Unknown::fill(zero) };
+            Coefficients { energy: *system, system: constants, tree, h, inverse: S::Unknown::fill(zero) };
         if S::LINEAR {
             prepared.inverse = prepared.inverse();
         }
@@ -77,20 +79,33 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
         if S::DERIVATIVE == 1 {
             return *impulse;
         }
-        let (mut mean, mut change) = (*changed, S::Unknown::zero());
+        let mut mean = *changed;
         mean.add_scaled(R::from_f64(0.5), impulse);
-        change.add_scaled(self.h, &S::velocity(&self.system, &mean));
-        change
+        S::drift(&self.tree, &mean)
     }
 
-    /// h·(∂f̄/∂d)·(∂d/∂impulse) from ∂f̄/∂d.
+    /// h·f̄ and Newton's matrix.
     #[inline(always)]
-    fn derivative(&self, jacobian: &mut Square<S::Unknown>) {
-        let w = if S::DERIVATIVE == 1 { self.h } else { R::from_f64(0.5) * self.h * self.h };
-        for row in S::Unknown::entries::<S::Unknown>(jacobian) {
-            let slope = core::mem::replace(row, S::Unknown::zero());
-            S::add(&self.system, w, &slope, row);
+    fn equation(&self, start: &S::Start, d: &S::Unknown, image: &mut S::Unknown, matrix: &mut Square<S::Unknown>) {
+        S::equation((&self.system, self.h), &self.tree, start, d, image, matrix);
+    }
+
+    /// What [`change`](Self::change) rounds off in the mean, and what it does not see because `changed` carries it.
+    ///
+    /// Without this, and with a field at y without its carry, the energy of a pendulum drifts by 4·10⁻²⁰ a step at h = 0.1, and by
+    /// 10⁻¹⁹ at 0.2.
+    #[inline(always)]
+    fn lost(&self, changed: &S::Unknown, carry: &S::Unknown, impulse: &S::Unknown, lost: &S::Unknown) -> S::Unknown {
+        if S::DERIVATIVE == 1 {
+            return *lost;
         }
+        let (mut mean, mut change, half) = (*carry, S::Unknown::zero(), R::from_f64(0.5));
+        mean.add_scaled(half, lost);
+        for (i, mean) in mean.as_mut_slice().iter_mut().enumerate() {
+            *mean += exact_sum(changed.as_slice()[i], half * impulse.as_slice()[i]).1;
+        }
+        S::add(&self.system, self.h, &mean, &mut change);
+        change
     }
 
     /// The inverse of a matrix that is the same in all steps. NaN if there is none.
@@ -98,9 +113,7 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
         let origin = S::Unknown::zero();
         let start = S::begin(&self.tree, zero(), &origin);
         let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
-        S::slope(&self.tree, &start, &origin, &mut f, &mut matrix);
-        self.derivative(&mut matrix);
-        newton::one_minus::<S::Unknown>(&mut matrix);
+        self.equation(&start, &origin, &mut f, &mut matrix);
         let mut inverse = S::Unknown::fill(origin);
         for j in 0..S::Unknown::LEN {
             let (mut lu, mut column) = (matrix, origin);
@@ -122,20 +135,30 @@ struct Look<'a, S: DiscreteField<R>, R: Real> {
     q: &'a S::Array,
     p: &'a S::Array,
     changed: &'a S::Unknown,
+    /// What y is too small by, if it is known.
+    carry: Option<&'a S::Unknown>,
 }
 
 impl<S: DiscreteField<R>, R: Real> Look<'_, S, R> {
-    /// h·f̄ for an impulse, and ∂f̄/∂d.
+    /// h·f̄ for an impulse, and the matrix of Newton's iteration.
     #[inline(always)]
-    fn image<P: Probe<S, R>>(&self, probe: &mut P, impulse: &S::Unknown, slope: &mut Square<S::Unknown>) -> S::Unknown {
-        let change = self.coefficients.change(self.changed, impulse);
+    fn image<P: Probe<S, R>>(
+        &self,
+        probe: &mut P,
+        impulse: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        let mut change = self.coefficients.change(self.changed, impulse);
         let mut end = Point::<S::Array, Plain>::new(*self.q, *self.p);
         let [dq, dp] = S::increments(&change, impulse);
         end.add(&dq, &dp);
         probe.visit(self.t, &end.q, &end.p);
-        let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
-        S::slope(&self.coefficients.tree, self.start, &change, &mut f, slope);
-        image.add_scaled(self.coefficients.h, &f);
+        if let Some(carry) = self.carry {
+            // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
+            change.add_scaled(R::from_f64(2.0), carry);
+        }
+        let mut image = S::Unknown::zero();
+        self.coefficients.equation(self.start, &change, &mut image, matrix);
         image
     }
 }
@@ -165,11 +188,11 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let (mut f, mut slope) = (none, S::Unknown::fill(none));
 
         if S::LINEAR {
-            S::slope(&prepared.tree, &start, &prepared.change(&changed, &none), &mut f, &mut slope);
+            prepared.equation(&start, &prepared.change(&changed, &none), &mut f, &mut slope);
             let mut impulse = none;
             for (i, row) in S::Unknown::entries::<S::Unknown>(&mut prepared.inverse).iter().enumerate() {
                 for (w, f) in row.as_slice().iter().zip(f.as_slice()) {
-                    impulse.as_mut_slice()[i] = w.multiply_add(h * *f, impulse.as_slice()[i]);
+                    impulse.as_mut_slice()[i] = w.multiply_add(*f, impulse.as_slice()[i]);
                 }
             }
             let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
@@ -178,29 +201,36 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         }
 
         // The explicit midpoint rule.
-        let explicit = || {
-            let (mut rate, mut f) = (S::velocity(&prepared.system, &changed), none);
+        let system = prepared.system;
+        let explicit = move || {
+            let (mut rate, mut f) = (S::velocity(&system, &changed), none);
             let mut slope = S::Unknown::fill(none);
             if S::DERIVATIVE == 1 {
-                S::field(&prepared.system, t, &y, &mut rate, &mut slope);
+                S::field(&system, t, &y, &mut rate, &mut slope);
             }
-            let (mut middle, mut impulse) = (y, none);
+            let mut middle = y;
             middle.add_scaled(half, &rate);
-            S::field(&prepared.system, t + half, &middle, &mut f, &mut slope);
+            S::field(&system, t + half, &middle, &mut f, &mut slope);
+            let mut impulse = none;
             impulse.add_scaled(h, &f);
             impulse
         };
-        let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed };
+        let (carry, carried) = S::start(&x.sums[0].carry(), &x.sums[1].carry());
+        let seen = (!C::PLAIN).then_some(&carry);
+        let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed, carry: seen };
         let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
-        let (impulse, lost) = newton.solve(&changed, explicit, probe, image, |probe, impulse, derivative| {
-            let image = look.image(probe, impulse, derivative);
-            prepared.derivative(derivative);
-            image
-        })?;
+        let derivative =
+            |probe: &mut P, impulse: &S::Unknown, matrix: &mut Square<S::Unknown>| look.image(probe, impulse, matrix);
+        // −2p turns p round, and its mean is 0.
+        let still = P::PATIENT.then_some(if S::DERIVATIVE == 1 { 0.0 } else { -2.0 });
+        let (impulse, lost) = newton.solve((&changed, still), explicit, probe, image, derivative)?;
         let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
-        let lost = S::increments(if S::DERIVATIVE == 1 { &lost } else { &none }, &lost);
+        let behind =
+            if C::PLAIN && S::DERIVATIVE == 2 { none } else { prepared.lost(&changed, &carried, &impulse, &lost) };
+        let lost = S::increments(&behind, &lost);
+        let (q, p) = (x.q, x.p);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        Ok(())
+        Refusal::outside(prepared.energy.hidden_pole_between([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()]))
     }
 }
 

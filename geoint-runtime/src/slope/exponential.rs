@@ -13,12 +13,14 @@ pub fn exp<R: Real>(a: R, b: R) -> R {
 /// ∂exp[a, b]/∂b = e^b φ₂(a − b), φ₂(z) = (e^z − 1 − z)/z².
 #[inline(always)]
 pub fn exp_derivative<R: Real>(a: R, b: R) -> R {
-    let small = |z: R| polynomial(z, series!(17, |k| 1.0 / factorial(k + 2)));
+    let end = b.exp();
+    let small = |z: R| end * polynomial(z, series!(17, |k| 1.0 / factorial(k + 2)));
+    // Not with e^z, which may overflow where e^a and e^b do not.
     let large = || {
         let z = away(a - b);
-        (z.exp_m1() - z) / z / z
+        (a.exp() - end - z * end) / z / z
     };
-    b.exp() * either(a - b, 1.0, small, large)
+    either(a - b, 1.0, small, large)
 }
 
 /// 2ˣ[a, b], in the same way. (The slope of exp(x ln 2) would round x ln 2.)

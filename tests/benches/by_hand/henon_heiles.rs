@@ -1,6 +1,6 @@
 //! H = (|p|² + x² + y²)/2 + λ(x²y − y³/3).
 
-use super::increments::Increments;
+use super::increments::{Increments, Sums};
 use super::{Stages, fma};
 use geoint_runtime::BlanesMoan4;
 
@@ -57,7 +57,12 @@ impl HenonHeiles {
     /// ```
     ///
     /// because the divided difference of x² is 2x, that of x²y is (2xy, x² + a²), and that of y³ is 3y² + b².
-    pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, [mut qx, mut qy, mut px, mut py]: Point) -> Point {
+    pub(crate) fn discrete_gradient<const CARRIED: bool>(
+        &self,
+        h: f64,
+        steps: u64,
+        [mut qx, mut qy, mut px, mut py]: Point,
+    ) -> Point {
         let Kick { linear, square, cross } = self.kick(h);
         let (half, quarter) = (0.5 * h, 0.25 * h);
         let explicit = |[x, y, px, py]: Point| {
@@ -66,10 +71,11 @@ impl HenonHeiles {
             [kicked[2], kicked[3]]
         };
         let mut increments = Increments::new(explicit([qx, qy, px, py]));
+        let mut sums = [Sums::<2, CARRIED>::new(), Sums::new()];
         for _ in 0..steps {
             let d = [half * px, half * py];
             let d = |increment: &[f64; 2]| [fma(quarter, increment[0], d[0]), fma(quarter, increment[1], d[1])];
-            let increment = increments.next(
+            let [increment, lost] = increments.next(
                 [px, py],
                 || explicit([qx, qy, px, py]),
                 |increment| {
@@ -87,8 +93,15 @@ impl HenonHeiles {
                 },
             );
             let [a, b] = d(&increment);
-            (qx, qy) = (fma(2.0, a, qx), fma(2.0, b, qy));
-            (px, py) = (px + increment[0], py + increment[1]);
+            if CARRIED {
+                let (mut q, mut p) = ([qx, qy], [px, py]);
+                sums[0].add(&mut q, [2.0 * a, 2.0 * b], [0.0; 2]);
+                sums[1].add(&mut p, increment, lost);
+                ([qx, qy], [px, py]) = (q, p);
+            } else {
+                (qx, qy) = (fma(2.0, a, qx), fma(2.0, b, qy));
+                (px, py) = (px + increment[0], py + increment[1]);
+            }
         }
         [qx, qy, px, py]
     }

@@ -26,21 +26,25 @@ impl<const N: usize> Increments<N> {
         Increments { latest: [first; POINTS], rough: false }
     }
 
-    /// The next increment: where Newton's `correction`, to be subtracted, has nothing left to correct in p + x.
+    /// The next increment: where Newton's `correction`, to be subtracted, has nothing left to correct in p + x. And what the last
+    /// subtraction rounded off.
     #[inline(always)]
     pub(crate) fn next(
         &mut self,
         p: [f64; N],
         explicit: impl Fn() -> [f64; N],
         correction: impl Fn(&[f64; N]) -> [f64; N],
-    ) -> [f64; N] {
+    ) -> [[f64; N]; 2] {
+        let mut lost = [0.0; N];
         let mut x = if self.rough { explicit() } else { self.extrapolated() };
         let mut before = f64::INFINITY;
         let mut evaluations = 0;
         loop {
             let delta = correction(&x);
             for i in 0..N {
+                let before = x[i];
                 x[i] -= delta[i];
+                lost[i] = (before - x[i]) - delta[i];
             }
             evaluations += 1;
             let (change, size) = (square(&delta), square(&p) + square(&x));
@@ -55,7 +59,7 @@ impl<const N: usize> Increments<N> {
             self.latest[j] = self.latest[j - 1];
         }
         self.latest[0] = x;
-        x
+        [x, lost]
     }
 
     /// From the oldest on: only one product and one sum wait for the latest increment.
@@ -68,6 +72,34 @@ impl<const N: usize> Increments<N> {
             }
         }
         x
+    }
+}
+
+/// Sums of increments; if they are `CARRIED`, what each addition rounds off goes into the next one.
+pub(crate) struct Sums<const N: usize, const CARRIED: bool> {
+    carry: [f64; N],
+}
+
+impl<const N: usize, const CARRIED: bool> Sums<N, CARRIED> {
+    pub(crate) fn new() -> Self {
+        Sums { carry: [0.0; N] }
+    }
+
+    /// x ← x + change, where the change has lost some digits before.
+    #[inline(always)]
+    pub(crate) fn add(&mut self, x: &mut [f64; N], change: [f64; N], lost: [f64; N]) {
+        for i in 0..N {
+            if CARRIED {
+                let change_now = change[i] + self.carry[i];
+                let first = self.carry[i] - (change_now - change[i]);
+                let sum = x[i] + change_now;
+                let added = sum - x[i];
+                let second = (x[i] - (sum - added)) + (change_now - added);
+                (x[i], self.carry[i]) = (sum, first + second + lost[i]);
+            } else {
+                x[i] += change[i];
+            }
+        }
     }
 }
 

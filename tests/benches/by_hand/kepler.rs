@@ -1,6 +1,6 @@
 //! H = |p|²/(2m) − μm/|q| in the plane.
 
-use super::increments::Increments;
+use super::increments::{Increments, Sums};
 use super::{Stages, fma};
 use geoint_runtime::BlanesMoan4;
 
@@ -40,7 +40,12 @@ impl Kepler {
 
     /// q₁ = q₀ + h/m·(p₀ + P/2), p₁ = p₀ + P, P = −hμm·u/D, with u = q₀ + q₁ and D = r₀r₁(r₀ + r₁): the divided difference of
     /// −1/√s is 1/(√s₀√s₁(√s₀ + √s₁)), that of s = x² + y² is u.
-    pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, [mut x, mut y, mut px, mut py]: Point) -> Point {
+    pub(crate) fn discrete_gradient<const CARRIED: bool>(
+        &self,
+        h: f64,
+        steps: u64,
+        [mut x, mut y, mut px, mut py]: Point,
+    ) -> Point {
         let (pull, step, half) = (h * self.mu * self.m, h / self.m, 0.5 * h / self.m);
         let beta = pull * half;
         let explicit = |z: Point| {
@@ -51,11 +56,12 @@ impl Kepler {
             [kicked[2], kicked[3]]
         };
         let mut increments = Increments::new(explicit([x, y, px, py]));
+        let mut sums = [Sums::<2, CARRIED>::new(), Sums::new()];
         for _ in 0..steps {
             let r0 = fma(x, x, y * y).sqrt();
             let d = [step * px, step * py];
             let moved = |[a, b]: [f64; 2]| [x + fma(half, a, d[0]), y + fma(half, b, d[1])];
-            let increment = increments.next(
+            let [increment, lost] = increments.next(
                 [px, py],
                 || explicit([x, y, px, py]),
                 |increment| {
@@ -76,8 +82,15 @@ impl Kepler {
                     [inverse * fma(along, u[0], residual[0]), inverse * fma(along, u[1], residual[1])]
                 },
             );
-            [x, y] = moved(increment);
-            (px, py) = (px + increment[0], py + increment[1]);
+            if CARRIED {
+                let (mut q, mut p) = ([x, y], [px, py]);
+                sums[0].add(&mut q, [0, 1].map(|i| fma(half, increment[i], d[i])), [0.0; 2]);
+                sums[1].add(&mut p, increment, lost);
+                ([x, y], [px, py]) = (q, p);
+            } else {
+                [x, y] = moved(increment);
+                (px, py) = (px + increment[0], py + increment[1]);
+            }
         }
         [x, y, px, py]
     }

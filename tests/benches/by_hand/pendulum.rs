@@ -1,6 +1,6 @@
 //! H = p²/(2ml²) − mgl·cos q.
 
-use super::increments::Increments;
+use super::increments::{Increments, Sums};
 use super::{Stages, fma};
 use geoint_runtime::BlanesMoan4;
 
@@ -47,14 +47,20 @@ impl Pendulum {
 
     /// q₁ = q₀ + 2u, p₁ = p₀ + P, with u = h/(2ml²)·(p₀ + P/2) and P = −h·mgl·sin(q₀ + u)·sin u/u, which is
     /// h·mgl·(cos q₁ − cos q₀)/(q₁ − q₀).
-    pub(crate) fn discrete_gradient(&self, h: f64, steps: u64, (mut q, mut p): (f64, f64)) -> (f64, f64) {
+    pub(crate) fn discrete_gradient<const CARRIED: bool>(
+        &self,
+        h: f64,
+        steps: u64,
+        (mut q, mut p): (f64, f64),
+    ) -> (f64, f64) {
         let (kick, half, quarter) = (self.kick(h), 0.5 * self.drift(h), 0.25 * self.drift(h));
         let explicit = |q: f64, p: f64| [kick * fma(half, p, q).sin()];
         let mut increments = Increments::new(explicit(q, p));
+        let mut sums = [Sums::<1, CARRIED>::new(), Sums::new()];
         for _ in 0..steps {
             let u = half * p;
             let u = |increment: f64| fma(quarter, increment, u);
-            let [increment] = increments.next(
+            let [[increment], lost] = increments.next(
                 [p],
                 || explicit(q, p),
                 |&[x]| {
@@ -66,8 +72,15 @@ impl Pendulum {
                     [residual / derivative]
                 },
             );
-            q = fma(2.0, u(increment), q);
-            p += increment;
+            if CARRIED {
+                let (mut end, mut momentum) = ([q], [p]);
+                sums[0].add(&mut end, [2.0 * u(increment)], [0.0]);
+                sums[1].add(&mut momentum, [increment], lost);
+                ([q], [p]) = (end, momentum);
+            } else {
+                q = fma(2.0, u(increment), q);
+                p += increment;
+            }
         }
         (q, p)
     }

@@ -8,8 +8,14 @@ pub(super) fn slope(graph: &mut Graph, a: Id, b: Id, exponent: Ratio) -> Id {
     if !exponent.is_integer() {
         // xᵐᐟ² = (√x)ᵐ and √[a, b] = 1/(√a + √b), which has to stay finite at 0 where xᵐᐟ² has a slope.
         let [a, b] = [a, b].map(|x| if n > 1 { graph.call(Function::Root, &[x]) } else { graph.sqrt(x) });
-        let outer = slope(graph, a, b, Ratio::integer(n));
         let sum = graph.add(a, b);
+        if n == -1 {
+            // One division in place of two, −1/(ab(a + b)).
+            let product = graph.product(&[a, b, sum]);
+            let reciprocal = graph.recip(product);
+            return graph.neg(reciprocal);
+        }
+        let outer = slope(graph, a, b, Ratio::integer(n));
         return graph.div(outer, sum);
     }
     if n < 0 {

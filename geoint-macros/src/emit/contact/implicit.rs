@@ -1,6 +1,6 @@
 //! The equations of implicit steps, for every contact Hamiltonian.
 
-use super::super::implicit::{level, roots, write_field};
+use super::super::implicit::{level, write_field};
 use super::super::kernel::Context;
 use super::super::system::self_type;
 use crate::diff::contact::{Equation, discrete, midpoint};
@@ -44,10 +44,17 @@ fn step(
     let before: Vec<Symbol> =
         (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
 
-    let plan = schedule::plan(graph, level, &[&[], &[]], &[&roots(field), end]);
+    // Φ and 1 − ∂Φ/∂d.
+    let (zero, one) = (graph.zero(), graph.integer(1));
+    let mut image = field.f.clone();
+    for (i, row) in field.jacobian.iter().enumerate() {
+        image.extend(row.iter().enumerate().map(|(j, entry)| graph.sub(if i == j { one } else { zero }, *entry)));
+    }
+    let plan = schedule::plan(graph, level, &[&[], &[]], &[&image, end]);
     let constants = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let begin = context.planned(&plan.stores[1], (&before, "x"), |values| quote!([#(#values),*]));
-    let image = context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(field, &places, &values));
+    let image =
+        context.planned(&plan.last[0], (&field.unknowns, "d"), |values| write_field(["f", "matrix"], &places, &values));
     let end = context.planned(&plan.last[1], (&field.unknowns, "d"), |values| quote!([#(#values),*]));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
@@ -70,7 +77,7 @@ fn step(
                 start: &[R; #started],
                 d: &#unknown,
                 f: &mut #unknown,
-                jacobian: &mut Square<#unknown>,
+                matrix: &mut Square<#unknown>,
             ) {
                 #image
             }

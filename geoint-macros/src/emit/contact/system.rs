@@ -1,7 +1,8 @@
 //! The energy of a contact system with its gradient, and what users call.
 
+use super::super::domain;
 use super::super::kernel::{Context, write};
-use super::super::system::{outside_domain, self_type};
+use super::super::system::self_type;
 use crate::diff;
 use crate::ir::{Graph, Id};
 use crate::parse::over_scalar;
@@ -17,7 +18,7 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
         Some(_) => quote!(R::from_f64(f64::NAN)),
         None => context.routine(graph, &[energy], |mut values| values.remove(0)),
     };
-    let outside = outside_domain(context, graph, energy, None);
+    let domain = domain::domain(context, graph, energy, None);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
     let places = context.coordinates();
     let roots = [&gradient.q[..], &gradient.p, &[gradient.s]].concat();
@@ -37,9 +38,7 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
             fn hamiltonian(&self, t: R, q: &#array, p: &#array, s: &R) -> R {
                 #value
             }
-            fn outside_domain(&self, t: R, q: &#array, p: &#array, s: &R) -> ::core::option::Option<&'static str> {
-                #outside
-            }
+            #domain
         }
         impl<R: #bounds> ContactSystem<R> for #name {
             #[inline]
@@ -55,5 +54,9 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
 /// `impl Conformal`, if it holds.
 pub(super) fn conformal(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
     let name = self_type(context);
-    if split::is_conformal(graph, energy) { quote!(impl<R: #bounds> ConformalContact<R> for #name {}) } else { TokenStream::new() }
+    if split::is_conformal(graph, energy) {
+        quote!(impl<R: #bounds> ConformalContact<R> for #name {})
+    } else {
+        TokenStream::new()
+    }
 }

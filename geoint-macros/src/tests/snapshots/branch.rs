@@ -134,7 +134,7 @@ const _: () = {
             t: R,
             q: &[R; 1],
             p: &[R; 1],
-            _: &(),
+            s: &(),
         ) -> ::core::option::Option<&'static str> {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
@@ -168,8 +168,8 @@ const _: () = {
                 let v1 = t.cos();
                 let v2 = q0 * q0;
                 let v3 = v2 * q0;
-                let v4 = k2 * v1;
-                let v5 = v4 * v3;
+                let v4 = k2 * v3;
+                let v5 = v4 * v1;
                 (v5,)
             } else {
                 (k0,)
@@ -206,8 +206,8 @@ const _: () = {
                 let v1 = t.cos();
                 let v2 = q0 * q0;
                 let v3 = v2 * q0;
-                let v4 = k2 * v1;
-                let v5 = v4 * v3;
+                let v4 = k2 * v3;
+                let v5 = v4 * v1;
                 (v5,)
             } else {
                 (k0,)
@@ -258,45 +258,44 @@ const _: () = {
             let v1 = k1 + v0;
             let v2 = v1.sqrt();
             let v3 = k2 < q0;
-            let (v18, v19, v20, v21, v22) = if v3 {
+            let (v17, v18, v19, v20, v21) = if v3 {
                 let v4 = q0 * q0;
                 let v5 = v4 * v4;
                 let (v6, v7) = t.sin_cos();
                 let v8 = v5 * v7;
                 let v9 = v4 * q0;
-                let v10 = k4 * v7;
-                let v11 = v10 * v9;
-                let v12 = k5 * v7;
-                let v13 = v12 * v4;
-                let v14 = k4 * v9;
-                let v15 = v14 * v6;
-                let v16 = -v15;
-                let v17 = -v8;
-                (v8, v11, v13, v16, v17)
+                let v10 = k4 * v9;
+                let v11 = v10 * v7;
+                let v12 = k5 * v4;
+                let v13 = v12 * v7;
+                let v14 = v10 * v6;
+                let v15 = -v14;
+                let v16 = -v8;
+                (v8, v11, v13, v15, v16)
             } else {
                 (k2, k2, k2, k2, k2)
             };
-            let v23 = h * h;
-            let v24 = k1 / v2;
-            let v25 = v24 * v24;
-            let v26 = v25 * v24;
-            let v27 = v19 * v0;
-            let v28 = v27 * v26;
-            let v29 = -v19;
-            let v30 = v29.multiply_add(v24, v28);
-            let v31 = k6 * v19;
-            let v32 = p0 * v24;
-            let v33 = -v21;
-            let v34 = -v32;
-            let v35 = v34.multiply_add(v20, v33);
-            let v36 = v32 * v35;
-            let v37 = v36 - v22;
-            let v38 = v34.multiply_add(v21, v37);
-            let v39 = v31 * v30;
-            let v40 = k7.multiply_add(v38, v39);
-            let v41 = v2 + v18;
-            let v42 = v23.multiply_add(v40, v41);
-            v42
+            let v22 = h * h;
+            let v23 = k1 / v2;
+            let v24 = v23 * v23;
+            let v25 = v24 * v23;
+            let v26 = v0 * v18;
+            let v27 = v26 * v25;
+            let v28 = -v23;
+            let v29 = v28.multiply_add(v18, v27);
+            let v30 = k6 * v18;
+            let v31 = p0 * v23;
+            let v32 = -v20;
+            let v33 = -v31;
+            let v34 = v33.multiply_add(v19, v32);
+            let v35 = v31 * v34;
+            let v36 = v35 - v21;
+            let v37 = v33.multiply_add(v20, v36);
+            let v38 = v30 * v29;
+            let v39 = k7.multiply_add(v37, v38);
+            let v40 = v2 + v17;
+            let v41 = v22.multiply_add(v39, v40);
+            v41
         }
     }
     impl Spring {
@@ -311,7 +310,7 @@ const _: () = {
         const LINEAR: bool = false;
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
-        fn parameters(&self) -> [R; 0] {
+        fn parameters(&self, h: R) -> [R; 0] {
             []
         }
         #[inline(always)]
@@ -333,8 +332,8 @@ const _: () = {
             let v7 = k4 < q0;
             let (v13, v14) = if v7 {
                 let v8 = v6 * q0;
-                let v9 = k5 * v4;
-                let v10 = v9 * v8;
+                let v9 = k5 * v8;
+                let v10 = v9 * v4;
                 let v11 = v6 * v6;
                 let v12 = v11 * v4;
                 (v10, v12)
@@ -378,7 +377,7 @@ const _: () = {
             let v4 = start_0 + v3;
             let v5 = k2 / v4;
             let v6 = start_2 + dp0;
-            let v7 = v5 * v6;
+            let v7 = v6 * v5;
             let v8 = k5 < start_3;
             let v9 = start_3 + dq0;
             let v10 = k5 < v9;
@@ -421,13 +420,13 @@ const _: () = {
                 let v39 = v38.multiply_add(v35, v37);
                 let v40 = k2 / dq0;
                 let v41 = k15 * v35;
-                let v42 = v39.multiply_add(v40, v41);
+                let v42 = v40.multiply_add(v39, v41);
                 let v43 = v40 * v40;
                 let v44 = dq0.multiply_add(v34, v35);
                 let v45 = k17.multiply_add(v44, v32);
                 let v46 = v40 * v45;
-                let v47 = -v39;
-                let v48 = v47.multiply_add(v43, v46);
+                let v47 = -v43;
+                let v48 = v47.multiply_add(v39, v46);
                 let v49 = k15.multiply_add(v34, v48);
                 (v42, v49)
             };
@@ -444,6 +443,11 @@ const _: () = {
             jacobian[0][0][1][0] = v57;
             jacobian[1][0][0][0] = v58;
             jacobian[1][0][1][0] = k5;
+        }
+        #[inline(always)]
+        fn drift(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+            let mut drift = <[[R; 1]; 2] as Array>::zero();
+            drift
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Collocation<R> for Spring {
@@ -487,10 +491,10 @@ const _: () = {
                 let v6 = t.cos();
                 let v7 = q0 * q0;
                 let v8 = v7 * q0;
-                let v9 = k4 * v6;
-                let v10 = v9 * v8;
-                let v11 = k5 * v6;
-                let v12 = v11 * v7;
+                let v9 = k4 * v8;
+                let v10 = v9 * v6;
+                let v11 = k5 * v7;
+                let v12 = v11 * v6;
                 (v10, v12)
             } else {
                 (k2, k2)

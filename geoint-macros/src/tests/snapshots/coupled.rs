@@ -26,7 +26,7 @@ Discrete gradients
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 7
 - stage of a Newton iteration of collocation: sums and products 15
-- Newton iteration of the discrete gradient: sums and products 23
+- Newton iteration of the discrete gradient: sums and products 25
 
 Implicit steps
 - `DiscreteGradient`, unknowns 4: Newton's iteration with elimination
@@ -71,7 +71,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 23\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -116,7 +116,7 @@ const _: () = {
             let v1 = k1 + v0;
             let v2 = p0 * p0;
             let v3 = q1 * p1;
-            let v4 = v1.multiply_add(v2, v3);
+            let v4 = v2.multiply_add(v1, v3);
             v4
         }
         fn outside_domain(
@@ -124,7 +124,7 @@ const _: () = {
             t: R,
             q: &[R; 2],
             p: &[R; 2],
-            _: &(),
+            s: &(),
         ) -> ::core::option::Option<&'static str> {
             ::core::option::Option::None
         }
@@ -198,7 +198,7 @@ const _: () = {
         const LINEAR: bool = false;
         const MEAN: Mean = Mean::Gauss(2);
         #[inline]
-        fn parameters(&self) -> [R; 0] {
+        fn parameters(&self, h: R) -> [R; 0] {
             []
         }
         #[inline(always)]
@@ -245,42 +245,49 @@ const _: () = {
             let v2 = k2 + v1;
             let v3 = start_0 + v2;
             let v4 = start_2 + dp0;
-            let v5 = k6 * v3;
-            let v6 = v5 * v4;
+            let v5 = k6 * v4;
+            let v6 = v5 * v3;
             let v7 = k6.multiply_add(dq1, start_3);
             let v8 = start_5 + dp0;
             let v9 = v8 * v8;
             let v10 = start_4 + v9;
             let v11 = start_6 + dq0;
-            let v12 = k6 * v10;
-            let v13 = v12 * v11;
+            let v12 = k6 * v11;
+            let v13 = v12 * v10;
             let v14 = -v13;
             let v15 = k6.multiply_add(dp1, start_7);
             let v16 = -v15;
             let v17 = v0 * v4;
-            let v18 = -v12;
-            let v19 = v8 * v11;
+            let v18 = k6 * v3;
+            let v19 = k6 * v10;
             let v20 = -v19;
+            let v21 = v8 * v11;
+            let v22 = -v21;
             f[0][0] = v6;
             f[0][1] = v7;
             f[1][0] = v14;
             f[1][1] = v16;
             jacobian[0][0][0][0] = v17;
             jacobian[0][0][0][1] = k14;
-            jacobian[0][0][1][0] = v5;
+            jacobian[0][0][1][0] = v18;
             jacobian[0][0][1][1] = k14;
             jacobian[0][1][0][0] = k14;
             jacobian[0][1][0][1] = k6;
             jacobian[0][1][1][0] = k14;
             jacobian[0][1][1][1] = k14;
-            jacobian[1][0][0][0] = v18;
+            jacobian[1][0][0][0] = v20;
             jacobian[1][0][0][1] = k14;
-            jacobian[1][0][1][0] = v20;
+            jacobian[1][0][1][0] = v22;
             jacobian[1][0][1][1] = k14;
             jacobian[1][1][0][0] = k14;
             jacobian[1][1][0][1] = k14;
             jacobian[1][1][1][0] = k14;
             jacobian[1][1][1][1] = k15;
+        }
+        #[inline(always)]
+        fn drift(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+            let mut drift = <[[R; 2]; 2] as Array>::zero();
+            drift
         }
     }
     impl<R: Real> Collocation<R> for Coupled {

@@ -143,7 +143,7 @@ const _: () = {
             t: R,
             q: &[R; 1],
             p: &[R; 1],
-            _: &(),
+            s: &(),
         ) -> ::core::option::Option<&'static str> {
             let a1 = self.l;
             let a0 = self.m;
@@ -253,23 +253,23 @@ const _: () = {
             let v10 = a2 * a2;
             let v11 = v5 * v5;
             let v12 = k7 * v1;
-            let v13 = v12 * v3;
-            let v14 = v13 * v9;
-            let v15 = v14 * v10;
+            let v13 = v12 * v9;
+            let v14 = v13 * v10;
+            let v15 = v14 * v3;
             let v16 = v3 * v3;
             let v17 = k8 * a0;
             let v18 = v17 * a1;
             let v19 = v18 * a2;
             let v20 = v19 * v0;
-            let v21 = v20 * v6;
-            let v22 = v21 * v16;
+            let v21 = v20 * v16;
+            let v22 = v21 * v6;
             let v23 = -v15;
             let v24 = v23.multiply_add(v11, v22);
             let v25 = h * h;
             let v26 = v4 * v3;
             let v27 = -v8;
             let v28 = v27.multiply_add(v6, v26);
-            let v29 = v24.multiply_add(v25, v28);
+            let v29 = v25.multiply_add(v24, v28);
             v29
         }
     }
@@ -280,28 +280,40 @@ const _: () = {
         }
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
-        type Parameters = [R; 1];
+        type Parameters = [R; 4];
         type Start = [R; 1];
         const LINEAR: bool = false;
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
-        fn parameters(&self) -> [R; 1] {
+        fn parameters(&self, h: R) -> [R; 4] {
             let a1 = self.l;
             let a0 = self.m;
             let a2 = self.g;
+            let k3 = R::from_f64(1.0);
+            let k4 = R::from_f64(0.5);
             let v0 = a1 * a0;
             let v1 = v0 * a2;
             let v2 = -v1;
-            [v2]
+            let v3 = h * v1;
+            let v4 = -v3;
+            let v5 = h * h;
+            let v6 = a1 * a1;
+            let v7 = a0 * v6;
+            let v8 = k3 / v7;
+            let v9 = k4 * v5;
+            let v10 = v9 * v1;
+            let v11 = v10 * v8;
+            let v12 = h * v8;
+            [v2, v4, v11, v12]
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 1], t: R, y: &[R; 1]) -> [R; 1] {
+        fn begin(prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
             let q0 = y[0];
             [q0]
         }
         #[inline(always)]
         fn slope(
-            prepared: &[R; 1],
+            prepared: &[R; 4],
             start: &[R; 1],
             d: &[R; 1],
             f: &mut [R; 1],
@@ -325,6 +337,45 @@ const _: () = {
             let v12 = prepared_0 * v11;
             f[0] = v6;
             jacobian[0][0] = v12;
+        }
+        #[inline(always)]
+        fn equation(
+            _: (&Self::Constants, R),
+            prepared: &[R; 4],
+            start: &[R; 1],
+            d: &[R; 1],
+            image: &mut [R; 1],
+            matrix: &mut Square<[R; 1]>,
+        ) {
+            let k0 = R::from_f64(0.5);
+            let dq0 = d[0];
+            let start_0 = start[0];
+            let prepared_1 = prepared[1];
+            let prepared_2 = prepared[2];
+            let k5 = R::from_f64(1.0);
+            let v0 = k0 * dq0;
+            let v1 = slope::sinc(v0);
+            let v2 = k0.multiply_add(dq0, start_0);
+            let (v3, v4) = v2.sin_cos();
+            let v5 = prepared_1 * v1;
+            let v6 = v5 * v3;
+            let v7 = slope::sinc_derivative(v0);
+            let v8 = k0 * v3;
+            let v9 = k0 * v1;
+            let v10 = v8 * v7;
+            let v11 = v9.multiply_add(v4, v10);
+            let v12 = prepared_2.multiply_add(v11, k5);
+            image[0] = v6;
+            matrix[0][0] = v12;
+        }
+        #[inline(always)]
+        fn drift(prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
+            let mut drift = <[R; 1] as Array>::zero();
+            let prepared_3 = prepared[3];
+            let dp0 = p[0];
+            let v0 = prepared_3 * dp0;
+            drift[0] = v0;
+            drift
         }
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {

@@ -1,0 +1,175 @@
+//! Steps that would jump: over a pole, or out of the domain of the energy. They are refused with a reason, whatever the method makes
+//! of a denominator with another sign; and where there is a way round, a shorter step finds it.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Hamiltonian, Method, Reason};
+
+/// Everything that solves an equation with the energy in it.
+macro_rules! implicit {
+    ($check:ident($($arg:expr),*)) => { implicit!(@ $check, ($($arg),*),
+        DiscreteGradient, MeanValue::<2>, Gonzalez, SymmetrisedItohAbe, ItohAbePair, CoordinateIncrement::default(),
+        FourthOrder(DiscreteGradient), FourthOrder(MeanValue::<2>), ImplicitMidpoint, Gauss::<3>, Suzuki4.of(ImplicitMidpoint)) };
+    (@ $check:ident, $args:tt, $($method:expr),*) => { $( implicit!(@@ $check, $args, $method); )* };
+    (@@ $check:ident, ($($arg:expr),*), $method:expr) => { $check(stringify!($method), $method, $($arg),*) };
+}
+
+/// Energies that end at q = 0, where they draw to, and where a step is short of a pole or an edge: the reason names it.
+macro_rules! ends {
+    ($($name:ident($q:ident, $p:ident) $energy:expr => $System:ident, $what:literal;)*) => {
+        $( #[hamiltonian]
+        fn $name($q: f64, $p: f64, m: f64) -> f64 { $p * $p / (2.0 * m) + $energy } )*
+
+        /// Every start, every step: a step that is taken stays on its side, and keeps the energy where the method claims to; one
+        /// that is not taken leaves the state alone.
+        #[test]
+        fn no_step_jumps() {
+            $( implicit!(falls($System { m: 1.3 }, $what)); )*
+        }
+
+        /// Nor does one whose length is free: it approaches, and ends at the last good state.
+        #[test]
+        fn shorter_steps_approach() {
+            $( implicit!(approaches($System { m: 1.3 }, $what)); )*
+        }
+    };
+}
+
+ends! {
+    reciprocal(q, p) -0.3 / q => Reciprocal, "a pole between the ends of the step: q";
+    even_power(q, p) -0.3 / (q * q) => EvenPower, "a pole between the ends of the step: q";
+    mass_of_position(q, p) p * p / (4.0 * q) + q => MassOfPosition, "a pole between the ends of the step: q";
+    absolute(q, p) -0.3 / q.abs() => Absolute, "a pole between the ends of the step: abs(q)";
+    rooted_square(q, p) -0.3 / (q * q).sqrt() => RootedSquare, "a pole between the ends of the step: q²";
+    logarithm_of_square(q, p) 0.3 * (q * q).ln() => LogarithmOfSquare, "a pole between the ends of the step: q²";
+    tangent(q, p) 0.05 * (0.25 * q + std::f64::consts::FRAC_PI_2).tan() => Tangent, "a pole between the ends of the step: cos";
+    logarithm(q, p) 0.3 * q.ln() => Logarithm, "`ln` of";
+    root(q, p) q.sqrt() + q => Root, "`sqrt` of";
+    power(q, p) q.powf(1.3) + q => Power, "`powf` of";
+    arc(q, p) -(1.0 - q).acos() + q => Arc, "`acos` of";
+}
+
+const STARTS: [(f64, f64); 6] = [(1.0, -1.0), (1.0, -3.0), (0.6, -1.0), (0.6, -8.0), (0.2, -1.0), (0.2, -3.0)];
+const STEPS: [f64; 6] = [0.03, 0.1, 0.2, 0.31, 0.5, 1.3];
+
+fn falls<S, M>(name: &str, method: M, system: S, expected: &str)
+where
+    S: Hamiltonian<f64, Coordinates = f64>,
+    M: Method<S, f64>,
+{
+    let mut seen = false;
+    for (q, p) in STARTS {
+        for h in STEPS {
+            let start = State::new(q, p);
+            let context = || format!("{expected}, {name}: h = {h} from {start:?}");
+            let mut sim = system.integrator(method, h, start);
+            let energy = sim.energy();
+            let (mut good, mut nearest) = (start, start.q);
+            let reason = loop {
+                if let Err(reason) = sim.step() {
+                    break Some(reason);
+                }
+                good = sim.state();
+                assert!(good.q > 0.0, "{}: {good:?}", context());
+                let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
+                // Near the end, half a digit of q is much energy; and it stays.
+                nearest = nearest.min(good.q);
+                let rounding = 1e-10 * (1.0 + (0.1 / nearest).powi(2));
+                assert!(error <= rounding || !method.claims().conserves_energy, "{}: {good:?} {error:.1e}", context());
+                if sim.steps() == 40 {
+                    break None;
+                }
+            };
+            assert_eq!(sim.state(), good, "{}", context());
+            match reason {
+                Some(StepError::OutsideDomain { what, .. }) => {
+                    // It may also look at the end itself.
+                    let named = expected.rsplit(": ").next().is_some_and(|term| what.ends_with(term));
+                    assert!(what.contains(expected) || named, "{}: {what}", context());
+                    seen |= what.contains(expected);
+                    let mut bulk = system.integrator(method, h, start);
+                    assert_eq!((bulk.advance(40).err(), bulk.state()), (reason, good), "{}", context());
+                }
+                None | Some(StepError::Singular { .. } | StepError::NotConverged { .. }) => {}
+                Some(reason) => panic!("{}: {reason}", context()),
+            }
+        }
+    }
+    assert!(seen, "{expected}, {name}: never refused for that reason");
+}
+
+fn approaches<S, M>(name: &str, method: M, system: S, expected: &str)
+where
+    S: Hamiltonian<f64, Coordinates = f64>,
+    M: Method<S, f64>,
+{
+    let mut sim = system.adaptive(method, 1e-5, State::new(1.0, -3.0)).first_step(1.0).steps_between(1e-4, 1.0);
+    let (energy, mut good) = (sim.energy(), sim.state());
+    let reason = loop {
+        match sim.step() {
+            Ok(()) => good = sim.state(),
+            Err(StepError::StepTooSmall { h, reason, .. }) => {
+                assert!(h <= 1e-4, "{expected}, {name}: {h}");
+                break reason;
+            }
+            Err(error) => panic!("{expected}, {name}: {error}"),
+        }
+        let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
+        assert!(good.q > 0.0 && error < 2e-2, "{expected}, {name}: {good:?} {error:.1e}");
+        assert!(sim.time() < 3.0, "{expected}, {name}: still there, {good:?}");
+    };
+    assert!(sim.rejections() > 0 && sim.state() == good, "{expected}, {name}");
+    match reason {
+        Reason::OutsideDomain { what } => assert!(what.contains(expected), "{expected}, {name}: {what}"),
+        Reason::Inaccurate { .. } | Reason::Singular | Reason::NotConverged => {}
+        reason => panic!("{expected}, {name}: {reason}"),
+    }
+}
+
+/// Two sides of a line q·p = −1.
+#[hamiltonian]
+fn joint(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) + 0.2 / (1.0 + q * p) + q * q
+}
+
+/// Where the sign of a denominator depends on both coordinates; across q = 0 nothing is wrong.
+#[test]
+fn poles_of_both_coordinates() {
+    fn check<M: Method<Joint>>(name: &str, method: M, crossed: &mut u32) {
+        let side = |state: &State<f64>| 1.0 + state.q * state.p > 0.0;
+        for (q, p) in STARTS {
+            for h in STEPS {
+                let start = State::new(q, p);
+                let mut sim = Joint { m: 1.3 }.integrator(method, h, start);
+                while sim.steps() < 20 && sim.step().is_ok() {
+                    *crossed += u32::from(sim.state().q < 0.0);
+                    assert_eq!(side(&sim.state()), side(&start), "{name}: h = {h} from {start:?}");
+                }
+            }
+        }
+    }
+    let mut crossed = 0;
+    let crossed = &mut crossed;
+    implicit!(check(crossed));
+    assert!(*crossed > 100);
+}
+
+/// A wall that repels, as steep as a pole.
+#[hamiltonian]
+fn wall(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k / q
+}
+
+/// What is repelled comes back, however long the first step.
+#[test]
+fn a_pole_that_repels_is_bounced_off() {
+    fn check<M: Method<Wall>>(name: &str, method: M) {
+        for h in [0.1, 1.0, 10.0] {
+            let mut sim = Wall { m: 1.3, k: 0.1 }.adaptive(method, 1e-6, State::new(2.0, -3.0)).first_step(h);
+            let energy = sim.energy();
+            let nearest = sim.until(3.0).map(|state| state.unwrap().q).fold(f64::INFINITY, f64::min);
+            assert!(nearest > 0.0 && nearest < 0.1 && sim.state().p > 2.9, "{name}: {nearest}");
+            assert!((sim.energy() - energy).abs() < 1e-3, "{name}");
+        }
+    }
+    implicit!(check());
+}
