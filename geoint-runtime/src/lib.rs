@@ -61,6 +61,7 @@ mod newton;
 mod quasi_newton;
 mod predictor;
 mod stagnation;
+pub mod kicks;
 pub mod splitting;
 pub mod composition;
 mod tables;
@@ -123,7 +124,9 @@ pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, Symplecti
 #[doc(inline)]
 pub use state::{ContactState, Coordinates, State};
 #[doc(inline)]
-pub use system::{Autonomous, Conservative, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable};
+pub use system::{
+    Autonomous, Conservative, ForceGradient, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable,
+};
 pub use tables::*;
 
 /// Everything that a program needs.
@@ -131,9 +134,9 @@ pub mod prelude {
     pub use crate::tables::*;
     pub use crate::{
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez, Hamiltonian,
-        ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, PhaseSpace,
-        PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
+        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
+        PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
         SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

@@ -3,8 +3,8 @@
 pub use crate::adaptive::Adaptive;
 pub use crate::array::{Array, Square};
 pub use crate::contact::{
-    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient, ContactMidpoint,
-    ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
+    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient,
+    ContactMidpoint, ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
 };
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
@@ -13,6 +13,6 @@ pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, ModifiedEnergy, PhaseSpace,
-    QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, ForceGradient, Hamiltonian, Mean, ModifiedEnergy,
+    PhaseSpace, QuadraticKinetic, Separable,
 };

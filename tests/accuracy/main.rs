@@ -9,4 +9,5 @@ mod corrected;
 mod geometry;
 mod discrete_gradients;
 mod mean_value;
+mod modified;
 mod clock;

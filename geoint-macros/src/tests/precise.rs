@@ -154,6 +154,12 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::PowfSlope
         | Function::PowfSlopeDerivative
         | Function::AbsSlope
-        | Function::AbsSlopeDerivative => unreachable!("energies are written without helpers"),
+        | Function::AbsSlopeDerivative
+        | Function::Phi1
+        | Function::Phi1Derivative
+        | Function::StumpffC0
+        | Function::StumpffC1
+        | Function::StumpffC1Derivative
+        | Function::AtMost => unreachable!("energies are written without helpers"),
     })
 }

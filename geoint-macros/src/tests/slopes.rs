@@ -110,7 +110,13 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::PowfSlope
         | Function::PowfSlopeDerivative
         | Function::AbsSlope
-        | Function::AbsSlopeDerivative => vec![],
+        | Function::AbsSlopeDerivative
+        | Function::Phi1
+        | Function::Phi1Derivative
+        | Function::StumpffC0
+        | Function::StumpffC1
+        | Function::StumpffC1Derivative
+        | Function::AtMost => vec![],
     }
 }
 
