@@ -62,6 +62,7 @@ mod quasi_newton;
 mod predictor;
 mod stagnation;
 pub mod kicks;
+mod modified;
 pub mod splitting;
 pub mod composition;
 mod tables;

@@ -9,6 +9,7 @@ pub use crate::contact::{
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;
+pub use crate::modified::verlet as modified_verlet;
 pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};

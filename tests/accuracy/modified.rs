@@ -51,6 +51,8 @@ fn a_step_is_a_flow() {
         assert!((order - 5.0).abs() < 0.4, "{}: {order:.2}", P::NAME);
     }
     check::<HenonHeiles>();
+    check::<ThreeBodies>();
+    check::<Toda>();
     check::<Relativistic>();
     check::<DrivenPendulum>();
     check::<Breathing>();

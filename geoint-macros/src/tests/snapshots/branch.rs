@@ -61,9 +61,12 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
-        State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -74,7 +77,7 @@ const _: () = {
         pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nDiscrete gradients\n- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 2: Newton's iteration with elimination\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
-            Hamiltonian::energy(self, state)
+            PhaseSpace::energy(self, state)
         }
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
@@ -85,7 +88,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            Hamiltonian::integrator(self, method, h, state)
+            PhaseSpace::integrator(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -100,11 +103,12 @@ const _: () = {
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
-    impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
+    impl<R: Real + ::core::cmp::PartialOrd> PhaseSpace<R> for Spring {
         type Coordinates = R;
         type Array = [R; 1];
+        type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
+        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(0.0);
@@ -125,6 +129,26 @@ const _: () = {
             let v9 = v2 + v8;
             v9
         }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+            _: &(),
+        ) -> ::core::option::Option<&'static str> {
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
+            if v1.any_below(0.0) {
+                return ::core::option::Option::Some(
+                    "`sqrt` of a negative number: p² + 1",
+                );
+            }
+            ::core::option::Option::None
+        }
+    }
+    impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
         #[inline]
         fn gradient(
             &self,
@@ -157,23 +181,6 @@ const _: () = {
             dq[0] = v6;
             dp[0] = v10;
         }
-        fn outside_domain(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-        ) -> ::core::option::Option<&'static str> {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            if v1.any_below(0.0) {
-                return ::core::option::Option::Some(
-                    "`sqrt` of a negative number: p² + 1",
-                );
-            }
-            ::core::option::Option::None
-        }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Separable<R> for Spring {
         type Kick = [R; 1];
@@ -188,7 +195,7 @@ const _: () = {
             [h]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
+        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
             let k0 = R::from_f64(0.0);
             let q0 = q[0];
             let k2 = R::from_f64(4.0);
@@ -209,7 +216,7 @@ const _: () = {
             p[0] = v7;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
+        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let prepared_0 = prepared[0];
@@ -230,6 +237,82 @@ const _: () = {
     pub trait QuadraticInSpring {}
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
+    impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> ForceGradient<R>
+    for Spring {
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + ::core::cmp::PartialOrd> ModifiedEnergy<R> for Spring {
+        fn modified_hamiltonian(&self, h: R, t: R, q: &[R; 1], p: &[R; 1], s: &()) -> R {
+            let p0 = p[0];
+            let k1 = R::from_f64(1.0);
+            let k2 = R::from_f64(0.0);
+            let q0 = q[0];
+            let k4 = R::from_f64(4.0);
+            let k5 = R::from_f64(3.0);
+            let k6 = R::from_f64(0.041666666666666664);
+            let k7 = R::from_f64(0.08333333333333333);
+            let v0 = p0 * p0;
+            let v1 = k1 + v0;
+            let v2 = v1.sqrt();
+            let v3 = k2 < q0;
+            let v12 = k1 / v2;
+            let v13 = p0 * v12;
+            let (v24, v25, v26, v27) = if v3 {
+                let v4 = q0 * q0;
+                let v5 = v4 * v4;
+                let (v6, v7) = t.sin_cos();
+                let v8 = v5 * v7;
+                let v9 = v4 * q0;
+                let v10 = k4 * v7;
+                let v11 = v10 * v9;
+                let v14 = k5 * v7;
+                let v15 = v14 * v13;
+                let v16 = v15 * v4;
+                let v17 = -v9;
+                let v18 = v17.multiply_add(v6, v16);
+                let v19 = k4 * v18;
+                let v20 = k4 * v6;
+                let v21 = v20 * v9;
+                let v22 = v21.multiply_add(v13, v8);
+                let v23 = -v22;
+                (v8, v11, v19, v23)
+            } else {
+                (k2, k2, k2, k2)
+            };
+            let v28 = v13.multiply_add(v26, v27);
+            let v29 = v12 * v12;
+            let v30 = v29 * v12;
+            let v31 = v0 * v25;
+            let v32 = v31 * v30;
+            let v33 = -v25;
+            let v34 = v33.multiply_add(v12, v32);
+            let v35 = k6 * v25;
+            let v36 = k7 * v28;
+            let v37 = v35.multiply_add(v34, v36);
+            let v38 = h * h;
+            let v39 = v2 + v24;
+            let v40 = v37.multiply_add(v38, v39);
+            v40
+        }
+    }
+    impl Spring {
+        /// H + h²H₂, which steps of length `h` keep, or let decay as the flow of H + h²H₂ does, up to h⁴.
+        pub fn modified_energy(&self, h: f64, state: &State<f64>) -> f64 {
+            ModifiedEnergy::modified_energy(self, h, state)
+        }
+    }
     impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
         type Parameters = [R; 0];
         type Start = [R; 11];

@@ -58,9 +58,12 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
-        State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -71,7 +74,7 @@ const _: () = {
         pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 23\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
-            Hamiltonian::energy(self, state)
+            PhaseSpace::energy(self, state)
         }
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
@@ -82,7 +85,7 @@ const _: () = {
             h: f64,
             state: State<[f64; 2]>,
         ) -> Integrator<Self, M, f64> {
-            Hamiltonian::integrator(self, method, h, state)
+            PhaseSpace::integrator(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -98,11 +101,12 @@ const _: () = {
     }
     impl<R: Real> Conservative<R> for Coupled {}
     impl<R: Real> Autonomous<R> for Coupled {}
-    impl<R: Real> Hamiltonian<R> for Coupled {
+    impl<R: Real> PhaseSpace<R> for Coupled {
         type Coordinates = [R; 2];
         type Array = [R; 2];
+        type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2]) -> R {
+        fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2], _: &()) -> R {
             let q0 = q[0];
             let k1 = R::from_f64(1.0);
             let p0 = p[0];
@@ -115,6 +119,17 @@ const _: () = {
             let v4 = v1.multiply_add(v2, v3);
             v4
         }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 2],
+            p: &[R; 2],
+            _: &(),
+        ) -> ::core::option::Option<&'static str> {
+            ::core::option::Option::None
+        }
+    }
+    impl<R: Real> Hamiltonian<R> for Coupled {
         #[inline]
         fn gradient(
             &self,
@@ -142,14 +157,6 @@ const _: () = {
             dp[0] = v6;
             dp[1] = q1;
         }
-        fn outside_domain(
-            &self,
-            t: R,
-            q: &[R; 2],
-            p: &[R; 2],
-        ) -> ::core::option::Option<&'static str> {
-            ::core::option::Option::None
-        }
     }
     #[diagnostic::on_unimplemented(
         message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",
@@ -165,14 +172,41 @@ const _: () = {
         fn prepare_drift(&self, _: R) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }
-        fn kick(never: &::core::convert::Infallible, _: R, _: &[R; 2], _: &mut [R; 2]) {
+        fn kick(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
             match *never {}
         }
-        fn drift(never: &::core::convert::Infallible, _: R, _: &mut [R; 2], _: &[R; 2]) {
+        fn drift(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
             match *never {}
         }
     }
     impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
+    impl<R: Real + UncoupledCoupled> ForceGradient<R> for Coupled {
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
     impl<R: Real> DiscreteField<R> for Coupled {
         type Parameters = [R; 0];
         type Start = [R; 8];

@@ -71,9 +71,12 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, Collocation, Conservative, Cubic, DiscreteField,
-        Hamiltonian, Integrator, Mean, Method, QuadraticKinetic, Real, Separable, Square,
-        State, is_positive_semidefinite, slope,
+        Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -84,7 +87,7 @@ const _: () = {
         pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
-            Hamiltonian::energy(self, state)
+            PhaseSpace::energy(self, state)
         }
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
@@ -95,7 +98,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            Hamiltonian::integrator(self, method, h, state)
+            PhaseSpace::integrator(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -111,11 +114,12 @@ const _: () = {
     }
     impl<R: Real> Conservative<R> for Pendulum<R> {}
     impl<R: Real> Autonomous<R> for Pendulum<R> {}
-    impl<R: Real> Hamiltonian<R> for Pendulum<R> {
+    impl<R: Real> PhaseSpace<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
+        type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1]) -> R {
+        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
             let p0 = p[0];
             let a1 = self.l;
             let a0 = self.m;
@@ -134,6 +138,24 @@ const _: () = {
             let v9 = v8.multiply_add(v5, v4);
             v9
         }
+        fn outside_domain(
+            &self,
+            t: R,
+            q: &[R; 1],
+            p: &[R; 1],
+            _: &(),
+        ) -> ::core::option::Option<&'static str> {
+            let a1 = self.l;
+            let a0 = self.m;
+            let v0 = a1 * a1;
+            let v1 = a0 * v0;
+            if v1.abs().any_below(f64::MIN_POSITIVE) {
+                return ::core::option::Option::Some("division by zero: m·l²");
+            }
+            ::core::option::Option::None
+        }
+    }
+    impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         #[inline]
         fn gradient(
             &self,
@@ -157,21 +179,6 @@ const _: () = {
             let v6 = p0 / v5;
             dq[0] = v3;
             dp[0] = v6;
-        }
-        fn outside_domain(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-        ) -> ::core::option::Option<&'static str> {
-            let a1 = self.l;
-            let a0 = self.m;
-            let v0 = a1 * a1;
-            let v1 = a0 * v0;
-            if v1.abs().any_below(f64::MIN_POSITIVE) {
-                return ::core::option::Option::Some("division by zero: m·l²");
-            }
-            ::core::option::Option::None
         }
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
@@ -198,7 +205,7 @@ const _: () = {
             [v2]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &[R; 1], p: &mut [R; 1]) {
+        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
             let q0 = q[0];
             let prepared_0 = prepared[0];
             let p0 = p[0];
@@ -207,7 +214,7 @@ const _: () = {
             p[0] = v1;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &[R; 1]) {
+        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
             let prepared_0 = prepared[0];
             let p0 = p[0];
             let q0 = q[0];
@@ -216,6 +223,60 @@ const _: () = {
         }
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
+    impl<R: Real> ForceGradient<R> for Pendulum<R> {
+        type GradientKick = [R; 2];
+        #[inline]
+        fn prepare_gradient_kick(&self, h: R, g: R) -> [R; 2] {
+            let a2 = self.g;
+            let a0 = self.m;
+            let a1 = self.l;
+            let k3 = R::from_f64(2.0);
+            let v0 = a2 * a2;
+            let v1 = a0 * a0;
+            let v2 = a1 * a1;
+            let v3 = a0 * v2;
+            let v4 = k3 * v0;
+            let v5 = v4 * v1;
+            let v6 = v5 * g;
+            let v7 = v6 * v2;
+            let v8 = v7 / v3;
+            let v9 = h * a2;
+            let v10 = v9 * a0;
+            let v11 = v10 * a1;
+            let v12 = -v11;
+            [v8, v12]
+        }
+        #[inline(always)]
+        fn gradient_kick(
+            prepared: &[R; 2],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            s: &mut (),
+        ) {
+            let q0 = q[0];
+            let prepared_0 = prepared[0];
+            let prepared_1 = prepared[1];
+            let p0 = p[0];
+            let (v0, v1) = q0.sin_cos();
+            let v2 = prepared_0 * v1;
+            let v3 = prepared_1 * v0;
+            let v4 = v2.multiply_add(v0, v3);
+            let v5 = p0 + v4;
+            p[0] = v5;
+        }
+    }
+    impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
+        fn modified_hamiltonian(&self, h: R, t: R, q: &[R; 1], p: &[R; 1], s: &()) -> R {
+            modified_verlet(self, h, t, q, p)
+        }
+    }
+    impl Pendulum {
+        /// H + h²H₂, which steps of length `h` keep, or let decay as the flow of H + h²H₂ does, up to h⁴.
+        pub fn modified_energy(&self, h: f64, state: &State<f64>) -> f64 {
+            ModifiedEnergy::modified_energy(self, h, state)
+        }
+    }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Parameters = [R; 1];
         type Start = [R; 1];
