@@ -93,7 +93,8 @@ pub(crate) fn pieces(
 
 /// From the first group to the last.
 fn whole(groups: &[(Id, Place)]) -> Place {
-    let [first, last] = [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
+    let [first, last] =
+        [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
     (first, last)
 }
 
@@ -108,7 +109,8 @@ fn differ(graph: &Graph, a: Id, b: Id) -> bool {
     }
     (1..4).any(|point| {
         // Between 0.3 and 1.3, incommensurable.
-        let value = |symbol: Symbol| 0.3 + (known[&symbol] + 1.0).mul_add(0.618_033_988_749, 0.414 * f64::from(point)).fract();
+        let value =
+            |symbol: Symbol| 0.3 + (known[&symbol] + 1.0).mul_add(0.618_033_988_749, 0.414 * f64::from(point)).fract();
         let [x, y] = [a, b].map(|id| eval(graph, id, &value));
         (x - y).abs() > 1e-9 * (1.0 + x.abs())
     })
@@ -119,7 +121,8 @@ const NO_FLOW: &str = "no flow in closed form is known for this piece: take it a
 
 const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing is";
 
-const NO_LIFT: &str = "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
+const NO_LIFT: &str =
+    "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
 
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
                                     `ContactMidpoint` or `ContactDiscreteGradient`";
@@ -128,8 +131,8 @@ pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V
                                          `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
 
 pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
-                                      Runge–Kutta–Nyström tables would lose their order; use a table for every splitting, such as \
-                                      `BlanesMoan6`";
+                                      Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a \
+                                      table for every splitting, such as `BlanesMoan6`";
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
@@ -141,5 +144,5 @@ pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
-                                        Runge–Kutta–Nyström tables would lose their order; use a table for every \
-                                        separable energy, such as `BlanesMoan6`";
+                                        Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
+                                        order; use a table for every separable energy, such as `BlanesMoan6`";

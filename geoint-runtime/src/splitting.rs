@@ -5,8 +5,8 @@
 //! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
 //! T or V depends on time.
 
-use crate::kicks::{Order, Times, Weight};
 pub use crate::kicks::{DriftFirst, KickFirst, WithGradient};
+use crate::kicks::{Order, Times, Weight};
 use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
 use crate::point::{Point, Summation};
 use crate::real::Real;

@@ -165,8 +165,8 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = Nystrom(Splitting::palindrome(
 
 /// Kick first. Order 2, 1 force and 1 gradient: a change of variables, and back, would make of its steps those of a method of order 4.
 /// M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765; G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
-pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
-    Splitting::palindrome(2, [0.5], [1.0]).with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
+pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> = Splitting::palindrome(2, [0.5], [1.0])
+    .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
 
 /// Kick first. Order 4, 2 forces and 1 gradient, all weights positive; stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
 /// algorithm A. Closed form.

@@ -86,7 +86,9 @@ fn quadratic_kinetic_energy() {
     methods::force_gradient(&mut orders);
     methods::cubic(&mut orders);
     methods::itoh_abe(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + FORCE_GRADIENT + CUBIC);
+    orders.finish(
+        GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + FORCE_GRADIENT + CUBIC,
+    );
 }
 
 #[test]

@@ -231,7 +231,7 @@ const _: () = {
         }
     }
     #[diagnostic::on_unimplemented(
-        message = "`Spring`: this term is not quadratic in the momenta with constant coefficients, so Runge–Kutta–Nyström tables would lose their order; use a table for every separable energy, such as `BlanesMoan6`",
+        message = "`Spring`: this term is not quadratic in the momenta with constant coefficients, so Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a table for every separable energy, such as `BlanesMoan6`",
         label = "the term is: √(p² + 1)"
     )]
     pub trait QuadraticInSpring {}
