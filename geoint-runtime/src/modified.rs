@@ -2,13 +2,10 @@
 
 use crate::array::Array;
 use crate::real::{Real, zero};
-use crate::system::{Collocation, PhaseSpace};
+use crate::system::Collocation;
 
 /// H + h²H₂ of [`StormerVerlet`](crate::StormerVerlet) for q″ = M⁻¹F(q): H₂ = −(v·F′v/12 + F·M⁻¹F/24) with v = ∂T/∂p.
-pub fn verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, q: &S::Array, p: &S::Array) -> R
-where
-    S: PhaseSpace<R, Action = ()>,
-{
+pub fn verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, q: &S::Array, p: &S::Array) -> R {
     let constants = system.constants();
     let (y, momenta) = S::start(q, p);
     let velocity = S::velocity(&constants, &momenta);
