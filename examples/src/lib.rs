@@ -5,8 +5,10 @@
 mod cost;
 mod output;
 pub mod plot;
+mod run;
 mod table;
 
 pub use cost::{looks, shortest};
 pub use output::{claim, output, shown};
+pub use run::{largest, orbit, order};
 pub use table::table;

@@ -128,6 +128,25 @@ pub struct Panel {
     pub curves: Vec<Curve>,
 }
 
+impl Panel {
+    /// Curves in linear coordinates, named above.
+    pub fn new(title: &str, [x_label, y_label]: [&str; 2], [x, y]: [Range<f64>; 2], curves: Vec<Curve>) -> Self {
+        let [title, x_label, y_label] = [title, x_label, y_label].map(Into::into);
+        Panel { title, x_label, y_label, x, y, scale: Scale::Linear, names: Names::Above, curves }
+    }
+}
+
+/// Writes panels as [`save`] does to the output file `name`, and says where it is.
+///
+/// # Errors
+/// If the file cannot be written.
+pub fn figure(name: &str, size: (u32, u32), panels: &[Panel]) -> Result<(), Box<dyn Error>> {
+    let path = crate::output(name)?;
+    save(&path, size, panels)?;
+    println!("\nfigure      {}", crate::shown(&path));
+    Ok(())
+}
+
 /// Writes panels side by side, each `width` × `height` pixels, as an SVG.
 ///
 /// # Errors

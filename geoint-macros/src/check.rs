@@ -81,12 +81,12 @@ pub(crate) fn pieces(
             errors.at_place(whole(groups), format!("{NOT_THE_SUM}: {}", printer.excerpt(missing)));
         }
     }
-    if let Some(span) = energy.lift {
-        if let Some(term) = analyze::not_affine(graph, root) {
-            let printer = Printer::new(graph, &name);
-            let place = places.get(&term).copied().unwrap_or((span, span));
-            errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
-        }
+    if let Some(span) = energy.lift
+        && let Some(term) = analyze::not_affine(graph, root)
+    {
+        let printer = Printer::new(graph, &name);
+        let place = places.get(&term).copied().unwrap_or((span, span));
+        errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
     }
     errors.or(())
 }

@@ -16,7 +16,7 @@ pub(crate) fn expand(form: Form, args: TokenStream, item: TokenStream) -> TokenS
         // The function comes first and as it is, so that rustc and editors see it whatever happens.
         Ok(function) => match parse::energy(form, args, function) {
             Ok(energy) => {
-                let function = emit::function(&energy).unwrap_or(item);
+                let function = emit::function(&energy, item);
                 let derived = match form {
                     Form::Hamiltonian => hamiltonian(&energy),
                     Form::Contact => contact_hamiltonian(&energy),

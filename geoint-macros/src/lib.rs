@@ -142,7 +142,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
 ///   which add up to H.
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
-///   which would blow up in finite time: they stay what they are, and the energy has no meaning.
+///   which would blow up in finite time: they stay what they are, and the energy is not a number.
 /// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {

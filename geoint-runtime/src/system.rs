@@ -163,6 +163,11 @@ pub trait Cubic<R: Real = f64>: Collocation<R> {}
 
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]`",
+    label = "this method is for those",
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+)]
 pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     /// y: an array of (q, p), or q alone. f has the same shape.
     type Unknown: Array<Real = R>;
@@ -206,6 +211,11 @@ pub enum Mean {
 /// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
 ///
 /// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]`",
+    label = "this method is for those",
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+)]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     /// What depends on parameters only.
     type Parameters: Copy + core::fmt::Debug;

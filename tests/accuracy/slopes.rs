@@ -101,7 +101,7 @@ fn helpers<R: Real>() -> Vec<Helper<R>> {
     list![
         sinc 1, sinc_derivative 1, sinhc 1, sinhc_derivative 1, arc 2, arc_derivative 2, exp 2, exp_derivative 2,
         exp2 2, ln 2, ln_derivative 2, tanh 2, tanh_derivative 2, powf 3, powf_derivative 3, abs 2, abs_derivative 2,
-        recip_positive 1, root 1
+        recip_positive 1, root 1, phi_1 1, phi_1_derivative 1, stumpff_c0 1, stumpff_c1 1, stumpff_c1_derivative 1
     ]
 }
 

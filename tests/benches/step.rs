@@ -22,18 +22,20 @@ const COMPARED: (u64, f64) = (1000, 1e-12);
 
 fn main() {
     let by_hand: Vec<Pair> =
-        [pendulum(), kepler(), henon_heiles(), outer_solar_system(), double_pendulum()].into_iter().flatten().collect();
+        [pendulum(), kepler(), contact(), henon_heiles(), outer_solar_system(), double_pendulum()].into_iter().flatten().collect();
     for pair in &by_hand {
         let (steps, bound) = COMPARED;
         let difference = pair.difference(steps);
         assert!(difference <= bound, "{}: generated and hand-written differ by {difference:.1e}", pair.name);
     }
     let discrete = discrete_gradients();
+    let action = without_action();
 
     // A test run only wants to know whether this runs.
     if !std::env::args().any(|arg| arg == "--test" || arg == "--list") {
         table("generated / hand-written", &by_hand);
         table("discrete gradient / Verlet", &discrete);
+        table("without the action / with it", &action);
     }
     if std::env::var("RATIOS").is_ok_and(|value| value == "only") {
         return;
@@ -139,6 +141,61 @@ fn kepler() -> Vec<Pair> {
             unit: Box::new(move |n| hand().discrete_gradient(black_box(h), n, KEPLER).to_vec()),
         },
     ]
+}
+
+/// Contact systems: S2 of kick and damped drift.
+fn contact() -> Vec<Pair> {
+    let (h, z, alpha) = (0.01, [0.6, 0.0, 0.0, 1.5, 0.0], 0.07);
+    let start = ContactState::new([z[0], z[1]], [z[2], z[3]], z[4]);
+    let driven = move || black_box(systems::DrivenKepler { mu: 1.0, alpha, omega: std::f64::consts::TAU });
+    let damped = move || black_box(systems::DampedKepler { mu: 1.0, alpha });
+    let hand = move || black_box(by_hand::perturbed_kepler::PerturbedKepler { mu: 1.0, alpha, omega: std::f64::consts::TAU });
+    vec![
+        Pair {
+            name: "driven Kepler, ContactSplitting".into(),
+            subject: contact_run(driven(), ContactSplitting, h, start),
+            unit: Box::new(move |n| hand().driven(black_box(h), n, z).to_vec()),
+        },
+        Pair {
+            name: "damped Kepler, ContactSplitting".into(),
+            subject: contact_run(damped(), ContactSplitting, h, start),
+            unit: Box::new(move |n| hand().damped(black_box(h), n, z).to_vec()),
+        },
+        Pair {
+            name: "damped Kepler, PositionVerlet".into(),
+            subject: contact_run(damped(), PositionVerlet, h, start),
+            unit: Box::new(move |n| hand().damped(black_box(h), n, z).to_vec()),
+        },
+    ]
+}
+
+/// What is saved where nobody reads s: the value of the potential, and s itself.
+fn without_action() -> Vec<Pair> {
+    let (h, start) = (0.01, ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0));
+    let system = move || black_box(systems::DampedKepler { mu: 1.0, alpha: 0.07 });
+    vec![Pair {
+        name: "damped Kepler, PositionVerlet".into(),
+        subject: Box::new(move |steps| {
+            let mut sim = system().integrator(PositionVerlet, black_box(h), black_box(start)).without_action();
+            sim.advance(black_box(steps)).unwrap();
+            let ContactState { q, p, .. } = sim.state();
+            vec![q[0], q[1], p[0], p[1]]
+        }),
+        unit: contact_run(system(), PositionVerlet, h, start),
+    }]
+}
+
+fn contact_run<S, M>(system: S, method: M, h: f64, start: ContactState<[f64; 2]>) -> Run
+where
+    S: PhaseSpace<Coordinates = [f64; 2], Array = [f64; 2], Action = f64> + 'static,
+    M: Method<S> + 'static,
+{
+    Box::new(move |steps| {
+        let mut sim = PhaseSpace::integrator(system, black_box(method), black_box(h), black_box(start));
+        sim.advance(black_box(steps)).unwrap();
+        let ContactState { q, p, s, .. } = sim.state();
+        vec![q[0], q[1], p[0], p[1], s]
+    })
 }
 
 fn henon_heiles() -> Vec<Pair> {

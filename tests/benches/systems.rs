@@ -1,6 +1,6 @@
 //! The energies whose generated steps are timed.
 
-use geoint_runtime::hamiltonian;
+use geoint_runtime::{contact_hamiltonian, hamiltonian};
 use nalgebra::Vector3;
 
 /// Planar pendulum.
@@ -13,6 +13,18 @@ pub(crate) fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
 #[hamiltonian]
 pub(crate) fn kepler(q: [f64; 2], p: [f64; 2], m: f64, mu: f64) -> f64 {
     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - mu * m / (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+/// The same under friction that comes and goes.
+#[contact_hamiltonian]
+pub(crate) fn driven_kepler(q: [f64; 2], p: [f64; 2], s: f64, t: f64, mu: f64, alpha: f64, omega: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 - mu / (q[0] * q[0] + q[1] * q[1]).sqrt() + alpha * (omega * t).sin() * s
+}
+
+/// The same under constant friction.
+#[contact_hamiltonian]
+pub(crate) fn damped_kepler(q: [f64; 2], p: [f64; 2], s: f64, mu: f64, alpha: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 - mu / (q[0] * q[0] + q[1] * q[1]).sqrt() + alpha * s
 }
 
 /// Hénon & Heiles' galaxy.

@@ -1,7 +1,9 @@
 //! Contact systems: flows of pieces, methods, systems of the field.
 
 mod cases;
+mod flows;
 mod implicit;
 mod laws;
 mod measure;
 mod methods;
+mod systems;

@@ -150,6 +150,11 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost => vec![one, g.zero()],
+        // x·eᶻ; its third argument is a function of z.
+        Function::Grown => {
+            let growth = g.call(Function::Exp, &[y]);
+            vec![growth, value, g.zero()]
+        }
         Function::Root => {
             let reciprocal = g.recip(value);
             vec![g.scale(Number::HALF, reciprocal)]

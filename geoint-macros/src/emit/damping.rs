@@ -10,7 +10,7 @@ use std::fmt::Write;
 
 /// The user's function with its damping inside, where rustc checks it as it does the body, and where an argument that nothing
 /// else reads is read.
-pub(crate) fn function(energy: &Energy) -> Option<TokenStream> {
+pub(super) fn function(energy: &Energy) -> Option<TokenStream> {
     let damping = energy.damping.as_ref()?;
     let mut item = energy.item.clone();
     item.block.stmts.insert(0, syn::parse_quote!(let _ = || { let _ = #damping; };));

@@ -17,10 +17,15 @@ use crate::diff::Derivatives;
 use crate::ir::{Graph, Id};
 use crate::parse::Energy;
 pub(crate) use contact::contact_items;
-pub(crate) use damping::function;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::quote;
+
+/// The user's function as it is. Coordinates and parameters may be many: clippy would not have it beyond seven.
+pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
+    let function = damping::function(energy).unwrap_or(item);
+    if energy.item.sig.inputs.len() > 7 { quote!(#[allow(clippy::too_many_arguments)] #function) } else { function }
+}
 
 /// Everything that is emitted beside the user's function.
 pub(crate) fn items(

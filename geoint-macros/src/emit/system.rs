@@ -37,16 +37,32 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
 /// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
 /// open.
 pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
-    let Energy { name, float, coordinates, .. } = context.energy;
+    let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
+    let state = state(*form);
+    let adaptive = (*form == Form::Hamiltonian).then(|| {
+        quote! {
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float>>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: #state<#coordinates>,
+            ) -> Adaptive<Self, M, #float> {
+                Hamiltonian::adaptive(self, method, tolerance, state)
+            }
+        }
+    });
     quote! {
         impl #name {
-            /// What was derived from the energy: derivatives, structure, what is conserved, operations, and what is
+            /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
             /// skipped and why.
             pub const REPORT: &'static str = #report;
 
             /// The energy of a state.
-            pub fn energy(&self, state: &State<#coordinates>) -> #float {
+            pub fn energy(&self, state: &#state<#coordinates>) -> #float {
                 PhaseSpace::energy(self, state)
             }
 
@@ -57,23 +73,21 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 self,
                 method: M,
                 h: #float,
-                state: State<#coordinates>,
+                state: #state<#coordinates>,
             ) -> Integrator<Self, M, #float> {
                 PhaseSpace::integrator(self, method, h, state)
             }
 
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float>>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: State<#coordinates>,
-            ) -> Adaptive<Self, M, #float> {
-                Hamiltonian::adaptive(self, method, tolerance, state)
-            }
+            #adaptive
         }
+    }
+}
+
+/// The type of states.
+fn state(form: Form) -> TokenStream {
+    match form {
+        Form::Hamiltonian => quote!(State),
+        Form::Contact => quote!(ContactState),
     }
 }
 
@@ -144,15 +158,12 @@ pub(super) fn hamiltonian(
 /// `impl ModifiedEnergy` by the body of its function, and the method that users call.
 pub(super) fn modified_energy(context: &Context<'_>, value: &TokenStream, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let (action, state) = match context.energy.form {
-        Form::Hamiltonian => (quote!(()), quote!(State)),
-        Form::Contact => (quote!(R), quote!(ContactState)),
-    };
+    let state = state(context.energy.form);
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     quote! {
         impl<R: #bounds> ModifiedEnergy<R> for #name {
-            fn modified_hamiltonian(&self, h: R, t: R, q: &#array, p: &#array, s: &#action) -> R {
+            fn modified_hamiltonian(&self, h: R, t: R, q: &#array, p: &#array, s: &Self::Action) -> R {
                 #value
             }
         }

@@ -185,6 +185,7 @@ functions! {
     StumpffC1 stumpff_c1(x) Neither Everywhere;
     StumpffC1Derivative stumpff_c1_derivative(x) Neither Everywhere;
     AtMost at_most(x, y) Neither Everywhere;
+    Grown grown(x, z, change) Neither Everywhere;
 }
 
 impl Function {

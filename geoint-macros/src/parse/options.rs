@@ -62,7 +62,10 @@ impl Options {
                 }
                 "split" if contact => {
                     input.parse::<Token![=]>()?;
-                    options.split = Some(groups(&input.parse()?)?);
+                    let Ok(text) = input.parse::<syn::LitStr>() else {
+                        return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
+                    };
+                    options.split = Some(groups(&text)?);
                 }
                 "lift" if contact => options.lift = Some(key.span()),
                 "damping" => {

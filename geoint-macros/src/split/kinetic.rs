@@ -1,13 +1,13 @@
 //! Pieces whose momenta keep their direction.
 
 use super::flow::Flow;
-use super::polynomial::{Polynomial, is_free};
+use super::polynomial::{Polynomial, factors, is_free};
 use super::rules::Group;
-use super::scalar::{self, Equation, growth_and_mean, positive_power};
+use super::scalar::{self, Equation, positive_power};
 use super::time::{Clock, over_time, ratio};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 fn is_momentum(symbol: Symbol) -> bool {
     matches!(symbol, Symbol::P(_))
@@ -95,20 +95,18 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
 pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (kinetic, g) = damped_parts(graph, group)?;
     let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::T);
-    let (growth, weight) = if group.clock == Clock::Own && !free_of_time(graph, g) {
-        if !free_of_time(graph, kinetic) {
-            return None;
-        }
+    if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
+        return None;
+    }
+    let (decay, weight) = if group.clock == Clock::Own && !free_of_time(graph, g) {
         decay_over_time(graph, g)?
     } else {
-        if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
-            return None;
-        }
         let h = graph.symbol(Symbol::H);
         let z = graph.mul(g, h);
         let z = graph.neg(z);
-        let (growth, mean) = growth_and_mean(graph, z);
-        (growth, graph.mul(h, mean))
+        let mean = graph.call(Function::Phi1, &[z]);
+        let change = graph.mul(z, mean);
+        (Decay::Exponential(z, change), graph.mul(h, mean))
     };
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -117,16 +115,33 @@ pub(super) fn damped(graph: &mut Graph, group: &Group) -> Option<Flow> {
         *q = graph.add(*q, change);
     }
     for p in &mut flow.p {
-        *p = graph.mul(growth, *p);
+        *p = decay.of(graph, *p);
     }
     let change = graph.mul(weight, kinetic);
     let moved = graph.add(flow.s, change);
-    flow.s = graph.mul(growth, moved);
+    flow.s = decay.of(graph, moved);
     Some(flow)
 }
 
+/// How something decays over a step.
+enum Decay {
+    /// By eᶻ, with eᶻ − 1.
+    Exponential(Id, Id),
+    /// By a factor.
+    Factor(Id),
+}
+
+impl Decay {
+    fn of(&self, graph: &mut Graph, x: Id) -> Id {
+        match *self {
+            Decay::Exponential(z, change) => graph.call(Function::Grown, &[x, z, change]),
+            Decay::Factor(factor) => graph.mul(factor, x),
+        }
+    }
+}
+
 /// For g = k/t with an integer k ≥ 2 and r = t₀/t₁: E = rᵏ and w = h (r + r² + … + rᵏ⁻¹)/(k − 1), without a singularity at t₀ = 0.
-fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
+fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Decay, Id)> {
     let k = over_time(graph, g)?;
     let Some(Number::Exact(k)) = graph.as_number(k) else { return None };
     if !k.is_integer() || !(2..=16).contains(&k.numerator) {
@@ -141,7 +156,7 @@ fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Id, Id)> {
         sum = graph.mul(ratio, inner);
     }
     let mean = graph.scale(Number::Exact(Ratio::integer(k.numerator - 1).recip()?), sum);
-    Some((graph.pow(ratio, k), graph.mul(h, mean)))
+    Some((Decay::Factor(graph.pow(ratio, k)), graph.mul(h, mean)))
 }
 
 /// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).
@@ -156,7 +171,10 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
-        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &reads_phase_space) {
+        if !whole
+            || degree(monomial.values().copied())? != Ratio::integer(2)
+            || !is_free(graph, relative, &reads_phase_space)
+        {
             return None;
         }
         let mut term = relative;
@@ -176,10 +194,10 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let constant = graph.mul(kinetic, square);
     let name = graph.symbol(Symbol::Ds);
     let rate = graph.div(name, weight);
-    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::S, rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let weight_end = at(graph, weight, Symbol::S, end);
-    let change = graph.div(weight, weight_end);
+    let change = quotient(graph, weight, weight_end);
 
     let mut flow = Flow::rest(graph, group.degrees);
     let velocity = diff::gradient(graph, kinetic, group.degrees).p;
@@ -193,6 +211,27 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     }
     flow.s = end;
     Some(flow)
+}
+
+/// a/b without the factors that both have: they may be zero.
+fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let ((above, a), (below, b)) = (graph.coefficient(a), graph.coefficient(b));
+    let (mut quotient, mut divisors) = (graph.number(above), factors(graph, b));
+    for (base, exponent) in factors(graph, a) {
+        match divisors.iter().position(|divisor| *divisor == (base, exponent)) {
+            Some(i) => drop(divisors.swap_remove(i)),
+            None => {
+                let factor = graph.pow(base, exponent);
+                quotient = graph.mul(quotient, factor);
+            }
+        }
+    }
+    let mut divisor = graph.number(below);
+    for (base, exponent) in divisors {
+        let factor = graph.pow(base, exponent);
+        divisor = graph.mul(divisor, factor);
+    }
+    graph.div(quotient, divisor)
 }
 
 /// A node with a symbol replaced.
@@ -212,7 +251,11 @@ pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
         terms.next().is_none().then_some(first)?
     };
     let k = *monomial.get(&Symbol::P(0))?;
-    if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || !k.is_integer() || k.numerator < 2 || !is_free(graph, c, &reads_phase_space) {
+    if monomial.get(&Symbol::S) != Some(&Ratio::ONE)
+        || !k.is_integer()
+        || k.numerator < 2
+        || !is_free(graph, c, &reads_phase_space)
+    {
         return None;
     }
     let c = graph.scale(Number::Exact(k), c);
@@ -250,10 +293,10 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (p, name) = (graph.symbol(Symbol::P(0)), graph.symbol(Symbol::Ds));
     let constant = graph.mul(root, p);
     let rate = graph.mul(name, root);
-    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?;
+    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?.end;
     let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
     let root_end = at(graph, root, Symbol::Q(0), end);
-    let quotient = graph.div(root, root_end);
+    let quotient = quotient(graph, root, root_end);
     let h = graph.symbol(Symbol::H);
     let change = graph.mul(h, group.energy);
     let mut flow = Flow::rest(graph, 1);
@@ -268,7 +311,7 @@ fn smooth_root(graph: &mut Graph, square: Id) -> Id {
     let (c, rest) = graph.coefficient(square);
     let c = graph.number(c);
     let mut root = graph.sqrt(c);
-    for (base, exponent) in graph.factors(rest) {
+    for (base, exponent) in factors(graph, rest) {
         let factor = match exponent.mul(Ratio::HALF).filter(|half| half.denominator <= 2) {
             Some(half) => graph.pow(base, half),
             None => {

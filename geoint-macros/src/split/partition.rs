@@ -32,56 +32,69 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, degrees: u32, groups: Option
     Ok(pieces.into_iter().map(|(_, piece)| piece).collect())
 }
 
+/// A partition of some atoms, by sets of their numbers as bits.
+#[derive(Clone, Debug, Default)]
+struct Choice {
+    groups: Vec<usize>,
+    /// Of the rules behind the groups, in order.
+    ranks: Vec<usize>,
+}
+
+impl Choice {
+    fn with(&self, group: usize, rank: usize) -> Choice {
+        let mut ranks = [&self.ranks[..], &[rank]].concat();
+        ranks.sort_unstable();
+        Choice { groups: [&self.groups[..], &[group]].concat(), ranks }
+    }
+
+    /// Fewer pieces, or rules that come first.
+    fn is_better_than(&self, other: &Choice) -> bool {
+        (self.groups.len(), &self.ranks) < (other.groups.len(), &other.ranks)
+    }
+}
+
 /// The smallest number of pieces; of equal numbers, the one whose rules come first.
 fn fewest(graph: &mut Graph, energy: Id, degrees: u32) -> Pieces {
     let atoms = atoms(graph, energy, degrees);
     let whole = (1_usize << atoms.len()) - 1;
     let mut known: BTreeMap<usize, Option<Piece>> = BTreeMap::new();
     let mut attempt = |graph: &mut Graph, set: usize| {
-        known
-            .entry(set)
-            .or_insert_with(|| {
-                let terms: Vec<Id> = (0..atoms.len()).filter(|i| set >> i & 1 == 1).map(|i| atoms[i]).collect();
-                let energy = graph.sum(&terms);
-                piece(graph, energy, degrees)
-            })
-            .clone()
+        let found = known.entry(set).or_insert_with(|| {
+            let terms: Vec<Id> = (0..atoms.len()).filter(|i| set >> i & 1 == 1).map(|i| atoms[i]).collect();
+            let energy = graph.sum(&terms);
+            piece(graph, energy, degrees)
+        });
+        found.clone()
     };
-    // best[set]: the sets of pieces that make it up, with the ranks of their rules in order.
-    let mut best: BTreeMap<usize, Option<(Vec<usize>, Vec<usize>)>> = BTreeMap::from([(0, Some((vec![], vec![])))]);
+    // The best choice for every set of atoms.
+    let mut best: Vec<Option<Choice>> = vec![Some(Choice::default())];
     for set in 1..=whole {
-        // One piece has the lowest term; it alone, or with others.
+        // One piece has the lowest atom; that alone, or with others.
         let lowest = set & set.wrapping_neg();
-        let mut choice: Option<(Vec<usize>, Vec<usize>)> = None;
-        let rest = set ^ lowest;
-        let mut part = rest;
-        loop {
-            let group = part | lowest;
-            if let (Some(piece), Some((groups, ranks))) = (attempt(graph, group), best[&(set ^ group)].clone()) {
-                let mut ranks = ranks;
-                ranks.push(rank(&piece));
-                ranks.sort_unstable();
-                let better = choice.as_ref().is_none_or(|(other_groups, other)| {
-                    (groups.len() + 1, &ranks) < (other_groups.len(), other)
-                });
-                if better {
-                    choice = Some(([&groups[..], &[group]].concat(), ranks));
+        let mut choice: Option<Choice> = None;
+        for others in subsets(set ^ lowest) {
+            let group = others | lowest;
+            if let (Some(piece), Some(rest)) = (attempt(graph, group), &best[set ^ group]) {
+                let new = rest.with(group, rank(&piece));
+                if choice.as_ref().is_none_or(|choice| new.is_better_than(choice)) {
+                    choice = Some(new);
                 }
             }
-            if part == 0 {
-                break;
-            }
-            part = (part - 1) & rest;
         }
-        best.insert(set, choice);
+        best.push(choice);
     }
-    match &best[&whole] {
-        Some((groups, _)) => Ok(groups.iter().filter_map(|group| attempt(graph, *group)).collect()),
+    match &best[whole] {
+        Some(Choice { groups, .. }) => Ok(groups.iter().filter_map(|group| attempt(graph, *group)).collect()),
         None => {
             let alone = (0..atoms.len()).find(|i| attempt(graph, 1 << i).is_none());
             Err(alone.map_or(energy, |i| atoms[i]))
         }
     }
+}
+
+/// All subsets of a set of bits, the set itself first.
+fn subsets(set: usize) -> impl Iterator<Item = usize> {
+    std::iter::successors(Some(set), move |subset| (*subset != 0).then(|| (subset - 1) & set))
 }
 
 fn rank(piece: &Piece) -> usize {

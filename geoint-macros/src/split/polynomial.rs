@@ -8,7 +8,10 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 
 /// Σ coefficient·monomial. Powers may be negative, or half of an odd number.
 #[derive(Clone, Debug)]
-pub(super) struct Polynomial(BTreeMap<Vec<(Symbol, (i64, i64))>, (Monomial, Id)>);
+pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
+
+/// A monomial in an order of its own.
+type Key = Vec<(Symbol, (i64, i64))>;
 
 /// Products of sums have this many terms at most.
 const MAX_TERMS: usize = 64;
@@ -43,8 +46,7 @@ impl Polynomial {
             Node::Power(base, exponent) => {
                 let base = Self::of(graph, base, counts)?;
                 if let Some((monomial, coefficient)) = base.single() {
-                    let powers: Option<Monomial> =
-                        monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
+                    let powers: Option<Monomial> = monomial.iter().map(|(s, r)| Some((*s, r.mul(exponent)?))).collect();
                     // √(x²) is |x|.
                     let signed = exponent.is_integer() || monomial.values().all(|r| !r.is_integer());
                     let plain = monomial.values().all(|r| *r == Ratio::ONE);
@@ -116,7 +118,7 @@ impl Polynomial {
     }
 }
 
-fn key(monomial: &Monomial) -> Vec<(Symbol, (i64, i64))> {
+fn key(monomial: &Monomial) -> Key {
     monomial.iter().map(|(symbol, r)| (*symbol, (r.numerator, r.denominator))).collect()
 }
 
@@ -132,4 +134,17 @@ pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool)
 /// The exponents of one symbol in a monomial.
 pub(super) fn power(monomial: &Monomial, symbol: Symbol) -> Ratio {
     monomial.get(&symbol).copied().unwrap_or(Ratio::integer(0))
+}
+
+/// Bases and exponents of a product, also within powers of products.
+pub(super) fn factors(graph: &Graph, id: Id) -> Vec<(Id, Ratio)> {
+    let within = |(base, exponent): (Id, Ratio)| match graph.node(base) {
+        Node::Product(_) if exponent.is_integer() => {
+            let inner = factors(graph, base).into_iter();
+            let powers: Option<Vec<_>> = inner.map(|(base, inner)| Some((base, inner.mul(exponent)?))).collect();
+            powers.unwrap_or_else(|| vec![(base, exponent)])
+        }
+        _ => vec![(base, exponent)],
+    };
+    graph.factors(id).into_iter().flat_map(within).collect()
 }

@@ -13,20 +13,22 @@ use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let rates = base(graph, group)?;
     let mut moving: Vec<(Symbol, Id)> = rates.into_iter().filter(|(_, rate)| !graph.is_zero(*rate)).collect();
-    let mut flow = Flow::rest(graph, group.degrees);
+    let (mut flow, mut by_start) = (Flow::rest(graph, group.degrees), vec![]);
     while let Some((x, rate)) = moving.pop() {
         let others: Vec<usize> =
             (0..moving.len()).filter(|i| reads(graph, rate, moving[*i].0) || reads(graph, moving[*i].1, x)).collect();
         match others[..] {
             [] => {
-                let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?;
-                set(&mut flow, x, end);
+                let solution = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?;
+                set(&mut flow, x, solution.end);
+                by_start.push((x, solution.by_start));
             }
             [other] => {
                 let (y, other_rate) = moving.remove(other);
-                if moving.iter().any(|(z, rate)| {
-                    reads(graph, other_rate, *z) || reads(graph, *rate, y) || reads(graph, *rate, x)
-                }) {
+                if moving
+                    .iter()
+                    .any(|(z, rate)| reads(graph, other_rate, *z) || reads(graph, *rate, y) || reads(graph, *rate, x))
+                {
                     return None;
                 }
                 let [x_end, y_end] = pair(graph, group, [x, y], [rate, other_rate])?;
@@ -36,7 +38,7 @@ pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
             _ => return None,
         }
     }
-    momenta(graph, &mut flow)?;
+    momenta(graph, &mut flow, &by_start)?;
     Some(flow)
 }
 
@@ -88,7 +90,8 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     let square = graph.pow(d, Ratio::integer(2));
     let square = graph.add(square, cross);
     let square = graph.neg(square);
-    let (cosine, sine) = turn(graph, square, h, false);
+    // The momentum that turns with s has a pole within every half a turn.
+    let (cosine, sine) = turn(graph, square, h, of.contains(&Symbol::S));
     let z = graph.mul(mean, h);
     let growth = graph.call(Function::Exp, &[z]);
     let d = [d, graph.neg(d)];
@@ -103,12 +106,17 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     }))
 }
 
-/// P from Q and S.
-fn momenta(graph: &mut Graph, flow: &mut Flow) -> Option<()> {
+/// P from Q and S, and from what is known of their derivatives.
+fn momenta(graph: &mut Graph, flow: &mut Flow, known: &[(Symbol, Id)]) -> Option<()> {
     let n = flow.q.len();
     let symbols: Vec<Symbol> = (0..n as u32).map(Symbol::Q).chain([Symbol::S]).collect();
     let ends = [&flow.q[..], &[flow.s]].concat();
-    let jacobian = diff::jacobian(graph, &ends, &symbols);
+    let mut jacobian = diff::jacobian(graph, &ends, &symbols);
+    for (i, symbol) in symbols.iter().enumerate() {
+        if let Some((_, slope)) = known.iter().find(|(known, _)| known == symbol) {
+            jacobian[i][i] = *slope;
+        }
+    }
     let p = flow.p.clone();
     // d_jS, from which what momenta of moving coordinates take is subtracted.
     let mut rest: Vec<Id> = vec![];
@@ -152,7 +160,8 @@ fn momenta(graph: &mut Graph, flow: &mut Flow) -> Option<()> {
             [] => {
                 let own = graph.mul(p[i], jacobian[i][n]);
                 let d = graph.add(jacobian[i][i], own);
-                let reciprocal = if graph.is_zero(own) { graph.recip(d) } else { graph.call(Function::RecipPositive, &[d]) };
+                let reciprocal =
+                    if graph.is_zero(own) { graph.recip(d) } else { graph.call(Function::RecipPositive, &[d]) };
                 rest[i] = graph.mul(rest[i], reciprocal);
                 take(graph, &mut rest, &jacobian, (&p, i));
             }

@@ -1,7 +1,7 @@
 //! Pieces that are quadratic in (q, p).
 
 use super::flow::Flow;
-use super::polynomial::{Polynomial, is_free};
+use super::polynomial::{Monomial, Polynomial, is_free};
 use super::rules::Group;
 use super::scalar::turn;
 use super::time::Clock;
@@ -22,8 +22,8 @@ fn coefficients(graph: &mut Graph, group: &Group, allowed: impl Fn(&[(Symbol, i6
     (steady || group.clock == Clock::Stage).then_some(powers)
 }
 
-/// Σ (a p² + 2e q p + b q²)/2 + c s, an oscillator a degree of freedom: with ω² = ab − (e + c/2)², C = cos ωh, S = sin ωh/ω,
-/// Q = e^(−ch/2)·(C q + S ((e + c/2) q + a p)), P = e^(−ch/2)·(C p − S (b q + (e + c/2) p)), and s − q·p/2 decays like e^(−ct).
+/// Σ (a p² + 2e q p + b q²)/2 + c s, an oscillator a degree of freedom: with d = e + c/2, ω² = ab − d², C = cos ωh and
+/// S = sin ωh/ω, Q = e^(−ch/2)·(C q + S (d q + a p)), P = e^(−ch/2)·(C p − S (b q + d p)), and s − q·p/2 decays like e^(−ct).
 pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let same = |a: &Symbol, b: &Symbol| {
         let index = |symbol: &Symbol| match symbol {
@@ -38,7 +38,12 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         [(a, 1), (b, 1)] => same(a, b),
         _ => false,
     })?;
-    if powers.has_only(|monomial| monomial.keys().all(|symbol| !matches!(symbol, Symbol::Q(_)))) {
+    // What is of degree 1 in the momenta, or reads no positions, is a simpler family.
+    let bends = |monomial: &Monomial| {
+        monomial.iter().any(|(symbol, power)| matches!(symbol, Symbol::P(_)) && *power == Ratio::integer(2))
+    };
+    let reads_q = |monomial: &Monomial| monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(_)));
+    if powers.has_only(|monomial| !bends(monomial)) || powers.has_only(|monomial| !reads_q(monomial)) {
         return None;
     }
     let (h, one) = (graph.symbol(Symbol::H), graph.integer(1));
@@ -48,7 +53,7 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let z = graph.neg(z);
     let decay = if graph.is_zero(c) { one } else { graph.call(Function::Exp, &[z]) };
     let mut flow = Flow::rest(graph, group.degrees);
-    let (mut before, mut after) = (flow.s, graph.zero());
+    let mut action = graph.product(&[decay, decay, flow.s]);
     for i in 0..group.degrees {
         let (q, p) = (Symbol::Q(i), Symbol::P(i));
         let [a, b] = [p, q].map(|symbol| {
@@ -72,22 +77,33 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let p_end = graph.sub(kept_p, toward_p);
         let (q_end, p_end) = (graph.mul(decay, q_end), graph.mul(decay, p_end));
         (flow.q[i as usize], flow.p[i as usize]) = (q_end, p_end);
-        let [start, end] = [(q, p), (q_end, p_end)].map(|(q, p)| {
-            let product = graph.mul(q, p);
-            graph.scale(Number::HALF, product)
-        });
-        before = graph.sub(before, start);
-        after = graph.add(after, end);
+        // What s − q·p/2 being free of forces leaves of q·p/2, without differences of nearly equal numbers.
+        let [q_squared, p_squared] = [(b, q), (a, p)].map(|(weight, x)| graph.product(&[weight, x, x]));
+        let lagrangian = graph.sub(p_squared, q_squared);
+        let energy = graph.add(p_squared, q_squared);
+        let mixed = graph.product(&[a, b, q, p]);
+        let mixed = graph.scale(Number::integer(2), mixed);
+        let energy = graph.mul(e, energy);
+        let second = graph.add(mixed, energy);
+        let [first, second] = [(cosine, lagrangian), (sine, second)].map(|(weight, x)| graph.mul(weight, x));
+        let change = graph.sub(first, second);
+        // Each with its decay: the square of a sine that grows may be beyond all numbers.
+        let [sine, change] = [sine, change].map(|x| graph.mul(decay, x));
+        let change = graph.mul(sine, change);
+        let change = graph.scale(Number::HALF, change);
+        action = graph.add(action, change);
     }
-    let decayed = graph.product(&[decay, decay, before]);
-    flow.s = graph.add(decayed, after);
+    flow.s = action;
     Some(flow)
 }
 
 /// p·Wp/2 + b·p + g·q + c: the parabola of a throw.
 pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| {
-        matches!(monomial, [] | [(Symbol::Q(_) | Symbol::P(_), 1)] | [(Symbol::P(_), 2)] | [(Symbol::P(_), 1), (Symbol::P(_), 1)])
+        matches!(
+            monomial,
+            [] | [(Symbol::Q(_) | Symbol::P(_), 1)] | [(Symbol::P(_), 2)] | [(Symbol::P(_), 1), (Symbol::P(_), 1)]
+        )
     })?;
     let degrees = group.degrees;
     let of = |graph: &mut Graph, powers_of: &[(Symbol, i64)]| powers.coefficient(graph, powers_of);

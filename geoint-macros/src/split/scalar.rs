@@ -2,10 +2,12 @@
 //!
 //! What a rule returns is x at the end of the flow; where the solution has come to a pole before that, it is not a number.
 
-use super::polynomial::{Monomial, Polynomial, is_free, power};
+mod quadrature;
+
+use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
 use super::time::Clock;
 use crate::diff;
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// An equation for one variable.
 pub(super) struct Equation {
@@ -14,9 +16,16 @@ pub(super) struct Equation {
     pub(super) clock: Clock,
 }
 
+/// Where x is at the end of the flow.
+pub(super) struct Solution {
+    pub(super) end: Id,
+    /// ∂end/∂x, which has no sums that cancel where a flow forgets its start, as the derivative of a formula has.
+    pub(super) by_start: Id,
+}
+
 /// An equation that can be solved, by its right-hand side.
 struct Rule {
-    solve: fn(&mut Graph, &Equation) -> Option<Id>,
+    solve: fn(&mut Graph, &Equation) -> Option<Solution>,
 }
 
 /// In order of preference: the first one that fits is taken.
@@ -27,16 +36,18 @@ const RULES: &[Rule] = &[
     Rule { solve: affine },
     // a·x + b·xᵏ (J. Bernoulli 1695)
     Rule { solve: bernoulli },
+    // b·(a·x + c)ᵏ
+    Rule { solve: shifted_power },
     // a·x² + b·x + c (J. Riccati 1724)
     Rule { solve: riccati },
     // a + b·exp(k·x)
-    Rule { solve: exponential },
+    Rule { solve: quadrature::exponential },
     // a·F(k·x + c), with F one of sin, cos, sinh, tanh, 1/cosh
-    Rule { solve: quadrature },
+    Rule { solve: quadrature::quadrature },
 ];
 
 /// x at the end of the flow.
-pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     RULES.iter().find_map(|rule| (rule.solve)(graph, equation))
 }
 
@@ -45,7 +56,12 @@ impl Equation {
     fn powers(&self, graph: &mut Graph) -> Option<Vec<(Ratio, Id)>> {
         let x = self.x;
         let polynomial = Polynomial::of(graph, self.rate, &|symbol| symbol == x)?;
-        Some(polynomial.terms().map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient)).collect())
+        Some(
+            polynomial
+                .terms()
+                .map(|(monomial, coefficient): (&Monomial, Id)| (power(monomial, x), coefficient))
+                .collect(),
+        )
     }
 
     /// What multiplies h in a solution for coefficients that do not depend on time.
@@ -55,31 +71,32 @@ impl Equation {
     }
 }
 
-fn constant(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn constant(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let x = equation.x;
     if !is_free(graph, equation.rate, &|symbol| symbol == x) {
         return None;
     }
     let change = equation.clock.over_step(graph, equation.rate)?;
     let x = graph.symbol(x);
-    Some(graph.add(x, change))
+    Some(Solution { end: graph.add(x, change), by_start: graph.integer(1) })
 }
 
 /// x·e^(ah) + b·h·φ₁(ah).
-fn affine(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     let x = graph.symbol(equation.x);
     match powers[..] {
         [(Ratio::ONE, a)] => {
-            let factor = growth(graph, equation, a)?;
-            Some(graph.mul(x, factor))
+            let growth = growth(graph, equation, a)?;
+            Some(Solution { end: graph.mul(x, growth), by_start: growth })
         }
         [(Ratio::ZERO, b), (Ratio::ONE, a)] => {
             let h = equation.steady(graph, &[a, b])?;
             let z = graph.mul(a, h);
             let (growth, mean) = growth_and_mean(graph, z);
-            let terms = [graph.mul(x, growth), graph.product(&[b, h, mean])];
-            Some(graph.sum(&terms))
+            let change = graph.mul(z, mean);
+            let terms = [graph.call(Function::Grown, &[x, z, change]), graph.product(&[b, h, mean])];
+            Some(Solution { end: graph.sum(&terms), by_start: growth })
         }
         _ => None,
     }
@@ -90,27 +107,29 @@ fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     if equation.clock == Clock::Own
         && let Some(k) = super::time::over_time(graph, a)
     {
-        let k = graph.neg(k);
-        let ratio = super::time::ratio(graph);
         return Some(match graph.as_number(k) {
-            Some(Number::Exact(k)) if k.denominator <= 2 => graph.pow(ratio, k),
-            _ => graph.call(Function::Powf, &[ratio, k]),
+            Some(Number::Exact(k)) if k.denominator <= 2 => {
+                let ratio = super::time::ratio(graph);
+                graph.pow(ratio, k.mul(Ratio::integer(-1))?)
+            }
+            _ => {
+                let ln = super::time::ln_ratio(graph);
+                let z = graph.mul(k, ln);
+                graph.call(Function::Exp, &[z])
+            }
         });
     }
     let z = equation.clock.over_step(graph, a)?;
     Some(graph.call(Function::Exp, &[z]))
 }
 
-/// eᶻ and φ₁(z), by one call.
+/// eᶻ and φ₁(z). (Not 1 + zφ₁(z), of which nothing is left after a strong decay.)
 pub(super) fn growth_and_mean(graph: &mut Graph, z: Id) -> (Id, Id) {
-    let mean = graph.call(Function::Phi1, &[z]);
-    let one = graph.integer(1);
-    let change = graph.mul(z, mean);
-    (graph.add(one, change), mean)
+    (graph.call(Function::Exp, &[z]), graph.call(Function::Phi1, &[z]))
 }
 
 /// x·E·D^(−1/m) with m = k − 1, E = e^(ah), D = 1 − m·b·xᵐ·h·φ₁(m·a·h).
-fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     let (linear, other): (Vec<_>, Vec<_>) = powers.into_iter().partition(|(power, _)| *power == Ratio::ONE);
     let [(k, b)] = other[..] else { return None };
@@ -135,8 +154,10 @@ fn bernoulli(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let change = graph.mul(weight, power);
     let change = graph.scale(Number::Exact(m).neg(), change);
     let d = graph.add(one, change);
-    let shrunk = positive_power(graph, d, m.recip()?.mul(Ratio::integer(-1))?);
-    Some(graph.product(&[x, growth, shrunk]))
+    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let [shrunk, slope] = [inverse, k.mul(inverse)?].map(|exponent| positive_power(graph, d, exponent));
+    let end = graph.product(&[x, growth, shrunk]);
+    Some(Solution { end, by_start: graph.mul(growth, slope) })
 }
 
 /// A power of what must not be negative.
@@ -149,9 +170,76 @@ pub(super) fn positive_power(graph: &mut Graph, base: Id, exponent: Ratio) -> Id
     graph.call(Function::Powf, &[base, exponent])
 }
 
+/// With y = a·x + c, m = k − 1 and u = −m·a·b·h·yᵐ: x + (y/a)·((1 + u)^(−1/m) − 1), also for a = 0.
+fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
+    let own = equation.x;
+    let (c, rest) = graph.coefficient(equation.rate);
+    let (mut b, mut found) = (graph.number(c), None);
+    for (base, exponent) in factors(graph, rest) {
+        if !is_free(graph, base, &|symbol| symbol == own) {
+            found = Some((base, exponent)).filter(|_| found.is_none());
+            found?;
+        } else {
+            let factor = graph.pow(base, exponent);
+            b = graph.mul(b, factor);
+        }
+    }
+    let (y, k) = found.filter(|(_, k)| *k != Ratio::ONE)?;
+    let a = diff::partial(graph, y, own);
+    if !is_free(graph, a, &|symbol| symbol == own) {
+        return None;
+    }
+    equation.steady(graph, &[y])?;
+    let m = k.add(Ratio::integer(-1))?;
+    let weight = equation.clock.over_step(graph, b)?;
+    let power = graph.pow(y, m);
+    let relative = graph.mul(weight, power);
+    let relative = graph.scale(Number::Exact(m).neg(), relative);
+    let u = graph.mul(a, relative);
+    let inverse = m.recip()?.mul(Ratio::integer(-1))?;
+    let mean = mean_of_power(graph, u, inverse)?;
+    let change = graph.product(&[y, relative, mean]);
+    let (x, one) = (graph.symbol(own), graph.integer(1));
+    let d = graph.add(one, u);
+    let by_start = positive_power(graph, d, k.mul(inverse)?);
+    Some(Solution { end: graph.add(x, change), by_start })
+}
+
+/// ((1 + u)^r − 1)/u without a difference, also for u = 0.
+fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
+    let one = graph.integer(1);
+    let d = graph.add(one, u);
+    let d = graph.call(Function::NotNegative, &[d]);
+    if r.denominator > 2 || r.numerator.abs() > 8 {
+        let ln = graph.call(Function::Ln1p, &[u]);
+        let ln = graph.scale(Number::Exact(r), ln);
+        let mean = graph.call(Function::Phi1, &[ln]);
+        let mean_of_ln = mean_of_recip(graph, u);
+        let mean = graph.mul(mean_of_ln, mean);
+        return Some(graph.scale(Number::Exact(r), mean));
+    }
+    // (dⁿ − 1)/u = 1 + d + … + dⁿ⁻¹.
+    let mut mean = graph.zero();
+    for _ in 0..r.numerator.abs() {
+        let inner = graph.mul(d, mean);
+        mean = graph.add(one, inner);
+    }
+    if r.denominator == 2 {
+        let root = graph.pow(d, Ratio { numerator: r.numerator.abs(), ..r });
+        let root = graph.add(one, root);
+        mean = graph.div(mean, root);
+    }
+    if r.numerator < 0 {
+        let whole = graph.pow(d, r);
+        mean = graph.mul(mean, whole);
+        mean = graph.neg(mean);
+    }
+    Some(mean)
+}
+
 /// The quotient of the solutions of a linear equation: with ω² = ac − b²/4, C = c₀(ω²h²) and S = h·c₁(ω²h²),
 /// (x·(C + S·b/2) + c·S)/(C − S·(a·x + b/2)).
-fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
+fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let powers = equation.powers(graph)?;
     if powers.iter().any(|(power, _)| !power.is_integer() || !(0..=2).contains(&power.numerator)) {
         return None;
@@ -177,7 +265,8 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Id> {
     let slope = graph.mul(slope, sine);
     let below = graph.sub(cosine, slope);
     let below = graph.call(Function::RecipPositive, &[below]);
-    Some(graph.mul(above, below))
+    let end = graph.mul(above, below);
+    Some(Solution { end, by_start: graph.pow(below, Ratio::integer(2)) })
 }
 
 /// cos ωh and sin ωh/ω from ω², of either sign; `half` if there is a pole before half a turn.
@@ -194,136 +283,9 @@ pub(super) fn turn(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id)
     (cosine, graph.mul(h, sine))
 }
 
-/// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
-fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Id> {
-    let own = equation.x;
-    let (mut a, mut rest) = (graph.zero(), graph.zero());
-    for (c, term) in terms(graph, equation.rate) {
-        let term = graph.scale(c, term);
-        let side = if is_free(graph, term, &|symbol| symbol == own) { &mut a } else { &mut rest };
-        *side = graph.add(*side, term);
-    }
-    let (function, argument, b) = single_call(graph, rest, own)?;
-    if function != Function::Exp {
-        return None;
-    }
-    let k = diff::partial(graph, argument, own);
-    if !is_free(graph, k, &|symbol| symbol == own) {
-        return None;
-    }
-    let value = graph.call(Function::Exp, &[argument]);
-    let x = graph.symbol(own);
-    let (drift, weight) = if graph.is_zero(a) {
-        (x, equation.clock.over_step(graph, b)?)
-    } else {
-        let h = equation.steady(graph, &[a, b])?;
-        let z = graph.product(&[k, a, h]);
-        let mean = graph.call(Function::Phi1, &[z]);
-        let change = graph.mul(a, h);
-        (graph.add(x, change), graph.product(&[b, h, mean]))
-    };
-    let shrunk = graph.product(&[k, weight, value]);
-    let shrunk = graph.neg(shrunk);
-    let ln = graph.call(Function::Ln1p, &[shrunk]);
-    let ln = graph.div(ln, k);
-    Some(graph.sub(drift, ln))
-}
-
-/// With u = k·x + c and U = k·∫a dt, by addition theorems of what is multiplied by e^U.
-fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Id> {
-    let own = equation.x;
-    let (function, u, a, inverse) = match single_call(graph, equation.rate, own) {
-        Some((function, argument, a)) => (function, argument, a, false),
-        None => {
-            let reciprocal = graph.recip(equation.rate);
-            let (function, argument, a) = single_call(graph, reciprocal, own)?;
-            (function, argument, graph.recip(a), true)
-        }
-    };
-    let k = diff::partial(graph, u, own);
-    if !is_free(graph, k, &|symbol| symbol == own) {
-        return None;
-    }
-    let change = equation.clock.over_step(graph, a)?;
-    let change = graph.mul(k, change);
+/// ln(1 + u)/u, or 1.
+fn mean_of_recip(graph: &mut Graph, u: Id) -> Id {
     let one = graph.integer(1);
-    let end = match (function, inverse) {
-        (Function::Sin | Function::Cos, false) => {
-            // tan of half the angle grows by e^U.
-            let (sine, cosine) = (graph.call(Function::Sin, &[u]), graph.call(Function::Cos, &[u]));
-            let (across, along) = match function {
-                Function::Sin => (sine, graph.neg(cosine)),
-                _ => (cosine, sine),
-            };
-            let growth = graph.call(Function::ExpM1, &[change]);
-            let above = graph.mul(growth, across);
-            let along = graph.add(one, along);
-            let below = graph.mul(growth, along);
-            let two = graph.integer(2);
-            let below = graph.add(two, below);
-            let half = graph.call(Function::Atan2, &[above, below]);
-            let turned = graph.scale(Number::integer(2), half);
-            graph.add(u, turned)
-        }
-        (Function::Sinh, false) => {
-            let half = graph.scale(Number::HALF, u);
-            let tanh = graph.call(Function::Tanh, &[half]);
-            let growth = graph.call(Function::Exp, &[change]);
-            let grown = graph.mul(growth, tanh);
-            let half = graph.call(Function::Atanh, &[grown]);
-            graph.scale(Number::integer(2), half)
-        }
-        (Function::Tanh, false) => {
-            let sinh = graph.call(Function::Sinh, &[u]);
-            let growth = graph.call(Function::Exp, &[change]);
-            let grown = graph.mul(growth, sinh);
-            graph.call(Function::Asinh, &[grown])
-        }
-        (Function::Cosh, true) => {
-            let sinh = graph.call(Function::Sinh, &[u]);
-            let moved = graph.add(sinh, change);
-            graph.call(Function::Asinh, &[moved])
-        }
-        _ => return None,
-    };
-    // x = (u − c)/k.
-    let moved = graph.sub(end, u);
-    let moved = graph.div(moved, k);
-    let x = graph.symbol(own);
-    Some(graph.add(x, moved))
-}
-
-/// The terms of a sum with their coefficients.
-fn terms(graph: &mut Graph, id: Id) -> Vec<(Number, Id)> {
-    match graph.node(id).clone() {
-        Node::Linear(constant, mut terms) => {
-            let one = graph.integer(1);
-            terms.push((constant, one));
-            terms
-        }
-        _ => vec![(Number::ONE, id)],
-    }
-}
-
-/// coefficient·function(argument) with a coefficient that is free of x.
-fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id)> {
-    let (c, rest) = graph.coefficient(id);
-    let (mut found, mut coefficient) = (None, graph.number(c));
-    for (base, exponent) in graph.factors(rest) {
-        let factor = graph.pow(base, exponent);
-        if is_free(graph, factor, &|symbol| symbol == x) {
-            coefficient = graph.mul(coefficient, factor);
-            continue;
-        }
-        match graph.node(base).clone() {
-            Node::Call(Function::Exp, args) if found.is_none() => {
-                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0])));
-            }
-            Node::Call(function, args) if exponent == Ratio::ONE && args.len() == 1 && found.is_none() => {
-                found = Some((function, args[0]));
-            }
-            _ => return None,
-        }
-    }
-    found.map(|(function, argument)| (function, argument, coefficient))
+    let end = graph.add(one, u);
+    graph.call(Function::LnSlope, &[one, end])
 }

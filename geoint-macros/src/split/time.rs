@@ -1,7 +1,8 @@
 //! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
 
-use super::polynomial::{Monomial, Polynomial, is_free, power};
+use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
 use crate::diff;
+use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// How time is dealt with in the flow of a piece.
@@ -38,60 +39,86 @@ fn integral(graph: &mut Graph, rate: Id) -> Option<Id> {
     }
     let reads_t = |symbol| symbol == Symbol::T;
     let (mut constant, mut changing) = (graph.integer(1), graph.integer(1));
-    for (base, exponent) in graph.factors(rate) {
+    for (base, exponent) in factors(graph, rate) {
         let factor = graph.pow(base, exponent);
         let side = if is_free(graph, factor, &reads_t) { &mut constant } else { &mut changing };
         *side = graph.mul(*side, factor);
     }
-    let primitive = primitive(graph, changing)?;
+    if matches!(graph.node(changing), Node::Linear(..)) {
+        let whole = integral(graph, changing)?;
+        return Some(graph.mul(constant, whole));
+    }
+    let mean = waves(graph, changing).or_else(|| powers(graph, changing))?;
     let h = graph.symbol(Symbol::H);
-    let mean = diff::mean_rate(graph, primitive);
-    let whole = graph.mul(h, mean);
-    Some(graph.mul(constant, whole))
+    Some(graph.product(&[constant, h, mean]))
 }
 
-/// A function with this derivative with respect to t.
-fn primitive(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let t = graph.symbol(Symbol::T);
+/// The mean of an exponential, a sine or a cosine of a·t + b, whether a is zero or not.
+fn waves(graph: &mut Graph, rate: Id) -> Option<Id> {
     let reads_t = |symbol| symbol == Symbol::T;
-    if let Node::Call(function, args) = graph.node(rate).clone() {
-        let [argument] = args[..] else { return None };
-        // a·t + b.
-        let line = Polynomial::of(graph, argument, &reads_t)?;
-        let one = |monomial: &Monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::T));
-        if !line.has_only(one) {
-            return None;
-        }
-        let slope = line.coefficient(graph, &[(Symbol::T, 1)]);
-        let (primitive, sign) = match function {
-            Function::Sin => (Function::Cos, Number::MINUS_ONE),
-            Function::Cos => (Function::Sin, Number::ONE),
-            Function::Exp => (Function::Exp, Number::ONE),
-            _ => return None,
-        };
-        let value = graph.call(primitive, &[argument]);
-        let value = graph.scale(sign, value);
-        return Some(graph.div(value, slope));
+    let Node::Call(function, args) = graph.node(rate).clone() else { return None };
+    let line = Polynomial::of(graph, args[0], &reads_t)?;
+    if !line.has_only(|monomial| [Ratio::ZERO, Ratio::ONE].contains(&power(monomial, Symbol::T))) {
+        return None;
     }
-    let powers = Polynomial::of(graph, rate, &reads_t)?;
+    let (primitive, sign) = match function {
+        Function::Sin => (Function::Cos, Number::MINUS_ONE),
+        Function::Cos => (Function::Sin, Number::ONE),
+        Function::Exp => (Function::Exp, Number::ONE),
+        _ => return None,
+    };
+    let (rise, h) = (line.coefficient(graph, &[(Symbol::T, 1)]), graph.symbol(Symbol::H));
+    let rise = graph.mul(rise, h);
+    let mean = slope(graph, primitive, args[0], rise);
+    Some(graph.scale(sign, mean))
+}
+
+/// (f(a + d) − f(a))/d, or f'(a).
+pub(super) fn slope(graph: &mut Graph, f: Function, a: Id, d: Id) -> Id {
+    let t = graph.symbol(Symbol::T);
+    let value = graph.call(f, &[t]);
+    let slope = diff::mean_rate(graph, value);
+    let ends = |_: &mut Graph, symbol| match symbol {
+        Symbol::T => Some(a),
+        Symbol::H => Some(d),
+        _ => None,
+    };
+    Substitution::new(ends).apply(graph, slope)
+}
+
+/// The mean of a sum of powers of t.
+fn powers(graph: &mut Graph, rate: Id) -> Option<Id> {
+    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::T)?;
     let mut sum = graph.zero();
     for (exponent, coefficient) in powers.terms().map(|(m, c)| (power(m, Symbol::T), c)).collect::<Vec<_>>() {
         // 1/t is dealt with where it appears: its exponential has no singularity at t = 0.
         let next = exponent.add(Ratio::ONE).filter(|next| next.numerator != 0)?;
-        let value = graph.pow(t, next);
-        let value = graph.scale(Number::Exact(next.recip()?), value);
-        let value = graph.mul(coefficient, value);
-        sum = graph.add(sum, value);
+        let singular = next.is_integer() && next.numerator < 0;
+        let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
+        let size = if singular { next.mul(Ratio::integer(-1))? } else { next };
+        let value = graph.pow(t, size);
+        let mut mean = diff::mean_rate(graph, value);
+        if singular {
+            // Not across t = 0: (t^−m)[a, b] is −(tᵐ)[a, b]/(ab)ᵐ.
+            let end = graph.add(t, h);
+            let product = graph.mul(t, end);
+            let reciprocal = graph.call(Function::RecipPositive, &[product]);
+            let reciprocal = graph.pow(reciprocal, size);
+            mean = graph.mul(mean, reciprocal);
+        }
+        let mean = graph.scale(Number::Exact(size.recip()?), mean);
+        let mean = graph.mul(coefficient, mean);
+        sum = graph.add(sum, mean);
     }
     Some(sum)
 }
 
 /// k where a rate is k/t.
 pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let t = graph.symbol(Symbol::T);
-    let k = graph.mul(rate, t);
-    let depends = !is_free(graph, rate, &|symbol| symbol == Symbol::T);
-    (depends && is_free(graph, k, &|symbol| symbol == Symbol::T)).then_some(k)
+    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::T)?;
+    let inverse = |monomial: &Monomial| power(monomial, Symbol::T) == Ratio::integer(-1);
+    let k = powers.coefficient(graph, &[(Symbol::T, -1)]);
+    (powers.has_only(inverse) && !graph.is_zero(k)).then_some(k)
 }
 
 /// t/(t + h); not a number if the singular time 0 lies between both.
@@ -100,4 +127,11 @@ pub(super) fn ratio(graph: &mut Graph) -> Id {
     let end = graph.add(t, h);
     let ratio = graph.div(t, end);
     graph.call(Function::NotNegative, &[ratio])
+}
+
+/// ln((t + h)/t); not a number if 0 lies between both.
+pub(super) fn ln_ratio(graph: &mut Graph) -> Id {
+    let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
+    let relative = graph.div(h, t);
+    graph.call(Function::Ln1p, &[relative])
 }

@@ -1,5 +1,6 @@
 //! What the compiler costs, and how good its code is in operations.
 
+use crate::parse::Form;
 use crate::{analyze, diff, expand, lower, parse, schedule};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -43,7 +44,8 @@ fn outer_solar_system() -> TokenStream {
 #[test]
 fn the_gradient_of_the_double_pendulum_is_short() {
     let item = syn::parse2(double_pendulum()).expect("a function");
-    let energy = parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let energy =
+        parse::energy(parse::Form::Hamiltonian, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
@@ -67,7 +69,7 @@ fn time_from_tokens_to_tokens() {
         for _ in 0..5 {
             let item = item.clone();
             let start = Instant::now();
-            let tokens = expand::expand(crate::parse::Form::Hamiltonian, quote!(), item);
+            let tokens = expand::expand(Form::Hamiltonian, quote!(), item);
             best = best.min(start.elapsed().as_secs_f64() * 1e3);
             assert!(!tokens.to_string().contains("compile_error"));
         }

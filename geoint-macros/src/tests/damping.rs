@@ -2,6 +2,7 @@
 
 use crate::analyze::{self, Damping, Flaw, Reads};
 use crate::ir::print::Printer;
+use crate::parse::Form;
 use crate::{emit, expand, lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -15,7 +16,8 @@ fn damping(expr: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<Stri
 }
 
 fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Option<Damping>), Vec<String>> {
-    let energy = parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
+    let energy =
+        parse::energy(parse::Form::Hamiltonian, quote!(damping = #expr), syn::parse2(item).expect("a function"));
     let energy = energy.map_err(|e| e.messages())?;
     let lower::Lowered { mut graph, energy: root, damping, constants, .. } =
         lower::body(&energy).map_err(|e| e.messages())?;
@@ -118,6 +120,6 @@ fn the_body_is_not_seen() {
 fn nesting() {
     let deep = (0..5000).fold(quote!(1.0), |inner, _| quote!((#inner)));
     let item = quote! { fn f(q: f64, p: f64) -> f64 { q * p } };
-    let expanded = expand::expand(crate::parse::Form::Hamiltonian, quote!(damping = #deep), item).to_string();
+    let expanded = expand::expand(Form::Hamiltonian, quote!(damping = #deep), item).to_string();
     assert!(expanded.contains("nested too deeply"));
 }

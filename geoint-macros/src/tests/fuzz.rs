@@ -1,6 +1,7 @@
 //! Can input make the macro panic, hang, lose the user's function, or emit what is not Rust? Random tokens, random
 //! functions in random arithmetic, and valid energies with random damage.
 
+use crate::parse::Form;
 use crate::{expand, lower, parse};
 use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 use proptest::prelude::*;
@@ -9,7 +10,7 @@ use quote::quote;
 
 /// What holds for all input.
 fn holds(args: TokenStream, item: TokenStream) {
-    let emitted = expand::expand(crate::parse::Form::Hamiltonian, args, item.clone());
+    let emitted = expand::expand(Form::Hamiltonian, args, item.clone());
     if syn::parse2::<syn::Item>(item.clone()).is_ok()
         && let Err(error) = syn::parse2::<syn::File>(emitted.clone())
     {

@@ -2,6 +2,7 @@
 
 mod cost;
 mod damping;
+mod flows;
 mod fuzz;
 mod precise;
 mod derivatives;
@@ -13,6 +14,7 @@ mod schedules;
 mod mean_value;
 mod meaning;
 mod momenta;
+mod pieces;
 mod snapshots;
 mod structures;
 
@@ -23,7 +25,8 @@ use proc_macro2::TokenStream;
 /// The graph of an energy, and the energy in it.
 fn lowered(item: TokenStream) -> (parse::Energy, lower::Lowered) {
     let item = syn::parse2(item).expect("a function");
-    let energy = parse::energy(parse::Form::Hamiltonian, TokenStream::new(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let energy = parse::energy(parse::Form::Hamiltonian, TokenStream::new(), item)
+        .unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     (energy, lowered)
 }

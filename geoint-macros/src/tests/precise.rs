@@ -160,6 +160,7 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::StumpffC0
         | Function::StumpffC1
         | Function::StumpffC1Derivative
-        | Function::AtMost => unreachable!("energies are written without helpers"),
+        | Function::AtMost
+        | Function::Grown => unreachable!("energies are written without helpers"),
     })
 }

@@ -116,7 +116,8 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC0
         | Function::StumpffC1
         | Function::StumpffC1Derivative
-        | Function::AtMost => vec![],
+        | Function::AtMost
+        | Function::Grown => vec![],
     }
 }
 

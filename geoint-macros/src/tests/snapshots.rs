@@ -2,12 +2,13 @@
 //! difference before committing it.
 
 use crate::expand;
+use crate::parse::Form;
 use expect_test::{ExpectFile, expect_file};
 use proc_macro2::TokenStream;
 use quote::quote;
 
 fn check(args: TokenStream, item: TokenStream, expected: &ExpectFile) {
-    let file = syn::parse2(expand::expand(crate::parse::Form::Hamiltonian, args, item)).expect("what is emitted is Rust");
+    let file = syn::parse2(expand::expand(Form::Hamiltonian, args, item)).expect("what is emitted is Rust");
     expected.assert_eq(&prettyplease::unparse(&file));
 }
 

@@ -8,6 +8,11 @@ use crate::point::{Point, Summation};
 use crate::real::{Real, zero};
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no implicit steps of `{M}`",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
 pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     /// q, p and s in a row.
     type Unknown: Array<Real = R>;

@@ -75,8 +75,10 @@ pub struct Piece {
 
 /// H is a sum of pieces whose flows are known in closed form.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` has no pieces whose flows are known in closed form",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    message = "`{Self}` is no contact Hamiltonian that was split into pieces",
+    label = "this method is for those",
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<R: Real = f64>: Contact<R> {
     /// The pieces; the last one is in the middle of a step.

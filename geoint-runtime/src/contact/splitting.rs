@@ -4,9 +4,9 @@
 //! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
 //! before all flows of Φ and after all flows of Φ*: at the turn between both it is the same for all.
 
-use super::Pieces;
+use super::{Clock as PieceClock, Pieces};
 use crate::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
 use crate::point::{Point, Summation};
 use crate::real::Real;
 
@@ -18,9 +18,17 @@ use crate::real::Real;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactSplitting;
 
+/// What a step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<F, R> {
+    flows: F,
+    /// The first flow of a step merged with the last one of the step before.
+    merged: F,
+    half: R,
+}
+
 impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
-    /// The flows, and half the step size.
-    type Prepared = (S::Flows, R);
+    type Prepared = Prepared<S::Flows, R>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
@@ -28,12 +36,12 @@ impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         let half = R::from_f64(0.5) * h;
-        (system.prepare_flows(half, h), half)
+        Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half }
     }
 
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        (flows, half): &mut Self::Prepared,
+        Prepared { flows, half, .. }: &mut Self::Prepared,
         t: R,
         x: &mut Point<S::Array, C, R>,
         probe: &mut P,
@@ -41,36 +49,50 @@ impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
         let turn = t + *half;
         let frozen = S::freeze(flows, turn);
         probe.look(t, &x.q, &x.p, &x.s);
-        forth::<S, R, C, P>(flows, &frozen, t, x, probe);
-        back::<S, R, C, P>(flows, &frozen, turn, x, probe);
+        pass::<S, R, C, P>(0..S::PIECES.len(), flows, &frozen, t, x, probe);
+        pass::<S, R, C, P>((0..S::PIECES.len() - 1).rev(), flows, &frozen, turn, x, probe);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Array>>(
+        prepared: &mut Self::Prepared,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Array, C, R>,
+    ) -> Result<(), Refusal> {
+        let (all, probe) = (S::PIECES.len(), &mut Unwatched);
+        // Flows at frozen time begin anew with every step.
+        if all < 2 || S::PIECES[0].clock == PieceClock::Stage {
+            return (0..steps).try_for_each(|n| <Self as Method<S, R>>::step(prepared, clock.at(n), x, probe));
+        }
+        let Some(last) = steps.checked_sub(1) else { return Ok(()) };
+        let Prepared { flows, merged, half } = prepared;
+        let start = clock.at(0);
+        pass::<S, R, C, _>(0..1, flows, &S::freeze(flows, start), start, x, probe);
+        for n in 0..steps {
+            let (t, turn) = (clock.at(n), clock.at(n) + *half);
+            let frozen = S::freeze(flows, turn);
+            pass::<S, R, C, _>(1..all, flows, &frozen, t, x, probe);
+            pass::<S, R, C, _>((1..all - 1).rev(), flows, &frozen, turn, x, probe);
+            let outer = if n == last { &*flows } else { &*merged };
+            pass::<S, R, C, _>(0..1, outer, &frozen, turn, x, probe);
+        }
         Ok(())
     }
 }
 
-/// Φ, from time t on.
+/// The flows of some pieces one after the other, each from time t on.
 #[inline(always)]
-fn forth<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+    pieces: impl Iterator<Item = usize>,
     flows: &S::Flows,
     frozen: &S::Frozen,
     t: R,
     x: &mut Point<S::Array, C, R>,
     probe: &mut P,
 ) {
-    for piece in 0..S::PIECES.len() {
-        flow::<S, R, C, P>(piece, flows, frozen, t, x, probe);
-    }
-}
-
-/// Φ* without its first flow.
-#[inline(always)]
-fn back<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    flows: &S::Flows,
-    frozen: &S::Frozen,
-    t: R,
-    x: &mut Point<S::Array, C, R>,
-    probe: &mut P,
-) {
-    for piece in (0..S::PIECES.len() - 1).rev() {
+    for piece in pieces {
         flow::<S, R, C, P>(piece, flows, frozen, t, x, probe);
     }
 }
@@ -166,8 +188,9 @@ impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K>
         for Pair { forth: there, back: again, at: [start, turn] } in prepared {
             let (start, turn) = (t + *start, t + *turn);
             probe.look(start, &x.q, &x.p, &x.s);
-            forth::<S, R, C, P>(there, &S::freeze(there, turn), start, x, probe);
-            back::<S, R, C, P>(again, &S::freeze(again, turn), turn, x, probe);
+            let all = S::PIECES.len();
+            pass::<S, R, C, P>(0..all, there, &S::freeze(there, turn), start, x, probe);
+            pass::<S, R, C, P>((0..all - 1).rev(), again, &S::freeze(again, turn), turn, x, probe);
         }
         Ok(())
     }

@@ -1,19 +1,36 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
-use super::{away, either, exp_derivative, factorial, polynomial, series};
-use crate::real::{Real, zero};
+use super::{either, factorial, polynomial, series};
+use crate::real::Real;
 
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]
 pub fn phi_1<R: Real>(x: R) -> R {
-    let x = away(x);
-    x.exp_m1() / x
+    let small = |x: R| polynomial(x, series!(7, |k| 1.0 / factorial(k + 1)));
+    either(x, 0.015625, small, || x.exp_m1() / x)
 }
 
-/// The derivative of [`phi_1`].
+/// x·eᶻ with eᶻ − 1 at hand: added to x, unless little of it is left.
+///
+/// A factor eᶻ near 1, rounded, is wrong by the same in every step, and errors add up. And it costs an exponential.
+#[inline(always)]
+pub fn grown<R: Real>(x: R, z: R, change: R) -> R {
+    if change.any_below(-0.5) { x * far(z) } else { x.multiply_add(change, x) }
+}
+
+/// Out of line: the optimiser would compute it before it knows whether it is needed.
+#[cold]
+#[inline(never)]
+fn far<R: Real>(z: R) -> R {
+    z.exp()
+}
+
+/// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².
 #[inline(always)]
 pub fn phi_1_derivative<R: Real>(x: R) -> R {
-    exp_derivative(zero(), x)
+    let one = R::from_f64(1.0);
+    let small = |x: R| polynomial(x, series!(18, |k| (k + 1) as f64 / factorial(k + 2)));
+    either(x, 1.0, small, || (x.exp().multiply_add(x - one, one)) / x / x)
 }
 
 /// c₀(x) = cos √x, cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
@@ -35,9 +52,9 @@ pub fn stumpff_c1<R: Real>(x: R) -> R {
 /// The derivative of [`stumpff_c1`], (c₀ − c₁)/2x.
 #[inline(always)]
 pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
-    let small = |x: R| -polynomial(-x, series!(9, |k| (k + 1) as f64 / factorial(2 * k + 3)));
+    let small = |x: R| -polynomial(-x, series!(13, |k| (k + 1) as f64 / factorial(2 * k + 3)));
     let large = || (stumpff_c0(x) - stumpff_c1(x)) / (x + x);
-    either(x, 1.0, small, large)
+    either(x, 4.0, small, large)
 }
 
 /// One function of √x where x is positive, another one of √−x where it is negative. x is not near zero.

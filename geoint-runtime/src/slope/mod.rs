@@ -17,8 +17,8 @@ mod kinks;
 
 pub use circular::{arc, arc_derivative, sinc, sinc_derivative};
 pub use exponential::{exp, exp_derivative, exp2, ln, ln_derivative, powf, powf_derivative};
+pub use flows::{grown, phi_1, phi_1_derivative, stumpff_c0, stumpff_c1, stumpff_c1_derivative};
 pub use hyperbolic::{sinhc, sinhc_derivative, tanh, tanh_derivative};
-pub use flows::{phi_1, phi_1_derivative, stumpff_c0, stumpff_c1, stumpff_c1_derivative};
 pub use kinks::{abs, abs_derivative, at_most, bounded, not_negative, recip_positive, root};
 
 use crate::real::Real;
@@ -36,10 +36,11 @@ fn away<R: Real>(x: R) -> R {
     x + x.signum() * tiny()
 }
 
-/// `small(x)` where |x| < `bound`, `large()` elsewhere.
+/// `small(x)` where |x| ≤ `bound`, `large()` elsewhere.
 #[inline(always)]
 fn either<R: Real>(x: R, bound: f64, small: impl FnOnce(R) -> R, large: impl FnOnce() -> R) -> R {
-    if x.magnitude() < bound {
+    // By its value alone, where a scalar carries a derivative.
+    if !x.abs().any_above(bound) {
         small(x)
     } else if !x.abs().any_below(bound) {
         large()

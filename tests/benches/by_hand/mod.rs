@@ -9,6 +9,7 @@ mod increments;
 pub(crate) mod kepler;
 pub(crate) mod outer_solar_system;
 pub(crate) mod pendulum;
+pub(crate) mod perturbed_kepler;
 
 use geoint_runtime::Splitting;
 

@@ -29,6 +29,6 @@ pub(crate) fn contact_items(
     let lift = context.energy.lift.is_some();
     let (steps, step_costs) = if lift { Default::default() } else { implicit::steps(context, graph, energy, &bounds) };
     let report = report::report(context, graph, energy, found, &costs, &step_costs);
-    let inherent = system::inherent(context, &report);
+    let inherent = super::system::inherent(context, &report);
     super::around(context, &report, &quote!(#inherent #system #conformal #pieces #mechanics #steps))
 }

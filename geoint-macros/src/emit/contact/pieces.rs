@@ -23,9 +23,11 @@ pub(super) fn pieces(
         Ok(pieces) => {
             let flows: Vec<Kernel> = pieces.iter().map(|piece| kernel(context, graph, piece)).collect();
             let tokens = splitting(context, graph, pieces, &flows, bounds);
-            let modified = split::modified_energy(graph, pieces, context.energy.degrees());
-            let modified = context.routine(graph, &[modified], |mut values| values.remove(0));
-            let modified = modified_energy(context, &modified, bounds);
+            let modified = (context.energy.lift.is_none()).then(|| {
+                let modified = split::modified_energy(graph, pieces, context.energy.degrees());
+                let modified = context.routine(graph, &[modified], |mut values| values.remove(0));
+                modified_energy(context, &modified, bounds)
+            });
             (quote!(#tokens #modified), flows.iter().map(|flow| flow.operations).collect())
         }
         Err(term) => (none(context, graph, *term, bounds), vec![]),

@@ -4,7 +4,7 @@ use super::super::kernel::{Context, write};
 use super::super::system::{outside_domain, self_type};
 use crate::diff;
 use crate::ir::{Graph, Id};
-use crate::parse::{Energy, over_scalar};
+use crate::parse::over_scalar;
 use crate::split;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -12,7 +12,11 @@ use quote::{format_ident, quote};
 pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
-    let value = context.routine(graph, &[energy], |mut values| values.remove(0));
+    // Momenta that are not followed give no energy.
+    let value = match context.energy.lift {
+        Some(_) => quote!(R::from_f64(f64::NAN)),
+        None => context.routine(graph, &[energy], |mut values| values.remove(0)),
+    };
     let outside = outside_domain(context, graph, energy, None);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
     let places = context.coordinates();
@@ -52,33 +56,4 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
 pub(super) fn conformal(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
     let name = self_type(context);
     if split::is_conformal(graph, energy) { quote!(impl<R: #bounds> ConformalContact<R> for #name {}) } else { TokenStream::new() }
-}
-
-/// What users call, in the float type of the function.
-pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
-    let Energy { name, float, coordinates, .. } = context.energy;
-    let coordinates = &coordinates.ty;
-    quote! {
-        impl #name {
-            /// What was derived from the energy: its pieces, their rules and order, operations, and what is skipped and why.
-            pub const REPORT: &'static str = #report;
-
-            /// The energy of a state.
-            pub fn energy(&self, state: &ContactState<#coordinates>) -> #float {
-                PhaseSpace::energy(self, state)
-            }
-
-            /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-            pub fn integrator<M: Method<Self, #float>>(
-                self,
-                method: M,
-                h: #float,
-                state: ContactState<#coordinates>,
-            ) -> Integrator<Self, M, #float> {
-                PhaseSpace::integrator(self, method, h, state)
-            }
-        }
-    }
 }

@@ -1,0 +1,67 @@
+//! Does an energy that is multiplied by a function of the action still split?
+//!
+//! H = E(q, p) f(s) is the form of contact thermostats (A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139): friction
+//! E f'(s) beside a clock that runs at the rate f(s). With f = eᵏˢ the flows of (p²/2) f and V f are both known, although each
+//! moves p, s and, the first, q. What is exact is known too: H' = −k H², hence 1/H = 1/H₀ + k t; and E decays the more slowly the
+//! less of it is left.
+
+use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::{claim, largest, orbit, order, table};
+use geoint_runtime::prelude::*;
+use std::error::Error;
+
+/// A pendulum, at rest with energy 0, with a clock and friction that follow the action.
+#[contact_hamiltonian]
+fn thermostat(q: f64, p: f64, s: f64, k: f64) -> f64 {
+    let sine = (q / 2.0).sin();
+    (p * p / 2.0 + 2.0 * sine * sine) * (k * s).exp()
+}
+
+const SYSTEM: Thermostat = Thermostat { k: 0.3 };
+const START: ContactState<f64> = ContactState { t: 0.0, q: 1.0, p: 1.8, s: 0.0 };
+
+fn energy(x: &ContactState<f64>) -> f64 {
+    x.p * x.p / 2.0 + 1.0 - x.q.cos()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", Thermostat::REPORT);
+    let law = |t: f64| 1.0 / (1.0 / SYSTEM.energy(&START) + SYSTEM.k * t);
+    let off = |states: Vec<ContactState<f64>>| largest(states.iter().map(|x| SYSTEM.energy(x) / law(x.t) - 1.0));
+    let (mut rows, mut errors) = (vec![], vec![]);
+    for h in [0.4, 0.2, 0.1] {
+        let two = off(orbit(SYSTEM, ContactSplitting, h, START, 100.0)?);
+        let four = off(orbit(SYSTEM, BlanesMoan4X, h, START, 100.0)?);
+        errors.push([two, four]);
+        rows.push([h.to_string(), format!("{two:.1e}"), format!("{four:.1e}")]);
+    }
+    println!("largest relative deviation of H from the law 1/H = 1/H₀ + k t, up to t = 100\n");
+    println!("{}", table(["h", "ContactSplitting", "BlanesMoan4X"], &rows));
+    let [two, four] = [0, 1].map(|i| order(errors[1][i], errors[2][i]));
+    claim(&format!("the law is kept to orders 2 and 4 (observed {two:.2}, {four:.2})"), {
+        (two - 2.0).abs() < 0.1 && (four - 4.0).abs() < 0.3
+    })?;
+    let states = orbit(SYSTEM, ContactSplitting, 0.1, START, 100.0)?;
+    let gains = states.windows(2).filter(|x| energy(&x[1]) > energy(&x[0]) + 1e-3).count();
+    claim("E decays, to the error of a step", gains == 0)?;
+
+    let path = states.iter().map(|x| (x.q, x.p)).collect();
+    let path = vec![Curve { width: 1.2, ..Curve::line("", palette::BLUE, path) }];
+    let path = Panel::new("The pendulum, h = 0.1", ["q", "p"], [-2.5..2.5, -2.2..2.2], path);
+    let curve = |name: &str, colour, of: &dyn Fn(&ContactState<f64>) -> f64| {
+        Curve::line(name, colour, states.iter().map(|x| (x.t, of(x))).collect())
+    };
+    let steps = orbit(SYSTEM, ContactSplitting, 0.4, START, 100.0)?;
+    let dots = steps.iter().step_by(5).map(|x| (x.t, SYSTEM.energy(x))).collect();
+    let decay = vec![
+        curve("1/(1/H₀ + k t)", palette::GREY, &|x| law(x.t)),
+        Curve { dot: 2.2, ..Curve::dots("H, h = 0.4", palette::VERMILION, dots) },
+        curve("E", palette::BLUE, &energy),
+    ];
+    let decay = Panel::new("Decay", ["time", ""], [0.0..100.0, -2.0..0.5], decay);
+    figure(
+        "contact_thermostat.svg",
+        (520, 460),
+        &[Panel { scale: Scale::Equal, ..path }, Panel { scale: Scale::Logarithmic, ..decay }],
+    )
+}

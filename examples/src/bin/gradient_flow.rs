@@ -1,0 +1,104 @@
+//! May steepest descent take steps of any length?
+//!
+//! q' = −∇U(q) is the base of H = −p·∇U(q), which the attribute's `lift` says. The macro takes it apart into coordinates: with
+//! the others frozen, each obeys an equation that J. Bernoulli solved in 1695. Each of these flows goes downhill, so that
+//! every step does, whatever its length; the accuracy of the path is another matter.
+
+use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::{claim, orbit, order, table};
+use geoint_runtime::StepError;
+use geoint_runtime::prelude::*;
+use std::error::Error;
+
+/// Steepest descent on U = (|q|² − 1)²/4 + b q₀²/2.
+#[contact_hamiltonian(lift)]
+fn descent(q: [f64; 2], p: [f64; 2], s: f64, b: f64) -> f64 {
+    let slope = q[0] * q[0] + q[1] * q[1] - 1.0;
+    -p[0] * q[0] * (slope + b) - p[1] * q[1] * slope + 0.0 * s
+}
+
+const SYSTEM: Descent = Descent { b: 0.3 };
+
+fn height([x, y]: [f64; 2]) -> f64 {
+    (x * x + y * y - 1.0).powi(2) / 4.0 + SYSTEM.b * x * x / 2.0
+}
+
+fn path(h: f64, start: [f64; 2], duration: f64) -> Result<Vec<[f64; 2]>, StepError> {
+    let states = orbit(SYSTEM, ContactSplitting, h, ContactState::new(start, [0.0; 2], 0.0), duration)?;
+    Ok(states.into_iter().map(|x| x.q).collect())
+}
+
+/// The same with explicit Euler steps.
+fn euler(h: f64, start: [f64; 2], duration: f64) -> Vec<[f64; 2]> {
+    let step = |&[x, y]: &[f64; 2]| {
+        let slope = x * x + y * y - 1.0;
+        Some([x - h * x * (slope + SYSTEM.b), y - h * y * slope])
+    };
+    std::iter::successors(Some(start), step).take((duration / h).round() as usize + 1).collect()
+}
+
+fn rises(points: &[[f64; 2]]) -> usize {
+    // A rounding at the bottom is no rise.
+    points.windows(2).filter(|pair| height(pair[1]) > height(pair[0]) + 1e-15 || height(pair[1]).is_nan()).count()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", Descent::REPORT);
+    let start = [1.6, 0.2];
+    let mut rows = vec![];
+    let (mut steady, mut reaches) = (true, true);
+    for h in [0.1, 1.0, 10.0, 100.0] {
+        let duration = f64::max(200.0 * h, 100.0);
+        let points = path(h, start, duration)?;
+        let end = points.last().copied().unwrap_or(start);
+        steady &= rises(&points) == 0;
+        reaches &= height(end) < 1e-12;
+        let of_euler = rises(&euler(h, start, duration));
+        let heights = [format!("{:.4}", height(points[1])), format!("{:.1e}", height(end))];
+        let [first, last] = heights;
+        rows.push([h.to_string(), first, last, rises(&points).to_string(), of_euler.to_string()]);
+    }
+    println!("from U = {:.4} at (1.6, 0.2), up to t = 100 at least\n", height(start));
+    println!("{}", table(["h", "U after one step", "in the end", "rises", "of explicit Euler"], &rows));
+    claim("no step rises, at all four step sizes", steady)?;
+    claim("all of them end in a minimum", reaches)?;
+    let far = path(0.001, start, 2.0)?;
+    let truth = far[far.len() - 1];
+    let error = |h: f64| -> Result<f64, StepError> {
+        let points = path(h, start, 2.0)?;
+        let end = points[points.len() - 1];
+        Ok((end[0] - truth[0]).hypot(end[1] - truth[1]))
+    };
+    let observed = order(error(0.1)?, error(0.05)?);
+    claim(&format!("short steps follow the path to order 2 (observed {observed:.2})"), (observed - 2.0).abs() < 0.1)?;
+
+    let starts = [[1.6, 0.2], [-1.6, -0.4], [0.1, 0.05], [-0.4, 1.5], [0.9, -1.4], [-0.05, -0.02]];
+    let mut curves = vec![];
+    for start in starts {
+        let flow = path(0.01, start, 40.0)?.into_iter().map(|[x, y]| (x, y)).collect();
+        curves.push(Curve::line("", palette::GREY, flow));
+    }
+    let mut steps = [vec![], vec![]];
+    for (points, h) in steps.iter_mut().zip([0.2, 2.0]) {
+        for start in starts {
+            points.extend(path(h, start, 40.0)?.into_iter().map(|[x, y]| (x, y)));
+        }
+    }
+    let [short, long] = steps;
+    curves.push(Curve { dot: 2.0, ..Curve::dots("h = 0.2", palette::BLUE, short) });
+    curves.push(Curve { dot: 2.6, ..Curve::dots("h = 2", palette::VERMILION, long) });
+    let plane = Panel::new("Descent to two minima; grey: the flow", ["q₀", "q₁"], [-1.7..1.7, -1.6..1.6], curves);
+    let colours = [(0.1, palette::GREEN), (1.0, palette::BLUE), (10.0, palette::VERMILION)];
+    let mut heights = vec![];
+    for (h, colour) in colours {
+        let points = path(h, start, 40.0 * h)?;
+        let points = points.iter().zip(0..).map(|(x, n)| (f64::from(n), height(*x).max(1e-16))).collect();
+        heights.push(Curve { dot: 2.2, ..Curve::dots(format!("h = {h}"), colour, points) });
+    }
+    let heights = Panel::new("Height after each step", ["steps", "U"], [0.0..40.0, -16.0..1.0], heights);
+    figure(
+        "gradient_flow.svg",
+        (520, 480),
+        &[Panel { scale: Scale::Equal, ..plane }, Panel { scale: Scale::Logarithmic, ..heights }],
+    )
+}

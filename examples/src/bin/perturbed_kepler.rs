@@ -1,0 +1,128 @@
+//! What do steps leave of the angular momentum of an orbit with friction? Exactly what friction leaves of it.
+//!
+//! Two bodies with friction that changes its sign, H = |p|²/2 − 1/|q| + α sin(Ωt) s, as in A. Bravetti et al., Celest. Mech. Dyn.
+//! Astr. 132 (2020) 7. The flow obeys L = L₀ exp(−α∫sin Ωt dt); a step of the splitting multiplies L by exp(−hα sin Ωt) with the
+//! time in its middle, to rounding, however large the error of the orbit may be.
+
+use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::{claim, largest, orbit, order, table};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, StepError};
+use std::error::Error;
+use std::f64::consts::PI;
+
+/// Two bodies; q is the vector between them.
+#[contact_hamiltonian]
+fn perturbed_kepler(q: [f64; 2], p: [f64; 2], s: f64, t: f64, alpha: f64, omega: f64) -> f64 {
+    let r = (q[0] * q[0] + q[1] * q[1]).sqrt();
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / r + alpha * (omega * t).sin() * s
+}
+
+type Body = ContactState<[f64; 2]>;
+
+const SYSTEM: PerturbedKepler = PerturbedKepler { alpha: -0.07, omega: 2.0 * PI };
+const STEP_SIZES: [f64; 4] = [0.1, 0.05, 0.025, 0.0125];
+const DURATION: f64 = 10.0;
+
+/// The pericentre of an ellipse of unit axis.
+fn pericentre(e: f64) -> Body {
+    ContactState::new([1.0 - e, 0.0], [0.0, ((1.0 + e) / (1.0 - e)).sqrt()], 0.0)
+}
+
+fn distance(a: &Body, b: &Body) -> f64 {
+    largest([a.q[0] - b.q[0], a.q[1] - b.q[1], a.p[0] - b.p[0], a.p[1] - b.p[1], a.s - b.s])
+}
+
+fn angular_momentum(x: &Body) -> f64 {
+    x.q[0] * x.p[1] - x.q[1] * x.p[0]
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", PerturbedKepler::REPORT);
+    let truth = after(SofroniouSpaletta10_35.of(ContactSplitting), 0.01)?;
+    let runs = [
+        ("ContactLeapfrog", errors(ContactLeapfrog, &truth)?, 2.0),
+        ("ContactSplitting", errors(ContactSplitting, &truth)?, 2.0),
+        ("Yoshida4 of it", errors(Yoshida4.of(ContactSplitting), &truth)?, 4.0),
+        ("Suzuki4 of it", errors(Suzuki4.of(ContactSplitting), &truth)?, 4.0),
+        ("Yoshida6a of it", errors(Yoshida6a.of(ContactSplitting), &truth)?, 6.0),
+        ("BlanesMoan4", errors(BlanesMoan4, &truth)?, 4.0),
+        ("BlanesMoan6", errors(BlanesMoan6, &truth)?, 6.0),
+    ];
+    let rows = runs.each_ref().map(|(name, errors, _)| {
+        let [a, b, c, d] = errors.map(|x| format!("{x:.2e}"));
+        [name.to_string(), a, b, c, d, format!("{:.2}", order(errors[1], errors[2]))]
+    });
+    println!("largest error of (q, p, s) at t = {DURATION}, eccentricity 0.4\n");
+    println!("{}", table(["method", "h = 0.1", "0.05", "0.025", "0.0125", "order"], &rows));
+    claim("all have their orders", {
+        runs.iter().all(|(_, errors, claimed)| (order(errors[1], errors[2]) - claimed).abs() < 0.35)
+    })?;
+
+    let h = 0.05;
+    let states = orbit(SYSTEM, ContactSplitting, h, pericentre(0.4), 2000.0 * h)?;
+    let mut exponent = 0.0;
+    let defects = states.windows(2).map(|pair| {
+        exponent -= h * SYSTEM.alpha * (SYSTEM.omega * (pair[0].t + h / 2.0)).sin();
+        angular_momentum(&pair[1]) / angular_momentum(&states[0]) / f64::exp(exponent) - 1.0
+    });
+    let defects: Vec<f64> = defects.collect();
+    let worst = largest(defects.iter().copied());
+    claim(&format!("2000 steps keep the law of L to {worst:.1e}"), worst < 1e-13)?;
+
+    let colours = [
+        palette::GREY,
+        palette::VERMILION,
+        palette::PURPLE,
+        palette::ORANGE,
+        palette::SKY,
+        palette::GREEN,
+        palette::BLUE,
+    ];
+    let accuracy = runs.iter().zip(colours).flat_map(|((name, errors, _), colour)| {
+        let line =
+            Curve::line(name.trim_end_matches(" of it"), colour, STEP_SIZES.into_iter().zip(*errors).rev().collect());
+        [Curve { width: 0.0, dot: 2.4, name: String::new(), ..line.clone() }, line]
+    });
+    let accuracy = Panel::new("Error at t = 10", ["step size", ""], [-2.0..-1.0, -12.0..0.0], accuracy.collect());
+    let path = |states: &[Body]| states.iter().map(|x| (x.q[0], x.q[1])).collect();
+    let smooth = orbit(SYSTEM, Yoshida6a.of(ContactSplitting), 0.01, pericentre(0.4), 40.0)?;
+    let coarse = orbit(SYSTEM, ContactSplitting, h, pericentre(0.4), 40.0)?;
+    let orbits = vec![
+        Curve { width: 1.0, ..Curve::line("Yoshida6a, h = 0.01", palette::BLUE, path(&smooth)) },
+        Curve { dot: 1.2, ..Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, path(&coarse)) },
+    ];
+    let orbits = Panel::new("The orbit up to t = 40", ["x", "y"], [-1.7..1.0, -1.3..1.3], orbits);
+    let law = |t: f64| SYSTEM.alpha / SYSTEM.omega * ((SYSTEM.omega * t).cos() - 1.0);
+    let start = angular_momentum(&states[0]);
+    let law = (0..=1000).map(|n| 0.01 * f64::from(n)).map(|t| (t, start * law(t).exp())).collect();
+    let steps = states.iter().take(201).map(|x| (x.t, angular_momentum(x))).collect();
+    let momentum = vec![
+        Curve::line("the flow", palette::GREY, law),
+        Curve { dot: 2.0, ..Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, steps) },
+    ];
+    let momentum = Panel::new("Angular momentum", ["time", "L"], [0.0..10.0, 0.91..0.945], momentum);
+    figure(
+        "perturbed_kepler.svg",
+        (560, 460),
+        &[
+            Panel { scale: Scale::Equal, ..orbits },
+            momentum,
+            Panel { scale: Scale::DoublyLogarithmic, names: Names::AtEnds, ..accuracy },
+        ],
+    )
+}
+
+fn after<M: Method<PerturbedKepler, f64>>(method: M, h: f64) -> Result<Body, StepError> {
+    let mut sim = SYSTEM.integrator(method, h, pericentre(0.4));
+    sim.advance((DURATION / h).round() as u64)?;
+    Ok(sim.state())
+}
+
+fn errors<M: Method<PerturbedKepler, f64>>(method: M, truth: &Body) -> Result<[f64; 4], StepError> {
+    let mut errors = [0.0; 4];
+    for (error, h) in errors.iter_mut().zip(STEP_SIZES) {
+        *error = distance(&after(method, h)?, truth);
+    }
+    Ok(errors)
+}

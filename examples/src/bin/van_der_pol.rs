@@ -1,0 +1,111 @@
+//! How long may steps be where an oscillation is stiff?
+//!
+//! Van der Pol's oscillator q' = s, s' = ε(1 − q²)s − q is the base of H = p s − ε(1 − q²)s + q, which the attribute's `lift` says:
+//! the momentum, which would blow up, is not followed. Two pieces are found, of which that with ε is solved exactly
+//! with its exponential; M. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960. Taken apart into three, or by RK4, it is
+//! less accurate or not stable. All of them are wrong about the period where hε is near 1: stable is not accurate.
+
+use geoint_examples::plot::{Curve, Panel, figure, palette};
+use geoint_examples::{claim, orbit, table};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, PhaseSpace, StepError};
+use std::error::Error;
+
+/// Van der Pol's oscillator in (q, s).
+#[contact_hamiltonian(lift)]
+fn van_der_pol(q: f64, p: f64, s: f64, eps: f64) -> f64 {
+    p * s - eps * (1.0 - q * q) * s + q
+}
+
+/// The same, taken apart into three.
+#[contact_hamiltonian(lift, split = "p * s | -eps * (1.0 - q * q) * s | q")]
+fn three_pieces(q: f64, p: f64, s: f64, eps: f64) -> f64 {
+    p * s - eps * (1.0 - q * q) * s + q
+}
+
+/// The same under a periodic force.
+#[contact_hamiltonian(lift)]
+fn forced(q: f64, p: f64, s: f64, t: f64, eps: f64, a: f64, omega: f64) -> f64 {
+    p * s - eps * (1.0 - q * q) * s + q - a * (omega * t).cos()
+}
+
+type Point = (f64, f64, f64);
+
+/// (t, q, s) after every step of the splitting, from (2, 0).
+fn splitting<S: PhaseSpace<Action = f64, Coordinates = f64>>(
+    system: S,
+    h: f64,
+    end: f64,
+) -> Result<Vec<Point>, StepError>
+where
+    ContactSplitting: Method<S, f64>,
+{
+    let states = orbit(system, ContactSplitting, h, ContactState::new(2.0, 0.0, 0.0), end)?;
+    Ok(states.into_iter().map(|x| (x.t, x.q, x.s)).collect())
+}
+
+/// The same by the classical method of Runge and Kutta, until it is far away.
+fn runge_kutta(eps: f64, h: f64, end: f64) -> Vec<Point> {
+    let rate = |[q, s]: [f64; 2]| [s, eps * (1.0 - q * q) * s - q];
+    let ahead = |x: [f64; 2], h: f64, k: [f64; 2]| [x[0] + h * k[0], x[1] + h * k[1]];
+    let step = |&(t, q, s): &Point| {
+        let x = [q, s];
+        let a = rate(x);
+        let b = rate(ahead(x, h / 2.0, a));
+        let c = rate(ahead(x, h / 2.0, b));
+        let d = rate(ahead(x, h, c));
+        let [q, s] = [0, 1].map(|i| x[i] + h / 6.0 * (a[i] + 2.0 * b[i] + 2.0 * c[i] + d[i]));
+        (q.abs() < 1e3).then_some((t + h, q, s))
+    };
+    std::iter::successors(Some((0.0, 2.0, 0.0)), step).take((end / h).round() as usize).collect()
+}
+
+/// The mean time between passages of q = 0 upwards, but for the first one.
+fn period(points: &[Point]) -> Option<f64> {
+    let upwards = points.windows(2).filter(|x| x[0].1 < 0.0 && x[1].1 >= 0.0);
+    let times: Vec<f64> = upwards.map(|x| x[0].0 + (x[1].0 - x[0].0) * x[0].1 / (x[0].1 - x[1].1)).collect();
+    let [_, first, .., last] = times[..] else { return None };
+    Some((last - first) / (times.len() - 2) as f64)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", VanDerPol::REPORT);
+    let (mut rows, mut two_pieces) = (vec![], vec![]);
+    let periods = [(5.0, 11.6122, [0.1, 0.05]), (50.0, 82.5083, [0.02, 0.005]), (100.0, 162.837, [0.01, 0.002])];
+    for (eps, known, steps) in periods {
+        for h in steps {
+            let end = 6.0 * known;
+            let two = period(&splitting(VanDerPol { eps }, h, end)?);
+            let three = period(&splitting(ThreePieces { eps }, h, end)?);
+            let rk4 = period(&runge_kutta(eps, h, end));
+            two_pieces.push(two.map_or(f64::NAN, |two| two - known));
+            let cells = [two, three, rk4].map(|x| x.map_or("none".into(), |x| format!("{x:.4}")));
+            let [a, b, c] = cells;
+            rows.push([eps.to_string(), known.to_string(), h.to_string(), a, b, c]);
+        }
+    }
+    println!("{}", table(["ε", "period", "h", "two pieces", "three pieces", "RK4"], &rows));
+    claim("two pieces, ε = 50, h = 0.005: the period is right to 2e-4", two_pieces[3].abs() < 2e-4)?;
+    claim("at hε = 1 they are stable, with periods that are too long", two_pieces[2] > 5.0 && two_pieces[4] > 5.0)?;
+    claim("RK4 is not: it is gone before the first period", period(&runge_kutta(50.0, 0.02, 500.0)).is_none())?;
+
+    let names = [(0.005, "h = 0.005", palette::GREY), (0.02, "h = 0.02", palette::BLUE)];
+    let mut stiff = vec![];
+    for (h, name, colour) in names {
+        let points = splitting(VanDerPol { eps: 50.0 }, h, 300.0)?;
+        stiff.push(Curve::line(name, colour, points.iter().map(|x| (x.0, x.1)).collect()));
+    }
+    let stiff = Panel::new("ε = 50", ["time", "q"], [0.0..300.0, -2.5..2.5], stiff);
+    let cycles = [(0.5, palette::SKY), (2.0, palette::GREEN), (5.0, palette::BLUE)].map(|(eps, colour)| {
+        let points = splitting(VanDerPol { eps }, 0.02, 60.0)?;
+        let cycle = points[1500..].iter().map(|x| (x.1, x.2)).collect();
+        Ok::<_, StepError>(Curve { width: 1.4, ..Curve::line(format!("ε = {eps}"), colour, cycle) })
+    });
+    let cycles = cycles.into_iter().collect::<Result<_, _>>()?;
+    let cycles = Panel::new("Limit cycles, h = 0.02", ["q", "s = q'"], [-2.5..2.5, -8.0..8.0], cycles);
+    let points = splitting(Forced { eps: 5.0, a: 5.0, omega: 2.463 }, 0.02, 500.0)?;
+    let points = points[5000..].iter().map(|x| (x.1, x.2)).collect();
+    let forced = vec![Curve { width: 0.4, ..Curve::line("", palette::VERMILION, points) }];
+    let forced = Panel::new("Under a force 5 cos 2.463t, ε = 5", ["q", "s = q'"], [-2.5..2.5, -10.0..10.0], forced);
+    figure("van_der_pol.svg", (470, 420), &[stiff, cycles, forced])
+}

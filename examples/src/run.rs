@@ -1,0 +1,30 @@
+//! Runs of a system, and numbers about them.
+
+use geoint_runtime::system::StateOf;
+use geoint_runtime::{Method, PhaseSpace, StepError};
+
+/// The states after 0, 1, 2, … steps up to a time.
+///
+/// # Errors
+/// That of a step.
+pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
+    system: S,
+    method: M,
+    h: f64,
+    start: StateOf<S, f64>,
+    duration: f64,
+) -> Result<Vec<StateOf<S, f64>>, StepError> {
+    let mut sim = system.integrator(method, h, start);
+    let later = sim.sampled(1).take((duration / h).round() as usize);
+    std::iter::once(Ok(start)).chain(later).collect()
+}
+
+/// The largest of the absolute values; not a number if one of them is none.
+pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
+    values.into_iter().fold(0.0, |largest, x| if x.abs() > largest || x.is_nan() { x.abs() } else { largest })
+}
+
+/// The order that errors at h and at h/2 tell of.
+pub fn order(whole: f64, half: f64) -> f64 {
+    (whole / half).log2()
+}

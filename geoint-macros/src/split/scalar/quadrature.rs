@@ -1,0 +1,193 @@
+//! x' = g(x) with functions in g.
+
+use super::super::polynomial::{factors, is_free};
+use super::super::time::slope;
+use super::{Equation, Solution, growth_and_mean, mean_of_recip};
+use crate::diff;
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+
+/// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
+pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
+    let own = equation.x;
+    let (mut a, mut rest) = (graph.zero(), graph.zero());
+    for term in terms(graph, equation.rate, own) {
+        let side = if is_free(graph, term, &|symbol| symbol == own) { &mut a } else { &mut rest };
+        *side = graph.add(*side, term);
+    }
+    let (function, argument, b, exponent) = single_call(graph, rest, own)?;
+    if (function, exponent) != (Function::Exp, Ratio::ONE) {
+        return None;
+    }
+    let k = diff::partial(graph, argument, own);
+    if !is_free(graph, k, &|symbol| symbol == own) {
+        return None;
+    }
+    let value = graph.call(Function::Exp, &[argument]);
+    let x = graph.symbol(own);
+    let (drift, weight) = if graph.is_zero(a) {
+        (x, equation.clock.over_step(graph, b)?)
+    } else {
+        let h = equation.steady(graph, &[a, b])?;
+        let z = graph.product(&[k, a, h]);
+        let mean = graph.call(Function::Phi1, &[z]);
+        let change = graph.mul(a, h);
+        (graph.add(x, change), graph.product(&[b, h, mean]))
+    };
+    let grown = graph.mul(weight, value);
+    let shrunk = graph.mul(k, grown);
+    let shrunk = graph.neg(shrunk);
+    let one = graph.integer(1);
+    let d = graph.add(one, shrunk);
+    let by_start = graph.call(Function::RecipPositive, &[d]);
+    if graph.as_number(k).is_some() {
+        let ln = graph.call(Function::Ln1p, &[shrunk]);
+        let ln = graph.div(ln, k);
+        return Some(Solution { end: graph.sub(drift, ln), by_start });
+    }
+    // Also for k = 0.
+    let ln = mean_of_recip(graph, shrunk);
+    let change = graph.mul(grown, ln);
+    Some(Solution { end: graph.add(drift, change), by_start })
+}
+
+/// With u = k·x + c and U = k·∫a dt: tan u/2 for sin, tan (u/2 + π/4) for cos, tanh u/2 for sinh and sinh u for tanh are
+/// multiplied by e^U.
+pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
+    let own = equation.x;
+    let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
+    let k = diff::partial(graph, u, own);
+    if !is_free(graph, k, &|symbol| symbol == own) {
+        return None;
+    }
+    let total = equation.clock.over_step(graph, a)?;
+    let z = graph.mul(k, total);
+    let (growth, mean) = growth_and_mean(graph, z);
+    let (one, two) = (graph.integer(1), graph.integer(2));
+    let square = |graph: &mut Graph, x: Id| graph.pow(x, Ratio::integer(2));
+    // What is added to something that is multiplied by e^U, divided by k.
+    let gained = |graph: &mut Graph, x: Id| graph.product(&[total, mean, x]);
+    let (moved, by_start) = match (function, exponent) {
+        (Function::Sin | Function::Cos, Ratio::ONE) => {
+            // tan of half the angle. Of sin u ≈ u all digits count: not 1 − cos u.
+            let (across, along, forgotten) = if function == Function::Sin {
+                let half = graph.scale(Number::HALF, u);
+                let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[half]));
+                let [across, along, forgotten] =
+                    [[sine, cosine], [sine, sine], [cosine, cosine]].map(|[x, y]| graph.mul(x, y));
+                [across, along, forgotten].map(|x| graph.scale(Number::integer(2), x)).into()
+            } else {
+                let [sine, cosine] = [Function::Sin, Function::Cos].map(|f| graph.call(f, &[u]));
+                (cosine, graph.add(one, sine), graph.sub(one, sine))
+            };
+            let [above, below] = [across, along].map(|x| gained(graph, x));
+            let (high, below) = (graph.mul(k, above), graph.mul(k, below));
+            let below = graph.add(two, below);
+            // 2E/(1 ∓ c + E²(1 ± c)).
+            let squared = square(graph, growth);
+            let kept = graph.mul(squared, along);
+            let sum = graph.add(forgotten, kept);
+            let by_start = graph.div(growth, sum);
+            let half = if graph.as_number(k).is_some() {
+                let half = graph.call(Function::Atan2, &[high, below]);
+                graph.div(half, k)
+            } else {
+                let arc = graph.call(Function::Arc, &[high, below]);
+                graph.mul(above, arc)
+            };
+            [half, by_start].map(|x| graph.scale(Number::integer(2), x)).into()
+        }
+        (Function::Sinh, Ratio::ONE) => {
+            let half = graph.scale(Number::HALF, u);
+            let tanh = graph.call(Function::Tanh, &[half]);
+            let gained = gained(graph, tanh);
+            let half = rise(graph, Function::Atanh, tanh, (gained, k));
+            let end = graph.mul(growth, tanh);
+            let [above, below] = [tanh, end].map(|x| {
+                let squared = square(graph, x);
+                graph.sub(one, squared)
+            });
+            let below = graph.call(Function::RecipPositive, &[below]);
+            (graph.scale(Number::integer(2), half), graph.product(&[growth, above, below]))
+        }
+        (Function::Tanh, Ratio::ONE) => {
+            let sinh = graph.call(Function::Sinh, &[u]);
+            let gained = gained(graph, sinh);
+            let moved = rise(graph, Function::Asinh, sinh, (gained, k));
+            let end = graph.mul(growth, sinh);
+            let slope = cosh_ratio(graph, u, end);
+            (moved, graph.mul(growth, slope))
+        }
+        // sinh u grows by U.
+        (Function::Cosh, Ratio { numerator: -1, denominator: 1 }) => {
+            let sinh = graph.call(Function::Sinh, &[u]);
+            let end = graph.add(sinh, z);
+            (rise(graph, Function::Asinh, sinh, (total, k)), cosh_ratio(graph, u, end))
+        }
+        _ => return None,
+    };
+    let x = graph.symbol(own);
+    Some(Solution { end: graph.add(x, moved), by_start })
+}
+
+/// cosh u/√(1 + end²).
+fn cosh_ratio(graph: &mut Graph, u: Id, end: Id) -> Id {
+    let (one, cosh) = (graph.integer(1), graph.call(Function::Cosh, &[u]));
+    let squared = graph.pow(end, Ratio::integer(2));
+    let squared = graph.add(one, squared);
+    let root = graph.sqrt(squared);
+    graph.div(cosh, root)
+}
+
+/// (f(a + k·d) − f(a))/k by its slope, without a difference.
+fn rise(graph: &mut Graph, f: Function, a: Id, (d, k): (Id, Id)) -> Id {
+    let change = graph.mul(k, d);
+    let slope = slope(graph, f, a, change);
+    graph.mul(d, slope)
+}
+
+/// The terms of a sum, also where that is multiplied by what is free of x.
+fn terms(graph: &mut Graph, id: Id, x: Symbol) -> Vec<Id> {
+    if let Node::Linear(constant, inner) = graph.node(id).clone() {
+        let mut all = vec![graph.number(constant)];
+        for (c, term) in inner {
+            all.extend(terms(graph, term, x).into_iter().map(|term| graph.scale(c, term)));
+        }
+        return all;
+    }
+    let reads = |graph: &Graph, id: Id| !is_free(graph, id, &|symbol| symbol == x);
+    let factors = factors(graph, id);
+    let mut reading = factors.iter().filter(|(base, _)| reads(graph, *base));
+    match (reading.next(), reading.next()) {
+        (Some((sum, Ratio::ONE)), None) if matches!(graph.node(*sum), Node::Linear(..)) => {
+            let mut others = graph.integer(1);
+            for (base, exponent) in factors.iter().filter(|(base, _)| base != sum) {
+                let factor = graph.pow(*base, *exponent);
+                others = graph.mul(others, factor);
+            }
+            terms(graph, *sum, x).into_iter().map(|term| graph.mul(others, term)).collect()
+        }
+        _ => vec![id],
+    }
+}
+
+/// coefficient·function(argument)^(±1) with a coefficient that is free of x, and that exponent.
+fn single_call(graph: &mut Graph, id: Id, x: Symbol) -> Option<(Function, Id, Id, Ratio)> {
+    let (c, rest) = graph.coefficient(id);
+    let (mut found, mut coefficient) = (None, graph.number(c));
+    for (base, exponent) in factors(graph, rest) {
+        if is_free(graph, base, &|symbol| symbol == x) {
+            let factor = graph.pow(base, exponent);
+            coefficient = graph.mul(coefficient, factor);
+            continue;
+        }
+        match graph.node(base).clone() {
+            _ if found.is_some() => return None,
+            Node::Call(Function::Exp, args) => {
+                found = Some((Function::Exp, graph.scale(Number::Exact(exponent), args[0]), Ratio::ONE));
+            }
+            Node::Call(function, args) if args.len() == 1 => found = Some((function, args[0], exponent)),
+            _ => return None,
+        }
+    }
+    found.map(|(function, argument, exponent)| (function, argument, coefficient, exponent))
+}

@@ -1,0 +1,151 @@
+//! Which pieces are found of contact energies, by which rules.
+
+use crate::ir::print::Printer;
+use crate::{emit, lower, parse, split};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The pieces as "rule: energy", sorted; or the term that is in none.
+fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
+    let item = syn::parse2(item).expect("a function");
+    let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let found = split::pieces(&mut lowered.graph, lowered.energy, energy.degrees(), None);
+    let context = emit::Context::new(&energy, &lowered.constants, &lowered.partial);
+    let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
+    let mut found: Vec<String> = found
+        .map_err(|term| printer.formula(term))?
+        .iter()
+        .map(|piece| format!("{} ({:?}): {}", piece.rule.name, piece.clock, printer.formula(piece.energy)))
+        .collect();
+    found.sort();
+    Ok(found)
+}
+
+/// These pieces, in any order.
+#[track_caller]
+fn found(item: TokenStream, expected: &[&str]) {
+    let mut expected = expected.to_vec();
+    expected.sort_unstable();
+    assert_eq!(pieces(item).expect("pieces"), expected);
+}
+
+#[test]
+fn damped_mechanics() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, g: f64, m: f64) -> f64 { p * p / (2.0 * m) - q.cos() + g * s } },
+        &["damped drift (Own): p²/(2·m) + s·g", "prolongation (Own): -cos(q)"],
+    );
+}
+
+/// Damping whose exponential has no elementary integral: frozen.
+#[test]
+fn perturbed_kepler() {
+    found(
+        quote! {
+            fn f(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64, w: f64) -> f64 {
+                (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt() + a * (w * t).sin() * s
+            }
+        },
+        &["damped drift (Stage): s·a·sin(t·w) + (p[0]²/2 + p[1]²/2)", "prolongation (Own): -1/√(q[0]² + q[1]²)"],
+    );
+}
+
+#[test]
+fn lane_emden() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, t: f64) -> f64 { p * p / 2.0 + 2.0 / t * s + q.powi(6) / 6.0 } },
+        &["damped drift (Own): p²/2 + 2·s/t", "prolongation (Own): q⁶/6"],
+    );
+}
+
+#[test]
+fn van_der_pol() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, e: f64) -> f64 { p * s - e * (1.0 - q * q) * s + q } },
+        &["prolongation (Own): p·s", "prolongation (Own): q - s·e·(-q² + 1)"],
+    );
+}
+
+#[test]
+fn cosmology() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, r: f64) -> f64 { (p * p + q * q + s * s) / 2.0 - r } },
+        &["damped oscillator (Own): p²/2 + q²/2", "prolongation (Own): s²/2 - r"],
+    );
+}
+
+#[test]
+fn quadratic_dissipation() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, a: f64) -> f64 { p * p / 2.0 + q * q / 2.0 + a * s * s / 2.0 } },
+        &["damped oscillator (Own): p²/2 + q²/2", "prolongation (Own): s²·a/2"],
+    );
+}
+
+#[test]
+fn thermostat() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { (p * p / 2.0 - q.cos()) * (0.6 * s).exp() } },
+        &["weighted drift (Own): p²·exp(3·s/5)/2", "prolongation (Own): -cos(q)·exp(3·s/5)"],
+    );
+}
+
+/// Seven waves with one factor, and a constant torque.
+#[test]
+fn spin_orbit() {
+    let item = quote! {
+        fn f(q: f64, p: f64, s: f64, t: f64, a: f64, l: f64, w: f64, e: f64, m: f64, c: [f64; 7]) -> f64 {
+            let size = 1.0 + l * (w * t).cos();
+            let mut waves = 0.0;
+            for i in 0..7 {
+                waves += c[i] * (2.0 * q - (i as f64 + 1.0) * t).cos();
+            }
+            p * p / 2.0 + (-a - l * w * (w * t).sin() / size) * s - e / (2.0 * size) * waves - m * q
+        }
+    };
+    let found = pieces(item).expect("pieces");
+    assert_eq!(found.len(), 2, "{found:#?}");
+    assert!(found[0].starts_with("damped drift (Stage): p²/2 + s·(-a"), "{}", found[0]);
+    assert!(found[1].starts_with("prolongation (Stage): -e·(c[0]·cos(2·q - t)"), "{}", found[1]);
+}
+
+/// Damping of both signs and any size: one piece.
+#[test]
+fn damped_oscillator() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64, c: f64) -> f64 { p * p / 2.0 + q * q / 2.0 + c * s } },
+        &["damped oscillator (Own): p²/2 + q²/2 + s·c"],
+    );
+}
+
+/// Lotka and Volterra, Lorenz, and a line with a plane: components that are linear in themselves, or in two of them.
+#[test]
+fn lifts() {
+    found(
+        quote! {
+            fn f(q: [f64; 2], p: [f64; 2], s: f64) -> f64 { p[0] * (q[0] * q[1] - q[0]) + p[1] * (q[1] - q[0] * q[1]) }
+        },
+        &["prolongation (Own): p[0]·(q[0]·q[1] - q[0])", "prolongation (Own): p[1]·(q[1] - q[0]·q[1])"],
+    );
+    found(
+        quote! {
+            fn f(q: [f64; 3], p: [f64; 3], s: f64) -> f64 {
+                p[0] * 10.0 * (q[1] - q[0]) + p[1] * (q[0] * (28.0 - q[2]) - q[1]) + p[2] * (q[0] * q[1] - 2.5 * q[2])
+            }
+        },
+        &[
+            "prolongation (Own): 10·p[0]·(q[1] - q[0]) + p[1]·(q[0]·(-q[2] + 28) - q[1])",
+            "prolongation (Own): p[2]·(q[0]·q[1] - 5·q[2]/2)",
+        ],
+    );
+}
+
+/// What no rule knows is named.
+#[test]
+fn terms_without_a_flow() {
+    let item = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + (q * p * s).sin() + q } };
+    assert_eq!(pieces(item), Err("sin(q·p·s)".to_string()));
+    let item = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p * (1.0 + q * s) - q.cos() } };
+    assert_eq!(pieces(item), Err("q·p²·s".to_string()));
+}

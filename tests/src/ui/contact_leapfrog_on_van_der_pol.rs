@@ -1,0 +1,10 @@
+use geoint_runtime::prelude::*;
+
+#[contact_hamiltonian]
+fn van_der_pol(q: f64, p: f64, s: f64, e: f64) -> f64 {
+    p * s - e * (1.0 - q * q) * s + q
+}
+
+fn main() {
+    let _ = VanDerPol { e: 5.0 }.integrator(ContactLeapfrog, 0.1, ContactState::new(1.0, 0.0, 0.0));
+}

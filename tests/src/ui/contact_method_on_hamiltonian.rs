@@ -1,0 +1,10 @@
+use geoint_runtime::prelude::*;
+
+#[hamiltonian]
+fn swing(q: f64, p: f64) -> f64 {
+    p * p / 2.0 + q.cos()
+}
+
+fn main() {
+    let _ = Swing.integrator(ContactSplitting, 0.1, State::new(1.0, 0.0));
+}
