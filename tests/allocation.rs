@@ -120,10 +120,11 @@ fn stepping_allocates_nothing() {
     methods::relaxed(&mut steps);
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
+    methods::force_gradient(&mut steps);
     methods::itoh_abe(&mut steps);
     methods::itoh_abe_one_way(&mut steps);
     methods::cubic(&mut steps);
-    assert_eq!(steps.0, 71);
+    assert_eq!(steps.0, 80);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);

@@ -131,8 +131,8 @@ pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V
                                          `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
 
 pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
-                                      Runge–Kutta–Nyström tables would lose their order; use a table for every splitting, such as \
-                                      `BlanesMoan6`";
+                                      Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a \
+                                      table for every splitting, such as `BlanesMoan6`";
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
@@ -144,5 +144,5 @@ pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
-                                        Runge–Kutta–Nyström tables would lose their order; use a table for every \
-                                        separable energy, such as `BlanesMoan6`";
+                                        Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
+                                        order; use a table for every separable energy, such as `BlanesMoan6`";

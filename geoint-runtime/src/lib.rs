@@ -62,6 +62,8 @@ mod newton;
 mod quasi_newton;
 mod predictor;
 mod stagnation;
+pub mod kicks;
+mod modified;
 pub mod splitting;
 pub mod composition;
 mod tables;
@@ -124,7 +126,9 @@ pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, Symplecti
 #[doc(inline)]
 pub use state::{ContactState, Coordinates, State};
 #[doc(inline)]
-pub use system::{Autonomous, Conservative, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable};
+pub use system::{
+    Autonomous, Conservative, ForceGradient, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable,
+};
 pub use tables::*;
 
 /// Everything that a program needs.

@@ -9,10 +9,11 @@ pub use crate::contact::{
 pub use crate::damping::is_positive_semidefinite;
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;
+pub use crate::modified::verlet as modified_verlet;
 pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, Hamiltonian, Mean, ModifiedEnergy, PhaseSpace,
-    QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, ForceGradient, Hamiltonian, Mean, ModifiedEnergy,
+    PhaseSpace, QuadraticKinetic, Separable,
 };

@@ -5,10 +5,12 @@
 //! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
 //! T or V depends on time.
 
+pub use crate::kicks::{DriftFirst, KickFirst, WithGradient};
+use crate::kicks::{Order, Times, Weight};
 use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
 use crate::point::{Point, Summation};
 use crate::real::Real;
-use crate::system::{PhaseSpace, QuadraticKinetic, Separable};
+use crate::system::{QuadraticKinetic, Separable};
 use core::marker::PhantomData;
 
 /// A table of fractions of h: outer₁, inner₁, outer₂, inner₂, …, inner_K, last, in order of application.
@@ -21,6 +23,8 @@ pub struct Splitting<const K: usize, O = KickFirst> {
     outer: [f64; K],
     inner: [f64; K],
     last: f64,
+    /// What the first K kicks have of the force gradient, as parts of h³; only tables that read the same from both ends have any.
+    gradients: [f64; K],
     order: PhantomData<O>,
 }
 
@@ -28,7 +32,7 @@ impl<const K: usize, O> Splitting<K, O> {
     /// A table as it stands.
     pub const fn new(order: u32, symmetric: bool, outer: [f64; K], inner: [f64; K], last: f64) -> Self {
         let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false };
-        Splitting { claims, outer, inner, last, order: PhantomData }
+        Splitting { claims, outer, inner, last, gradients: [0.0; K], order: PhantomData }
     }
 
     /// A table that reads the same from both ends, given by its first halves (the middle included).
@@ -37,15 +41,7 @@ impl<const K: usize, O> Splitting<K, O> {
         outer: [f64; OUTER],
         inner: [f64; INNER],
     ) -> Self {
-        assert!(OUTER == K / 2 + 1 && INNER == K.div_ceil(2));
-        let (mut x, mut y) = ([0.0; K], [0.0; K]);
-        let mut i = 0;
-        while i < K {
-            x[i] = outer[if i < OUTER { i } else { K - i }];
-            y[i] = inner[if i < INNER { i } else { K - 1 - i }];
-            i += 1;
-        }
-        Self::new(order, true, x, y, outer[0])
+        Self::new(order, true, ends(outer), between(inner), outer[0])
     }
 
     /// A symmetric composition of Verlet steps γ₁h, …, γ_K h with neighbouring outer flows merged.
@@ -66,107 +62,51 @@ impl<const K: usize, O> Splitting<K, O> {
     pub const fn coefficients(&self) -> (&[f64; K], f64, &[f64; K]) {
         (&self.outer, self.last, &self.inner)
     }
-}
 
-/// The outer flows are kicks.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KickFirst;
-
-/// The outer flows are drifts.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriftFirst;
-
-/// Which of kick and drift is the outer flow.
-pub trait Order<S: Separable<R>, R: Real>: Copy {
-    /// Coefficients of an outer flow.
-    type Outer: Copy;
-    /// Coefficients of an inner flow.
-    type Inner: Copy;
-    /// Prepares an outer flow.
-    fn prepare_outer(system: &S, h: R) -> Self::Outer;
-    /// Prepares an inner flow.
-    fn prepare_inner(system: &S, h: R) -> Self::Inner;
-    /// An outer flow.
-    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
-    /// An inner flow.
-    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
-}
-
-impl<S: Separable<R>, R: Real> Order<S, R> for KickFirst {
-    type Outer = S::Kick;
-    type Inner = S::Drift;
-    fn prepare_outer(system: &S, h: R) -> S::Kick {
-        system.prepare_kick(h)
-    }
-    fn prepare_inner(system: &S, h: R) -> S::Drift {
-        system.prepare_drift(h)
-    }
-    #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        kick::<S, R, C>(flow, at, x, &mut sums[1]);
-    }
-    #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, at, x, &mut sums[0]);
+    /// Fractions of h³ for the force gradients of the first K kicks.
+    pub const fn gradients(&self) -> &[f64; K] {
+        &self.gradients
     }
 }
 
-impl<S: Separable<R>, R: Real> Order<S, R> for DriftFirst {
-    type Outer = S::Drift;
-    type Inner = S::Kick;
-    fn prepare_outer(system: &S, h: R) -> S::Drift {
-        system.prepare_drift(h)
-    }
-    fn prepare_inner(system: &S, h: R) -> S::Kick {
-        system.prepare_kick(h)
-    }
-    #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, at, x, &mut sums[0]);
-    }
-    #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        kick::<S, R, C>(flow, at, x, &mut sums[1]);
+impl<const K: usize> Splitting<K, KickFirst<WithGradient>> {
+    /// With force gradients, by their first half.
+    pub(crate) const fn with_outer_gradients<const HALF: usize>(mut self, half: [f64; HALF]) -> Self {
+        self.gradients = ends(half);
+        self
     }
 }
 
-/// Positions, momenta and the action of a point.
-pub type Parts<'a, S, R> =
-    (&'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Action);
-
-/// The times of a flow: where its own kind of flow has come to, and where the other kind has.
-#[derive(Clone, Copy, Debug)]
-pub struct Times<R> {
-    own: R,
-    other: R,
+impl<const K: usize> Splitting<K, DriftFirst<WithGradient>> {
+    /// With force gradients, by their first half.
+    pub(crate) const fn with_inner_gradients<const HALF: usize>(mut self, half: [f64; HALF]) -> Self {
+        self.gradients = between(half);
+        self
+    }
 }
 
-/// A kick. Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
-/// tenth on six bodies.
-#[inline(always)]
-fn kick<S: Separable<R>, R: Real, C: Summation<S::Array>>(
-    flow: &S::Kick,
-    at: Times<R>,
-    (q, p, s): Parts<'_, S, R>,
-    sum: &mut C,
-) {
-    let mut unread = *s;
-    let s = if C::ACTION { s } else { &mut unread };
-    if C::PLAIN { S::kick(flow, at.other, q, p, s) } else { sum.add(p, |p| S::kick(flow, at.other, q, p, s)) }
+/// The first K of K + 1 numbers that read the same from both ends, by their first half.
+const fn ends<const K: usize, const HALF: usize>(half: [f64; HALF]) -> [f64; K] {
+    assert!(HALF == K / 2 + 1);
+    let mut all = [0.0; K];
+    let mut i = 0;
+    while i < K {
+        all[i] = half[if i < HALF { i } else { K - i }];
+        i += 1;
+    }
+    all
 }
 
-/// A drift, likewise.
-#[inline(always)]
-fn drift<S: Separable<R>, R: Real, C: Summation<S::Array>>(
-    flow: &S::Drift,
-    at: Times<R>,
-    (q, p, s): Parts<'_, S, R>,
-    sum: &mut C,
-) {
-    let mut unread = *s;
-    let s = if C::ACTION { s } else { &mut unread };
-    let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
-    if C::PLAIN { S::drift(flow, t, q, p, s) } else { sum.add(q, |q| S::drift(flow, t, q, p, s)) }
+/// K numbers that read the same from both ends, by their first half.
+const fn between<const K: usize, const HALF: usize>(half: [f64; HALF]) -> [f64; K] {
+    assert!(HALF == K.div_ceil(2));
+    let mut all = [0.0; K];
+    let mut i = 0;
+    while i < K {
+        all[i] = half[if i < HALF { i } else { K - 1 - i }];
+        i += 1;
+    }
+    all
 }
 
 /// A table multiplied by h: the flows of a step and the times in it at which they happen.
@@ -186,13 +126,23 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
         let part = |fraction: f64| R::from_f64(fraction) * h;
         let reached = |fractions: &[f64]| part(fractions.iter().sum());
-        let outer = |fraction: f64| O::prepare_outer(system, part(fraction));
-        let merged = table.last + table.outer[0];
+        let cube = h * h * h;
+        let weight = |fraction: f64, gradient: f64| Weight {
+            h: part(fraction),
+            gradient: (gradient != 0.0).then(|| R::from_f64(gradient) * cube),
+        };
+        let outer = |fraction, gradient| O::prepare_outer(system, weight(fraction, gradient));
+        let first = (table.outer[0], table.gradients[0]);
+        let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
+        let merged = last.map_or(first, |last| (first.0 + last.0, first.1 + last.1));
         Sequence {
-            first: outer(table.outer[0]),
-            inner: table.inner.map(|fraction| O::prepare_inner(system, part(fraction))),
-            outer: core::array::from_fn(|i| outer(*table.outer.get(i + 1).unwrap_or(&merged))),
-            last: (table.last != 0.0).then(|| outer(table.last)),
+            first: outer(first.0, first.1),
+            inner: core::array::from_fn(|i| O::prepare_inner(system, weight(table.inner[i], table.gradients[i]))),
+            outer: core::array::from_fn(|i| match i + 1 {
+                next if next < K => outer(table.outer[next], table.gradients[next]),
+                _ => outer(merged.0, merged.1),
+            }),
+            last: last.map(|(fraction, gradient)| outer(fraction, gradient)),
             inner_at: core::array::from_fn(|i| reached(&table.outer[..=i])),
             outer_at: core::array::from_fn(|i| if i + 1 < K { reached(&table.inner[..=i]) } else { h }),
         }

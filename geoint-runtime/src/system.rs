@@ -163,6 +163,24 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
 )]
 pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 
+/// T is a quadratic polynomial in p: \[V, \[T, V\]\] is a function of q alone, and has an exact flow together with V.
+///
+/// With the force F = −∂V/∂q and the mass matrix M that function is F·M⁻¹F.
+#[diagnostic::on_unimplemented(
+    message = "the kinetic energy of `{Self}` is not quadratic in `p` with a constant mass matrix",
+    label = "on such a T force gradients are no kicks",
+    note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
+)]
+pub trait ForceGradient<R: Real = f64>: QuadraticKinetic<R> {
+    /// What a kick of given weights needs from the parameters.
+    type GradientKick: Copy;
+
+    /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
+    fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
+    /// The flow of U = hV − g F·M⁻¹F at frozen time: p ← p + hF + g ∇(F·M⁻¹F), s ← s − U.
+    fn gradient_kick(kick: &Self::GradientKick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+}
+
 /// H is a polynomial of degree 3 at most in (q, p).
 #[diagnostic::on_unimplemented(
     message = "the energy of `{Self}` was not proven to be a polynomial of degree 3 at most",

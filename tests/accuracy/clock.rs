@@ -33,6 +33,7 @@ fn time_is_a_product_not_a_sum() {
     methods::discrete_gradient(&mut Clock);
     methods::separable(&mut Clock);
     methods::nystrom(&mut Clock);
+    methods::force_gradient(&mut Clock);
     // The sum is another number, so that the test can fail.
     let sum = (0..100).fold(0.3, |t, _| t + 0.01);
     assert_ne!(sum, 0.3 + 100.0 * 0.01);
@@ -79,6 +80,7 @@ fn short_numbers() {
     methods::discrete_gradient(&mut Short);
     methods::separable(&mut Short);
     methods::nystrom(&mut Short);
+    methods::force_gradient(&mut Short);
 
     let short = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
     let long = Pendulum { m: 1.3_f32, l: 0.7, g: 9.81 };

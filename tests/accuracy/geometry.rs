@@ -78,7 +78,7 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom cubic itoh_abe;
+    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom force_gradient cubic itoh_abe;
     Relativistic, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected relaxed separable;
     DoublePendulum, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected;
     Breathing, 0.1, general discrete_gradient separable;

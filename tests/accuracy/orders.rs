@@ -72,6 +72,7 @@ const COORDINATE_INCREMENT: usize = 2;
 const CUBIC: usize = 2;
 const SEPARABLE: usize = 22;
 const NYSTROM: usize = 4;
+const FORCE_GRADIENT: usize = 9;
 
 #[test]
 fn quadratic_kinetic_energy() {
@@ -82,9 +83,12 @@ fn quadratic_kinetic_energy() {
     methods::relaxed(&mut orders);
     methods::separable(&mut orders);
     methods::nystrom(&mut orders);
+    methods::force_gradient(&mut orders);
     methods::cubic(&mut orders);
     methods::itoh_abe(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + CUBIC);
+    orders.finish(
+        GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + FORCE_GRADIENT + CUBIC,
+    );
 }
 
 #[test]
@@ -116,7 +120,8 @@ fn driven_potential() {
     methods::discrete_gradient(&mut orders);
     methods::separable(&mut orders);
     methods::nystrom(&mut orders);
-    orders.finish(GENERAL + DISCRETE_GRADIENT + SEPARABLE + NYSTROM);
+    methods::force_gradient(&mut orders);
+    orders.finish(GENERAL + DISCRETE_GRADIENT + SEPARABLE + NYSTROM + FORCE_GRADIENT);
 }
 
 #[test]

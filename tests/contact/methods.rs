@@ -2,7 +2,7 @@
 
 use crate::measure::{field, form_defect, run, solution};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
+use geoint_runtime::{Contact, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
 use geoint_tests::measure::{LOOKS, distance, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -17,6 +17,13 @@ fn swing(q: f64, p: f64, s: f64, t: f64, m: f64, g: f64, gamma: f64) -> f64 {
 fn driven(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
     let kinetic = p[0] * p[0] / 3.4 + p[1] * p[1] / 1.2 + 0.3 * p[0] * p[1];
     kinetic + a * (0.7 + (1.3 * t).sin()) * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
+}
+
+/// Coupled masses, whose mass matrix is not diagonal, under constant friction.
+#[contact_hamiltonian]
+fn coupled(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
+    let kinetic = p[0] * p[0] / 3.4 + p[1] * p[1] / 1.2 + 0.3 * p[0] * p[1];
+    kinetic + a * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
 }
 
 /// Friction 2/t.
@@ -58,6 +65,7 @@ macro_rules! cases {
 cases! {
     Swings Swing { m: 1.7, g: 1.3, gamma: 0.4 } from 0.2, [1.1, 0.6, 0.3];
     Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
+    Masses Coupled { a: 0.4 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Stars Star { k: 1.4 } from 0.6, [1.0, -0.2, 0.1];
     Tangles Tangled { a: 0.7 } from 0.2, [0.6, 0.4, 0.3];
 }
@@ -105,6 +113,17 @@ where
     P::Over<Dual>: QuadraticKinetic<Dual>,
 {
     visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+}
+
+/// Methods for that, with force gradients.
+fn force_gradient<P: Case>(visitor: &mut impl Visitor<P>)
+where
+    P::Over<f64>: ForceGradient,
+    P::Over<Double>: ForceGradient<Double>,
+    P::Over<Dual>: ForceGradient<Dual>,
+{
+    visit!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
+    visit!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
 }
 
 /// Orders, symmetry, the form.
@@ -164,6 +183,9 @@ fn claims_hold() {
     mechanical::<Stars>(&mut geometry);
     nystrom::<Swings>(&mut geometry);
     nystrom::<Stars>(&mut geometry);
+    force_gradient::<Swings>(&mut geometry);
+    force_gradient::<Stars>(&mut geometry);
+    force_gradient::<Masses>(&mut geometry);
     assert!(geometry.0.is_empty(), "{}", geometry.0.join("\n"));
 }
 
@@ -207,6 +229,7 @@ fn table_of_the_damped_pendulum() {
         };
     }
     row!(ContactLeapfrog, 0.01, [3.42e-2, 8.48e-3, 2.12e-3, 5.29e-4]);
+    row!(Chin4A, 0.01, [5.24e-6, 3.26e-7, 2.04e-8, 1.27e-9]);
     row!(BlanesMoanSrkn6b, 0.01, [9.19e-7, 6.10e-8, 3.87e-9, 2.43e-10]);
     row!(BlanesMoanSrkn11b, 0.02, [1.29e-9, 2.00e-11]);
 }

@@ -2,7 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
-use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Real, Separable};
+use geoint_runtime::{Autonomous, ForceGradient, Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
 pub trait Visitor<S: Hamiltonian<R>, R: Real> {
@@ -116,4 +116,13 @@ where
     S: QuadraticKinetic<R> + Hamiltonian<R>,
 {
     visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+}
+
+/// Methods that need one, and kick with force gradients.
+pub fn force_gradient<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
+where
+    S: ForceGradient<R> + Hamiltonian<R>,
+{
+    visit!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
+    visit!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
 }

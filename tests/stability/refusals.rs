@@ -51,6 +51,7 @@ fn unusable_step_sizes() {
     methods::relaxed(&mut BadSteps);
     methods::separable(&mut BadSteps);
     methods::nystrom(&mut BadSteps);
+    methods::force_gradient(&mut BadSteps);
 }
 
 /// Time stays what it was, so that a usable step size goes on as if nothing had been.

@@ -54,6 +54,7 @@ fn advance_is_so_many_steps() {
     methods::projected::<HenonHeiles, f64, _>(&mut Bulk);
     methods::relaxed::<HenonHeiles, f64, _>(&mut Bulk);
     methods::nystrom::<HenonHeiles, f64, _>(&mut Bulk);
+    methods::force_gradient::<HenonHeiles, f64, _>(&mut Bulk);
 }
 
 /// Longer than the stretch after which the driver looks whether numbers are still finite.

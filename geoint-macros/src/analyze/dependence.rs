@@ -26,7 +26,7 @@ impl Reads {
             Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
             Symbol::S | Symbol::Ds => Reads { s: true, ..none },
             Symbol::T => Reads { t: true, ..none },
-            Symbol::Parameter(_) | Symbol::H => none,
+            Symbol::Parameter(_) | Symbol::H | Symbol::G => none,
         }
     }
 

@@ -1,4 +1,5 @@
-//! Forward derivatives with respect to several symbols at once: Hessians and Newton's matrices, zeros left out.
+//! Forward derivatives with respect to several symbols at once: Hessians and Newton's matrices, zeros left out. Or along one
+//! direction.
 
 use super::rules::{Rule, rule};
 use crate::ir::{Graph, Id, Node, Symbol, Table};
@@ -9,19 +10,36 @@ type Row = Rc<[(usize, Id)]>;
 
 /// ∂root/∂symbol, a row a root.
 pub(crate) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
+    let one = graph.integer(1);
+    let column = |symbol| symbols.iter().position(|other| *other == symbol).map(|column| (column, one));
+    forward(graph, roots, &column, symbols.len())
+}
+
+/// The derivatives of `roots` along `direction`, which is the change of each symbol.
+pub(crate) fn along(graph: &mut Graph, roots: &[Id], direction: impl Fn(Symbol) -> Option<Id>) -> Vec<Id> {
+    forward(graph, roots, &|symbol| direction(symbol).map(|change| (0, change)), 1).concat()
+}
+
+/// The derivatives of `roots`, if symbols change as in the column that `seed` gives them.
+fn forward(
+    graph: &mut Graph,
+    roots: &[Id],
+    seed: &impl Fn(Symbol) -> Option<(usize, Id)>,
+    columns: usize,
+) -> Vec<Vec<Id>> {
     let mut rows: Table<usize> = Table::default();
     let mut all: Vec<Row> = vec![];
     for root in roots {
         for id in graph.unknown(*root, &rows) {
             let of = |id: Id| all[rows[id]].clone();
-            let row = derivatives(graph, id, symbols, of);
+            let row = derivatives(graph, id, seed, of);
             rows.insert(id, all.len());
             all.push(row);
         }
     }
     let zero = graph.zero();
     let dense = |root: &Id| {
-        let mut row = vec![zero; symbols.len()];
+        let mut row = vec![zero; columns];
         all[rows[*root]].iter().for_each(|(column, derivative)| row[*column] = *derivative);
         row
     };
@@ -29,10 +47,14 @@ pub(crate) fn jacobian(graph: &mut Graph, roots: &[Id], symbols: &[Symbol]) -> V
 }
 
 /// The row of a node from the rows of its operands.
-fn derivatives(graph: &mut Graph, id: Id, symbols: &[Symbol], of: impl Fn(Id) -> Row) -> Row {
+fn derivatives(
+    graph: &mut Graph,
+    id: Id,
+    seed: &impl Fn(Symbol) -> Option<(usize, Id)>,
+    of: impl Fn(Id) -> Row,
+) -> Row {
     if let Node::Symbol(symbol) = graph.node(id) {
-        let column = symbols.iter().position(|other| other == symbol);
-        return column.map(|column| (column, graph.integer(1))).into_iter().collect();
+        return seed(*symbol).filter(|(_, change)| !graph.is_zero(*change)).into_iter().collect();
     }
     if graph.node(id).children().iter().all(|operand| of(*operand).is_empty()) {
         return Rc::new([]);

@@ -2,6 +2,7 @@
 
 pub(crate) mod contact;
 pub(crate) mod field;
+mod force_gradient;
 mod forward;
 pub(crate) mod modified;
 mod rules;
@@ -12,7 +13,8 @@ use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 pub(crate) use field::{Field, SecondOrder};
-pub(crate) use forward::jacobian;
+pub(crate) use force_gradient::gradient_kick;
+pub(crate) use forward::{along, jacobian};
 
 /// The partial derivatives of a node with respect to positions, momenta and the action.
 #[derive(Clone, Debug)]

@@ -4,7 +4,8 @@
 //! commutator; for more pieces the same applies to what is inside, again and again. Flows that advance a clock have a conjugate
 //! of that clock added to their energy, which is linear in it: {F + e_c, G} has ∂G/∂c more than {F, G}.
 
-use super::{gradient, partial, rename};
+use super::{Gradient, along, gradient, partial, rename};
+use crate::analyze::Parts;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// A piece of a step: its energy, in which clocks are coordinates of their own, and the clock that its flow advances.
@@ -49,11 +50,53 @@ pub(crate) fn modified_energy(graph: &mut Graph, parts: &[Part], degrees: u32) -
         inner = graph.add(inner, part.energy);
         clocks.extend(part.advances);
     }
+    let modified = corrected(graph, inner, second);
+    rename(graph, modified, |symbol| matches!(symbol, Symbol::Q(FIRST..)).then_some(Symbol::T))
+}
+
+/// H + h²H₂.
+fn corrected(graph: &mut Graph, energy: Id, second: Id) -> Id {
     let h = graph.symbol(Symbol::H);
     let square = graph.pow(h, Ratio::integer(2));
     let change = graph.mul(square, second);
-    let modified = graph.add(inner, change);
-    rename(graph, modified, |symbol| matches!(symbol, Symbol::Q(FIRST..)).then_some(Symbol::T))
+    graph.add(energy, change)
+}
+
+/// The same for half a kick, a drift, half a kick of H = T(p, t) + V(q, t), by ∇H.
+///
+/// Drifts are straight in q and the time of V, kicks in p and the time of T. What they do twice is then a second derivative along a
+/// constant direction: H₂ = V″[v, v]/12 − T″[f, f]/24 with v = (∂T/∂p, 1) and f = (−∂V/∂q, 1).
+pub(crate) fn verlet(graph: &mut Graph, parts: &Parts, slopes: &Gradient) -> Id {
+    let forces: Vec<Id> = slopes.q.iter().map(|slope| graph.neg(*slope)).collect();
+    let drifts = twice(graph, (parts.potential, &slopes.q), &slopes.p, |symbol| match symbol {
+        Symbol::Q(i) => Some(i),
+        _ => None,
+    });
+    let kicks = twice(graph, (parts.kinetic, &slopes.p), &forces, |symbol| match symbol {
+        Symbol::P(i) => Some(i),
+        _ => None,
+    });
+    let terms = [(1, 12, drifts), (-1, 24, kicks)]
+        .map(|(numerator, denominator, term)| graph.scale(Number::Exact(Ratio { numerator, denominator }), term));
+    let (energy, second) = (graph.add(parts.kinetic, parts.potential), graph.sum(&terms));
+    corrected(graph, energy, second)
+}
+
+/// The second derivative of an energy with known slopes along a direction that is constant, and 1 in time.
+fn twice(
+    graph: &mut Graph,
+    (energy, slopes): (Id, &[Id]),
+    direction: &[Id],
+    coordinate: impl Fn(Symbol) -> Option<u32>,
+) -> Id {
+    let one = graph.integer(1);
+    let rate = partial(graph, energy, Symbol::T);
+    let changes = along(graph, &[slopes, &[rate]].concat(), |symbol| match symbol {
+        Symbol::T => Some(one),
+        _ => coordinate(symbol).map(|i| direction[i as usize]),
+    });
+    let terms: Vec<Id> = direction.iter().chain([&one]).zip(changes).map(|(x, change)| graph.mul(*x, change)).collect();
+    graph.sum(&terms)
 }
 
 /// ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and what clocks add.

@@ -5,9 +5,9 @@ use super::kernel::{Context, write};
 use super::system::{modified_energy, self_type};
 use crate::analyze::{Parts, Split, Structure};
 use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
-use crate::diff::modified::{Clock, Part};
-use crate::diff::{self, modified};
+use crate::diff::{self, Derivatives, modified};
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
+use crate::parse::Form;
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -17,6 +17,7 @@ pub(super) fn flows(
     context: &Context<'_>,
     graph: &mut Graph,
     structure: &Structure,
+    derivatives: &Derivatives,
     bounds: &TokenStream,
 ) -> (TokenStream, Option<[Operations; 2]>) {
     let drag = structure
@@ -25,9 +26,9 @@ pub(super) fn flows(
         .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
     match (drag, &structure.split) {
         (None, Split::Separable(parts)) => {
-            let (tokens, operations) = separable(context, graph, parts, bounds);
-            let modified = verlet(graph, parts, context.energy.degrees());
-            let modified = modified_energy(context, graph, modified, bounds);
+            let (tokens, operations) = separable(context, graph, (parts, derivatives), bounds);
+            let modified = modified(context, graph, structure, (parts, derivatives));
+            let modified = modified_energy(context, &modified, bounds);
             (quote!(#tokens #modified), Some(operations))
         }
         (Some(term), _) => (none(context, graph, ("Undamped", term, DAMPED), bounds), None),
@@ -38,7 +39,7 @@ pub(super) fn flows(
 fn separable(
     context: &Context<'_>,
     graph: &mut Graph,
-    parts: &Parts,
+    (parts, derivatives): (&Parts, &Derivatives),
     bounds: &TokenStream,
 ) -> (TokenStream, [Operations; 2]) {
     let (name, array) = (self_type(context), context.array());
@@ -53,10 +54,16 @@ fn separable(
     let kick = flow(context, graph, "p", Symbol::P, &impulse.q);
     let drift = flow(context, graph, "q", Symbol::Q, &shift.p);
     let quadratic = match parts.not_quadratic {
-        None => quote!(impl<R: #bounds> QuadraticKinetic<R> for #name {}),
+        None => {
+            let (force, velocity) = (&derivatives.field.f, &derivatives.gradient.p);
+            let kick = diff::gradient_kick(graph, parts.potential, force, velocity);
+            let kick = flow(context, graph, "p", Symbol::P, &kick.impulse);
+            quadratic(context, (&kick.slots, &kick.prepare, &kick.body), bounds)
+        }
         Some(term) => {
             let (marker, tokens) = unsatisfied(context, graph, "QuadraticIn", term, NOT_QUADRATIC);
-            quote!(#tokens impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {})
+            let never = not_quadratic(context, &quote!(#bounds + #marker));
+            quote!(#tokens #never)
         }
     };
     let (kick_slots, drift_slots) = (&kick.slots, &drift.slots);
@@ -89,12 +96,19 @@ fn separable(
     (tokens, [kick.operations, drift.operations])
 }
 
-/// The energy that steps of Störmer and Verlet keep up to h⁴. Kicks happen when drifts have come, and drifts when kicks have.
-fn verlet(graph: &mut Graph, parts: &Parts, degrees: u32) -> Id {
-    let [kicks, drifts] = [0, 1].map(Clock);
-    let kick = Part { energy: drifts.read(graph, parts.potential), advances: Some(kicks) };
-    let drift = Part { energy: kicks.read(graph, parts.kinetic), advances: Some(drifts) };
-    modified::modified_energy(graph, &[kick, drift], degrees)
+/// The energy that steps of Störmer and Verlet keep up to h⁴: in closed form, or where nothing reads time by the kernels of implicit
+/// methods, which costs users no time to compile.
+fn modified(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    structure: &Structure,
+    (parts, derivatives): (&Parts, &Derivatives),
+) -> TokenStream {
+    if structure.autonomous && parts.not_quadratic.is_none() {
+        return quote!(modified_verlet(self, h, t, q, p));
+    }
+    let modified = modified::verlet(graph, parts, &derivatives.gradient);
+    context.routine(graph, &[modified], |mut values| values.remove(0))
 }
 
 struct Flow {
@@ -118,11 +132,59 @@ fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -
         roots.push(graph.add(start, *increment));
         changed.push(context.coordinate(i as u32));
     }
-    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H | Symbol::G));
     let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
     let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
     let body = context.planned(&plan.last[0], (&[], ""), |values| write(array, &changed, &values));
     Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
+}
+
+/// `impl QuadraticKinetic` and `impl ForceGradient`, by the slots of a kick, what is prepared for it, and its body.
+pub(super) fn quadratic(
+    context: &Context<'_>,
+    (slots, prepare, body): (&Literal, &TokenStream, &TokenStream),
+    bounds: &TokenStream,
+) -> TokenStream {
+    let (name, array, action) = (self_type(context), context.array(), action(context));
+    quote! {
+        impl<R: #bounds> QuadraticKinetic<R> for #name {}
+        impl<R: #bounds> ForceGradient<R> for #name {
+            type GradientKick = [R; #slots];
+            #[inline]
+            fn prepare_gradient_kick(&self, h: R, g: R) -> [R; #slots] {
+                #prepare
+            }
+            #[inline(always)]
+            fn gradient_kick(prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut #action) {
+                #body
+            }
+        }
+    }
+}
+
+/// The same for no scalar.
+pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
+    let (name, array, action) = (self_type(context), context.array(), action(context));
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        impl<R: #bounds> QuadraticKinetic<R> for #name {}
+        impl<R: #bounds> ForceGradient<R> for #name {
+            type GradientKick = #never;
+            fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn gradient_kick(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut #action) {
+                match *never {}
+            }
+        }
+    }
+}
+
+fn action(context: &Context<'_>) -> TokenStream {
+    match context.energy.form {
+        Form::Hamiltonian => quote!(()),
+        Form::Contact => quote!(R),
+    }
 }
 
 /// Neither kick nor drift, for want of what a term breaks.
@@ -135,6 +197,7 @@ fn none(
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, what, term, why);
     let never = quote!(::core::convert::Infallible);
+    let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
@@ -153,7 +216,7 @@ fn none(
                 match *never {}
             }
         }
-        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {}
+        #not_quadratic
     }
 }
 

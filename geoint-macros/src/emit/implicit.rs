@@ -18,7 +18,7 @@ fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
 /// The levels of a kernel that is evaluated again and again: parameters and h, the start of a step, iterates.
 pub(super) fn level(symbol: Symbol) -> usize {
     match symbol {
-        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
         Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
         Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
     }

@@ -113,6 +113,7 @@ impl<'a> Context<'a> {
             Symbol::S => quote!(*s),
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
+            Symbol::G => quote!(g),
             Symbol::Parameter(i) => self.parameter(i),
             // Increments are unknowns wherever they are read.
             Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => TokenStream::new(),
@@ -135,6 +136,7 @@ impl<'a> Context<'a> {
             Symbol::S => of_role(Role::Action, 0),
             Symbol::T => of_role(Role::Time, 0),
             Symbol::H => "h".into(),
+            Symbol::G => "g".into(),
             Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
             Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
             Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),

@@ -39,7 +39,7 @@ pub(crate) fn items(
     let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
     let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
     let bounds = system::bounds(graph, &roots);
-    let (flows, flow_costs) = flows::flows(context, graph, structure, &bounds);
+    let (flows, flow_costs) = flows::flows(context, graph, structure, derivatives, &bounds);
     let field = &derivatives.field;
     let (collocation, field_cost) =
         implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
@@ -69,10 +69,10 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
         const _: () = {
             use #runtime::private::{
                 Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative, ContactDiscreteGradient, ContactMidpoint,
-                ContactPiece, ContactPieces, ContactState, ContactSystem, Cubic, DiscreteField, Hamiltonian, ImplicitStep,
+                ContactPiece, ContactPieces, ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
                 Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real,
                 Separable, Square, State,
-                is_positive_semidefinite, slope,
+                is_positive_semidefinite, modified_verlet, slope,
             };
 
             // The function is the source of all this, and the user need not call it.

@@ -159,6 +159,7 @@ impl Writer<'_> {
             Operand::Register(register) => self.register(*register),
             Operand::Input(Symbol::T) => self.word("t"),
             Operand::Input(Symbol::H) => self.word("h"),
+            Operand::Input(Symbol::G) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
                 if !self.names.contains_key(operand) {
                     self.give(*operand);

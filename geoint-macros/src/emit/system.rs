@@ -153,16 +153,10 @@ pub(super) fn hamiltonian(
     }
 }
 
-/// `impl ModifiedEnergy`, and the method that users call.
-pub(super) fn modified_energy(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    modified: Id,
-    bounds: &TokenStream,
-) -> TokenStream {
+/// `impl ModifiedEnergy` by the body of its function, and the method that users call.
+pub(super) fn modified_energy(context: &Context<'_>, value: &TokenStream, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let state = state(context.energy.form);
-    let value = context.routine(graph, &[modified], |mut values| values.remove(0));
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     quote! {

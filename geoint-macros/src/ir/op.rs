@@ -15,6 +15,8 @@ pub(crate) enum Symbol {
     Parameter(u32),
     /// The length of a step or flow.
     H,
+    /// The weight of the force gradient in a kick.
+    G,
     /// The increment of a position over a step.
     Dq(u32),
     /// The increment of a momentum over a step.

@@ -38,7 +38,7 @@ impl Flow {
 /// The levels of a flow: parameters and h; frozen time, once a step; the state. A flow that is exact in time has its own.
 pub(crate) fn level(clock: Clock) -> impl Fn(Symbol) -> usize {
     move |symbol| match symbol {
-        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
         Symbol::T if clock == Clock::Stage => 1,
         _ => 2,
     }

@@ -19,8 +19,8 @@ pub(crate) struct Mechanics {
     pub(crate) free_drift: Flow,
     /// The flow of V at frozen time.
     pub(crate) kick: Flow,
-    /// Why tables of Runge–Kutta–Nyström type have not their order, if so: a term.
-    pub(crate) not_nystrom: Option<Id>,
+    /// The flow of hV − g F·M⁻¹F; or why tables of Runge–Kutta–Nyström type have not their order: a term.
+    pub(crate) gradient_kick: Result<Flow, Id>,
 }
 
 /// The parts; or a term that is in none of them.
@@ -58,8 +58,25 @@ pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<M
     let free_drift = kinetic::free(graph, &group(kinetic, Clock::Stage)).ok_or(kinetic)?;
     let kick = prolongation::solve(graph, &group(potential, Clock::Stage)).ok_or(potential)?;
     let frozen = (drift.1 == Clock::Stage).then_some(with_damping);
-    let not_nystrom = analyze::not_quadratic(graph, kinetic).or(frozen);
-    Ok(Mechanics { damping, drift, free_drift, kick, not_nystrom })
+    let gradient_kick = match analyze::not_quadratic(graph, kinetic).or(frozen) {
+        Some(term) => Err(term),
+        None => Ok(gradient_kick(graph, kinetic, potential, degrees)),
+    };
+    Ok(Mechanics { damping, drift, free_drift, kick, gradient_kick })
+}
+
+/// The flow of hV − g F·M⁻¹F at frozen time.
+fn gradient_kick(graph: &mut Graph, kinetic: Id, potential: Id, degrees: u32) -> Flow {
+    let velocity = diff::gradient(graph, kinetic, degrees).p;
+    let slopes = diff::gradient(graph, potential, degrees).q;
+    let force: Vec<Id> = slopes.iter().map(|slope| graph.neg(*slope)).collect();
+    let kick = diff::gradient_kick(graph, potential, &force, &velocity);
+    let mut flow = Flow::rest(graph, degrees);
+    for (p, impulse) in flow.p.iter_mut().zip(kick.impulse) {
+        *p = graph.add(*p, impulse);
+    }
+    flow.s = graph.sub(flow.s, kick.energy);
+    flow
 }
 
 /// Whether (q, p) moves without s: then H = g(t)·s + H₀(q, p, t).

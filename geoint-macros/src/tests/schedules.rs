@@ -69,7 +69,7 @@ impl Machine<'_> {
 /// Levels of a Newton iteration: parameters and h, the start of the step, the increment.
 fn level(symbol: Symbol) -> usize {
     match symbol {
-        Symbol::Parameter(_) | Symbol::H => 0,
+        Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
         Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
         Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
     }

@@ -1,7 +1,7 @@
 //! Kick, drift and damping of mechanical contact systems; or implementations that no scalar satisfies, whose messages name a
 //! term.
 
-use super::super::flows::unsatisfied;
+use super::super::flows::{not_quadratic, quadratic, unsatisfied};
 use super::super::kernel::{Context, place};
 use super::super::system::self_type;
 use crate::check::{NOT_MECHANICAL, NOT_NYSTROM};
@@ -32,11 +32,15 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
     let (drift_type, prepare_drift, drift) = flow(context, graph, "drift", drift);
     let (free_type, prepare_free, free) = flow(context, graph, "free_drift", &mechanics.free_drift);
     let damping = context.routine(graph, &[mechanics.damping], |mut values| values.remove(0));
-    let nystrom = match mechanics.not_nystrom {
-        None => quote!(impl<R: #bounds> QuadraticKinetic<R> for #name {}),
-        Some(term) => {
-            let (marker, tokens) = unsatisfied(context, graph, "NystromIn", term, NOT_NYSTROM);
-            quote!(#tokens impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {})
+    let nystrom = match &mechanics.gradient_kick {
+        Ok(kick) => {
+            let (slots, prepare, body) = planned(context, graph, kick);
+            quadratic(context, (&slots, &prepare, &body), bounds)
+        }
+        Err(term) => {
+            let (marker, tokens) = unsatisfied(context, graph, "NystromIn", *term, NOT_NYSTROM);
+            let never = not_quadratic(context, &quote!(#bounds + #marker));
+            quote!(#tokens #never)
         }
     };
     quote! {
@@ -65,13 +69,7 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
 /// The type of what is prepared for a flow, the function that prepares it, and the flow.
 fn flow(context: &Context<'_>, graph: &mut Graph, name: &str, flow: &Flow) -> (TokenStream, TokenStream, TokenStream) {
     let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
-    let changed = flow.changed(graph);
-    let roots: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
-    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H));
-    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
-    let slots = Literal::usize_unsuffixed(plan.slots[0]);
-    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
-    let body = context.planned(&plan.last[0], (&[], ""), |values| assign(context, &changed, &values));
+    let (slots, prepare, body) = planned(context, graph, flow);
     let prepare = quote! {
         #[inline]
         fn #prepare_name(&self, h: R) -> [R; #slots] {
@@ -85,6 +83,17 @@ fn flow(context: &Context<'_>, graph: &mut Graph, name: &str, flow: &Flow) -> (T
         }
     };
     (quote!([R; #slots]), prepare, flow)
+}
+
+/// What a flow needs of parameters, h and g: how many numbers, which, and what it makes of them.
+fn planned(context: &Context<'_>, graph: &mut Graph, flow: &Flow) -> (Literal, TokenStream, TokenStream) {
+    let changed = flow.changed(graph);
+    let roots: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H | Symbol::G));
+    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
+    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
+    let body = context.planned(&plan.last[0], (&[], ""), |values| assign(context, &changed, &values));
+    (Literal::usize_unsuffixed(plan.slots[0]), prepare, body)
 }
 
 /// `q[i] = …; p[i] = …; *s = …;`
@@ -101,6 +110,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, "Mechanical", term, NOT_MECHANICAL);
     let never = quote!(::core::convert::Infallible);
+    let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
     let flow = |name: &str| {
         let (prepare, name) = (format_ident!("prepare_{name}"), format_ident!("{name}"));
         quote! {
@@ -121,7 +131,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
             #kick
             #drift
         }
-        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {}
+        #not_quadratic
         impl<R: #bounds + #marker> MechanicalContact<R> for #name {
             type FreeDrift = #never;
             #free

@@ -25,7 +25,8 @@ pub(super) fn pieces(
             let tokens = splitting(context, graph, pieces, &flows, bounds);
             let modified = (context.energy.lift.is_none()).then(|| {
                 let modified = split::modified_energy(graph, pieces, context.energy.degrees());
-                modified_energy(context, graph, modified, bounds)
+                let modified = context.routine(graph, &[modified], |mut values| values.remove(0));
+                modified_energy(context, &modified, bounds)
             });
             (quote!(#tokens #modified), flows.iter().map(|flow| flow.operations).collect())
         }

@@ -63,10 +63,10 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, Hamiltonian, ImplicitStep,
-        Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace,
-        PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, slope,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -231,12 +231,28 @@ const _: () = {
         }
     }
     #[diagnostic::on_unimplemented(
-        message = "`Spring`: this term is not quadratic in the momenta with constant coefficients, so Runge–Kutta–Nyström tables would lose their order; use a table for every separable energy, such as `BlanesMoan6`",
+        message = "`Spring`: this term is not quadratic in the momenta with constant coefficients, so Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a table for every separable energy, such as `BlanesMoan6`",
         label = "the term is: √(p² + 1)"
     )]
     pub trait QuadraticInSpring {}
     impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
     for Spring {}
+    impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> ForceGradient<R>
+    for Spring {
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
     impl<R: Real + ::core::cmp::PartialOrd> ModifiedEnergy<R> for Spring {
         fn modified_hamiltonian(
             &self,
@@ -251,14 +267,16 @@ const _: () = {
             let k2 = R::from_f64(0.0);
             let q0 = q[0];
             let k4 = R::from_f64(4.0);
-            let k5 = R::from_f64(12.0);
+            let k5 = R::from_f64(3.0);
             let k6 = R::from_f64(0.041666666666666664);
-            let k7 = R::from_f64(-0.08333333333333333);
+            let k7 = R::from_f64(0.08333333333333333);
             let v0 = p0 * p0;
             let v1 = k1 + v0;
             let v2 = v1.sqrt();
             let v3 = k2 < q0;
-            let (v17, v18, v19, v20, v21) = if v3 {
+            let v12 = k1 / v2;
+            let v13 = p0 * v12;
+            let (v23, v24, v25, v26) = if v3 {
                 let v4 = q0 * q0;
                 let v5 = v4 * v4;
                 let (v6, v7) = t.sin_cos();
@@ -266,36 +284,33 @@ const _: () = {
                 let v9 = v4 * q0;
                 let v10 = k4 * v9;
                 let v11 = v10 * v7;
-                let v12 = k5 * v4;
-                let v13 = v12 * v7;
-                let v14 = v10 * v6;
-                let v15 = -v14;
-                let v16 = -v8;
-                (v8, v11, v13, v15, v16)
+                let v14 = k5 * v4;
+                let v15 = v14 * v7;
+                let v16 = v15 * v13;
+                let v17 = -v9;
+                let v18 = v17.multiply_add(v6, v16);
+                let v19 = k4 * v18;
+                let v20 = v10 * v6;
+                let v21 = v20.multiply_add(v13, v8);
+                let v22 = -v21;
+                (v8, v11, v19, v22)
             } else {
-                (k2, k2, k2, k2, k2)
+                (k2, k2, k2, k2)
             };
-            let v22 = h * h;
-            let v23 = k1 / v2;
-            let v24 = v23 * v23;
-            let v25 = v24 * v23;
-            let v26 = v0 * v18;
-            let v27 = v26 * v25;
-            let v28 = -v23;
-            let v29 = v28.multiply_add(v18, v27);
-            let v30 = k6 * v18;
-            let v31 = p0 * v23;
-            let v32 = -v20;
-            let v33 = -v31;
-            let v34 = v33.multiply_add(v19, v32);
-            let v35 = v31 * v34;
-            let v36 = v35 - v21;
-            let v37 = v33.multiply_add(v20, v36);
-            let v38 = v30 * v29;
-            let v39 = k7.multiply_add(v37, v38);
-            let v40 = v2 + v17;
-            let v41 = v22.multiply_add(v39, v40);
-            v41
+            let v27 = v13.multiply_add(v25, v26);
+            let v28 = v12 * v12;
+            let v29 = v28 * v12;
+            let v30 = v0 * v29;
+            let v31 = v30 * v24;
+            let v32 = -v12;
+            let v33 = v32.multiply_add(v24, v31);
+            let v34 = k6 * v24;
+            let v35 = k7 * v27;
+            let v36 = v34.multiply_add(v33, v35);
+            let v37 = h * h;
+            let v38 = v2 + v23;
+            let v39 = v37.multiply_add(v36, v38);
+            v39
         }
     }
     impl Spring {

@@ -60,10 +60,10 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, Hamiltonian, ImplicitStep,
-        Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace,
-        PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, slope,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -192,6 +192,21 @@ const _: () = {
         }
     }
     impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
+    impl<R: Real + UncoupledCoupled> ForceGradient<R> for Coupled {
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
     impl<R: Real> DiscreteField<R> for Coupled {
         type Parameters = [R; 0];
         type Start = [R; 8];

@@ -73,10 +73,10 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, Hamiltonian, ImplicitStep,
-        Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace,
-        PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, slope,
+        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
+        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
+        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
+        is_positive_semidefinite, modified_verlet, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -223,6 +223,49 @@ const _: () = {
         }
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
+    impl<R: Real> ForceGradient<R> for Pendulum<R> {
+        type GradientKick = [R; 2];
+        #[inline]
+        fn prepare_gradient_kick(&self, h: R, g: R) -> [R; 2] {
+            let a2 = self.g;
+            let a0 = self.m;
+            let a1 = self.l;
+            let k3 = R::from_f64(2.0);
+            let v0 = a2 * a2;
+            let v1 = a0 * a0;
+            let v2 = a1 * a1;
+            let v3 = a0 * v2;
+            let v4 = k3 * g;
+            let v5 = v4 * v0;
+            let v6 = v5 * v1;
+            let v7 = v6 * v2;
+            let v8 = v7 / v3;
+            let v9 = h * a2;
+            let v10 = v9 * a0;
+            let v11 = v10 * a1;
+            let v12 = -v11;
+            [v8, v12]
+        }
+        #[inline(always)]
+        fn gradient_kick(
+            prepared: &[R; 2],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            s: &mut (),
+        ) {
+            let q0 = q[0];
+            let prepared_0 = prepared[0];
+            let prepared_1 = prepared[1];
+            let p0 = p[0];
+            let (v0, v1) = q0.sin_cos();
+            let v2 = prepared_0 * v1;
+            let v3 = prepared_1 * v0;
+            let v4 = v2.multiply_add(v0, v3);
+            let v5 = p0 + v4;
+            p[0] = v5;
+        }
+    }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
         fn modified_hamiltonian(
             &self,
@@ -232,45 +275,7 @@ const _: () = {
             p: &[R; 1],
             s: &Self::Action,
         ) -> R {
-            let p0 = p[0];
-            let a1 = self.l;
-            let a0 = self.m;
-            let k3 = R::from_f64(1.0);
-            let k4 = R::from_f64(0.5);
-            let q0 = q[0];
-            let a2 = self.g;
-            let k7 = R::from_f64(0.041666666666666664);
-            let k8 = R::from_f64(0.08333333333333333);
-            let v0 = p0 * p0;
-            let v1 = a1 * a1;
-            let v2 = a0 * v1;
-            let v3 = k3 / v2;
-            let v4 = k4 * v0;
-            let (v5, v6) = q0.sin_cos();
-            let v7 = a1 * a0;
-            let v8 = v7 * a2;
-            let v9 = a0 * a0;
-            let v10 = a2 * a2;
-            let v11 = v5 * v5;
-            let v12 = k7 * v1;
-            let v13 = v12 * v9;
-            let v14 = v13 * v10;
-            let v15 = v14 * v3;
-            let v16 = v3 * v3;
-            let v17 = k8 * a0;
-            let v18 = v17 * a1;
-            let v19 = v18 * a2;
-            let v20 = v19 * v0;
-            let v21 = v20 * v16;
-            let v22 = v21 * v6;
-            let v23 = -v15;
-            let v24 = v23.multiply_add(v11, v22);
-            let v25 = h * h;
-            let v26 = v4 * v3;
-            let v27 = -v8;
-            let v28 = v27.multiply_add(v6, v26);
-            let v29 = v25.multiply_add(v24, v28);
-            v29
+            modified_verlet(self, h, t, q, p)
         }
     }
     impl Pendulum {
