@@ -8,10 +8,10 @@ mod ir;
 mod parse;
 mod lower;
 mod analyze;
-mod check;
 mod diff;
 mod schedule;
 mod split;
+mod check;
 mod emit;
 mod expand;
 #[cfg(test)]

@@ -1,16 +1,20 @@
 //! (q, p, s) → (p, −q, s − q·p) keeps ds − p dq: with a flow there is the flow of the conjugate energy.
 
-use super::flow::Flow;
-use super::rules::{Group, RULES, Rule};
+use super::flow::{Flow, Group};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 
-pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
+/// The flow of an energy from that of its conjugate, if `rules` know it.
+pub(super) fn solve(
+    graph: &mut Graph,
+    group: &Group,
+    rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,
+) -> Option<Flow> {
     let degrees = group.degrees;
     // H(−p̂, q̂, ŝ − q̂·p̂) with q̂ = p, p̂ = −q, ŝ = s − q·p.
     let energy = replaced(graph, degrees, group.energy, |graph, q, p| (graph.neg(p), q));
     let conjugate = Group { energy, ..*group };
-    let flow = RULES.iter().filter(direct).find_map(|rule| (rule.solve)(graph, &conjugate))?;
+    let flow = rules(graph, &conjugate)?;
     let back = |graph: &mut Graph, id: Id| replaced(graph, degrees, id, |graph, q, p| (p, graph.neg(q)));
     let [q_hat, p_hat] = [&flow.q, &flow.p].map(|all| all.iter().map(|id| back(graph, *id)).collect::<Vec<_>>());
     let mut s = back(graph, flow.s);
@@ -20,11 +24,6 @@ pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
         s = graph.add(s, product);
     }
     Some(Flow { q, p: q_hat, s })
-}
-
-/// Rules that do not come back here.
-fn direct(rule: &&Rule) -> bool {
-    rule.name != "Legendre conjugate"
 }
 
 /// q and p replaced as `by` says, s by s − q·p.

@@ -1,7 +1,33 @@
-//! The flow of a piece in closed form, and what pieces are.
+//! What rules, pieces and their flows are.
 
 use super::time::Clock;
 use crate::ir::{Graph, Id, Node, Symbol};
+
+/// Terms that are to be one piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Group {
+    pub(super) energy: Id,
+    pub(super) degrees: u32,
+    pub(super) clock: Clock,
+}
+
+/// A family of energies whose flow is known.
+pub(crate) struct Rule {
+    /// What it is called in reports.
+    pub(crate) name: &'static str,
+    /// The energies, with what is asked of their coefficients.
+    pub(crate) family: &'static str,
+    /// Where such energies, or what their flow follows from, can be read about.
+    pub(crate) source: &'static str,
+    /// The flow, if an energy belongs to the family.
+    pub(super) solve: fn(&mut Graph, &Group) -> Option<Flow>,
+}
+
+impl std::fmt::Debug for Rule {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
 
 /// q, p and s at the end of a flow of length h, in terms of those at its start.
 #[derive(Clone, Debug)]
@@ -49,7 +75,7 @@ pub(crate) fn level(clock: Clock) -> impl Fn(Symbol) -> usize {
 pub(crate) struct Piece {
     pub(crate) energy: Id,
     /// The rule that knows its flow.
-    pub(crate) rule: &'static super::rules::Rule,
+    pub(crate) rule: &'static Rule,
     pub(crate) flow: Flow,
     pub(crate) clock: Clock,
 }

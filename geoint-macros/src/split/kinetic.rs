@@ -1,8 +1,7 @@
 //! Pieces whose momenta keep their direction.
 
-use super::flow::Flow;
+use super::flow::{Flow, Group};
 use super::polynomial::{Polynomial, factors, is_free};
-use super::rules::Group;
 use super::scalar::{self, Equation, positive_power};
 use super::time::{Clock, over_time, ratio};
 use crate::diff;

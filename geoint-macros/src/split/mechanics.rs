@@ -1,8 +1,7 @@
 //! H = T(p, t) + g(t)·s + V(q, t)? A kick and a drift, as mechanical systems have them.
 
 use super::Clock;
-use super::flow::Flow;
-use super::rules::Group;
+use super::flow::{Flow, Group};
 use super::{kinetic, prolongation};
 use crate::analyze;
 use crate::diff;

@@ -17,10 +17,10 @@ mod mechanics;
 
 use crate::diff::modified;
 use crate::ir::{Graph, Id};
+use flow::Group;
 pub(crate) use flow::{Flow, Piece, level};
 pub(crate) use mechanics::{Mechanics, is_conformal, mechanics};
 pub(crate) use partition::{Pieces, pieces};
-use rules::Group;
 pub(crate) use rules::RULES;
 pub(crate) use time::Clock;
 

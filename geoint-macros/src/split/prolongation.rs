@@ -3,9 +3,8 @@
 //! They follow from (Q, S) because ds − p dq is kept up to a factor: with d_j = ∂/∂q_j + p_j ∂/∂s,
 //! Σᵢ d_jQᵢ Pᵢ = d_jS.
 
-use super::flow::Flow;
+use super::flow::{Flow, Group};
 use super::polynomial::{Polynomial, is_free};
-use super::rules::Group;
 use super::scalar::{self, Equation, turn};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};

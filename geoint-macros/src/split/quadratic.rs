@@ -1,8 +1,7 @@
 //! Pieces that are quadratic in (q, p).
 
-use super::flow::Flow;
+use super::flow::{Flow, Group};
 use super::polynomial::{Monomial, Polynomial, is_free};
-use super::rules::Group;
 use super::scalar::turn;
 use super::time::Clock;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};

@@ -37,7 +37,7 @@ fn sections(
         Ok(pieces) => {
             for (piece, cost) in pieces.iter().zip(costs) {
                 writeln!(text, "- {}", printer.excerpt(piece.energy))?;
-                writeln!(text, "  {}: {}", piece.rule.name, piece.rule.family)?;
+                writeln!(text, "  {}: {} ({})", piece.rule.name, piece.rule.family, piece.rule.source)?;
                 let clock = match piece.clock {
                     Clock::Own => "exact in time",
                     Clock::Stage => "time frozen in the middle of a step",
