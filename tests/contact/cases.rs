@@ -1,8 +1,9 @@
 //! Contact systems with their equations written by hand, and what is measured of methods for them.
 
-use geoint_runtime::array::Array;
+use crate::measure;
+pub(super) use crate::measure::flat;
+use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::{LOOKS, distance, extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -107,16 +108,7 @@ impl Case for EntangledCase {
 }
 
 pub(super) fn state<S: Contact<R>, R: Scalar>(t: f64, x: &[R]) -> Point<S, R> {
-    let n = S::Array::LEN;
-    let (mut q, mut p) = (S::Array::zero(), S::Array::zero());
-    q.as_mut_slice().copy_from_slice(&x[..n]);
-    p.as_mut_slice().copy_from_slice(&x[n..2 * n]);
-    ContactState::at(real(t), Coordinates::from_array(q), Coordinates::from_array(p), x[2 * n])
-}
-
-pub(super) fn flat<Q: Coordinates>(state: &ContactState<Q>) -> Vec<Q::Real> {
-    let (q, p) = (state.q.into_array(), state.p.into_array());
-    q.as_slice().iter().chain(p.as_slice()).chain([&state.s]).copied().collect()
+    measure::state(real(t), x)
 }
 
 pub(super) fn over<R: Scalar>(x: Vec<f64>) -> Vec<R> {

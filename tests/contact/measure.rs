@@ -26,19 +26,13 @@ pub(crate) fn state<Q: Coordinates>(t: Q::Real, x: &[Q::Real]) -> ContactState<Q
 pub(crate) fn field<R: Scalar, S: Contact<R>>(system: &S, t: R, x: &[R]) -> Vec<R> {
     let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
     let (q, p) = (q.into_array(), p.into_array());
+    let energy = system.hamiltonian(t, &q, &p, &s);
     let (mut dq, mut dp, mut ds) = (S::Array::zero(), S::Array::zero(), R::from_f64(0.0));
     system.gradient(t, &q, &p, &s, &mut dq, &mut dp, &mut ds);
     let (p, dq, dp) = (p.as_slice(), dq.as_slice(), dp.as_slice());
     let power = p.iter().zip(dp).fold(R::from_f64(0.0), |sum, (p, rate)| sum + *p * *rate);
     let forces = p.iter().zip(dq).map(|(p, slope)| -*slope - *p * ds);
-    let action = power
-        - system.hamiltonian(
-            t,
-            &S::Coordinates::into_array(state::<S::Coordinates>(t, x).q),
-            &state::<S::Coordinates>(t, x).p.into_array(),
-            &s,
-        );
-    dp.iter().copied().chain(forces).chain([action]).collect()
+    dp.iter().copied().chain(forces).chain([power - energy]).collect()
 }
 
 /// The solution after `duration`, to some twenty digits.

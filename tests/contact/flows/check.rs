@@ -1,5 +1,6 @@
 //! A flow against its differential equation, and against what all contact flows have in common.
 
+use crate::measure::field;
 use geoint_runtime::contact::{Clock, Contact, Pieces};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Coordinates, PhaseSpace, Real, StepError};
@@ -87,19 +88,6 @@ fn point<R: Scalar, const N: usize, S: Pieces<R, Array = [R; N]>>(x: &[R]) -> S:
     let mut array = [R::from_f64(0.0); N];
     array.copy_from_slice(x);
     S::Coordinates::from_array(array)
-}
-
-/// The vector field.
-fn field<const N: usize, S: Contact<Double, Array = [Double; N]>>(system: &S, t: Double, x: &[Double]) -> Vec<Double> {
-    let zero = [Double::from(0.0); N];
-    let (mut q, mut p, mut dq, mut dp, mut ds) = (zero, zero, zero, zero, Double::from(0.0));
-    q.copy_from_slice(&x[..N]);
-    p.copy_from_slice(&x[N..2 * N]);
-    system.gradient(t, &q, &p, &x[2 * N], &mut dq, &mut dp, &mut ds);
-    let power = (0..N).fold(Double::from(0.0), |sum, i| sum + p[i] * dp[i]);
-    let forces = (0..N).map(|i| -dq[i] - p[i] * ds);
-    let action = power - system.hamiltonian(t, &q, &p, &x[2 * N]);
-    dp.iter().copied().chain(forces).chain([action]).collect()
 }
 
 /// The solution after h, and how much each of its components changes with relative changes of x, t and h, and of itself.
