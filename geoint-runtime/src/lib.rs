@@ -63,7 +63,7 @@ mod quasi_newton;
 mod predictor;
 mod stagnation;
 pub mod kicks;
-mod modified;
+mod field;
 pub mod splitting;
 pub mod composition;
 mod tables;

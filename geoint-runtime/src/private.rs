@@ -7,9 +7,9 @@ pub use crate::contact::{
     ContactMidpoint, ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
 };
 pub use crate::damping::is_positive_semidefinite;
+pub use crate::field::{gradient_kick, modified_verlet};
 pub use crate::integrator::Integrator;
 pub use crate::method::Method;
-pub use crate::modified::verlet as modified_verlet;
 pub use crate::real::Real;
 pub use crate::slope;
 pub use crate::state::{ContactState, State};

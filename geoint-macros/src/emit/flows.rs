@@ -54,11 +54,16 @@ fn separable(
     let kick = flow(context, graph, "p", Symbol::P, &impulse.q);
     let drift = flow(context, graph, "q", Symbol::Q, &shift.p);
     let quadratic = match parts.not_quadratic {
+        None if context.energy.degrees() <= FEW => {
+            let kick = quote!(gradient_kick::<Self, R>(prepared, t, q, p););
+            quadratic(context, (&quote!((Self::Constants, [R; 2])), &quote!((self.constants(), [h, g])), &kick), bounds)
+        }
         None => {
             let (force, velocity) = (&derivatives.field.f, &derivatives.gradient.p);
             let kick = diff::gradient_kick(graph, parts.potential, force, velocity);
             let kick = flow(context, graph, "p", Symbol::P, &kick.impulse);
-            quadratic(context, (&kick.slots, &kick.prepare, &kick.body), bounds)
+            let slots = &kick.slots;
+            quadratic(context, (&quote!([R; #slots]), &kick.prepare, &kick.body), bounds)
         }
         Some(term) => {
             let (marker, tokens) = unsatisfied(context, graph, "QuadraticIn", term, NOT_QUADRATIC);
@@ -139,23 +144,27 @@ fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -
     Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
 }
 
-/// `impl QuadraticKinetic` and `impl ForceGradient`, by the slots of a kick, what is prepared for it, and its body.
+/// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
+/// more than the one direction that is needed of it: users do not pay for compiling another one.
+const FEW: u32 = 3;
+
+/// `impl QuadraticKinetic` and `impl ForceGradient`, by what is prepared for a kick, how, and its body.
 pub(super) fn quadratic(
     context: &Context<'_>,
-    (slots, prepare, body): (&Literal, &TokenStream, &TokenStream),
+    (prepared, prepare, body): (&TokenStream, &TokenStream, &TokenStream),
     bounds: &TokenStream,
 ) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), action(context));
     quote! {
         impl<R: #bounds> QuadraticKinetic<R> for #name {}
         impl<R: #bounds> ForceGradient<R> for #name {
-            type GradientKick = [R; #slots];
+            type GradientKick = #prepared;
             #[inline]
-            fn prepare_gradient_kick(&self, h: R, g: R) -> [R; #slots] {
+            fn prepare_gradient_kick(&self, h: R, g: R) -> #prepared {
                 #prepare
             }
             #[inline(always)]
-            fn gradient_kick(prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut #action) {
+            fn gradient_kick(prepared: &#prepared, t: R, q: &mut #array, p: &mut #array, s: &mut #action) {
                 #body
             }
         }

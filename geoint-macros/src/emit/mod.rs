@@ -72,7 +72,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
                 ContactPiece, ContactPieces, ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
                 Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real,
                 Separable, Square, State,
-                is_positive_semidefinite, modified_verlet, slope,
+                is_positive_semidefinite, modified_verlet, gradient_kick, slope,
             };
 
             // The function is the source of all this, and the user need not call it.

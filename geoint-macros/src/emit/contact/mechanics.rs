@@ -35,7 +35,7 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
     let nystrom = match &mechanics.gradient_kick {
         Ok(kick) => {
             let (slots, prepare, body) = planned(context, graph, kick);
-            quadratic(context, (&slots, &prepare, &body), bounds)
+            quadratic(context, (&quote!([R; #slots]), &prepare, &body), bounds)
         }
         Err(term) => {
             let (marker, tokens) = unsatisfied(context, graph, "NystromIn", *term, NOT_NYSTROM);

@@ -66,7 +66,7 @@ const _: () = {
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
         PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, slope,
+        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;

@@ -76,7 +76,7 @@ const _: () = {
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
         PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, slope,
+        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -224,46 +224,20 @@ const _: () = {
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
     impl<R: Real> ForceGradient<R> for Pendulum<R> {
-        type GradientKick = [R; 2];
+        type GradientKick = (Self::Constants, [R; 2]);
         #[inline]
-        fn prepare_gradient_kick(&self, h: R, g: R) -> [R; 2] {
-            let a2 = self.g;
-            let a0 = self.m;
-            let a1 = self.l;
-            let k3 = R::from_f64(2.0);
-            let v0 = a2 * a2;
-            let v1 = a0 * a0;
-            let v2 = a1 * a1;
-            let v3 = a0 * v2;
-            let v4 = k3 * g;
-            let v5 = v4 * v0;
-            let v6 = v5 * v1;
-            let v7 = v6 * v2;
-            let v8 = v7 / v3;
-            let v9 = h * a2;
-            let v10 = v9 * a0;
-            let v11 = v10 * a1;
-            let v12 = -v11;
-            [v8, v12]
+        fn prepare_gradient_kick(&self, h: R, g: R) -> (Self::Constants, [R; 2]) {
+            (self.constants(), [h, g])
         }
         #[inline(always)]
         fn gradient_kick(
-            prepared: &[R; 2],
+            prepared: &(Self::Constants, [R; 2]),
             t: R,
             q: &mut [R; 1],
             p: &mut [R; 1],
             s: &mut (),
         ) {
-            let q0 = q[0];
-            let prepared_0 = prepared[0];
-            let prepared_1 = prepared[1];
-            let p0 = p[0];
-            let (v0, v1) = q0.sin_cos();
-            let v2 = prepared_0 * v1;
-            let v3 = prepared_1 * v0;
-            let v4 = v2.multiply_add(v0, v3);
-            let v5 = p0 + v4;
-            p[0] = v5;
+            gradient_kick::<Self, R>(prepared, t, q, p);
         }
     }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
