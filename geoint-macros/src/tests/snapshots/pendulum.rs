@@ -224,14 +224,18 @@ const _: () = {
     }
     impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
     impl<R: Real> ForceGradient<R> for Pendulum<R> {
-        type GradientKick = (Self::Constants, [R; 2]);
+        type GradientKick = (<Self as Collocation<R>>::Constants, [R; 2]);
         #[inline]
-        fn prepare_gradient_kick(&self, h: R, g: R) -> (Self::Constants, [R; 2]) {
+        fn prepare_gradient_kick(
+            &self,
+            h: R,
+            g: R,
+        ) -> (<Self as Collocation<R>>::Constants, [R; 2]) {
             (self.constants(), [h, g])
         }
         #[inline(always)]
         fn gradient_kick(
-            prepared: &(Self::Constants, [R; 2]),
+            prepared: &(<Self as Collocation<R>>::Constants, [R; 2]),
             t: R,
             q: &mut [R; 1],
             p: &mut [R; 1],
