@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     });
     let defects: Vec<f64> = defects.collect();
     let worst = largest(defects.iter().copied());
-    claim(&format!("2000 steps keep the law of L to {worst:.1e}"), worst < 1e-13)?;
+    claim(&format!("2000 steps keep the law of L to {worst:.1e}"), worst < 2e-14)?;
 
     let colours = [
         palette::GREY,

@@ -44,12 +44,13 @@ fn the_leapfrog_is_of_order_two_where_friction_changes() {
     assert!(errors[1] < 5e-4 && (order(errors) - 2.0).abs() < 0.02, "{errors:?}");
 }
 
-/// L is multiplied by e^(−hg) at the time in the middle. At h = 0.05 the same twenty factors, and their roundings, come again and
-/// again.
+/// L is multiplied by e^(−hg) at the time in the middle. At h = 0.05 the same twenty factors come again and again: a rounding of theirs
+/// would add up.
 #[test]
 fn angular_momentum_decays_by_its_law_whatever_the_error_of_the_orbit() {
     let momentum = |x: &Body| x.q[0] * x.p[1] - x.q[1] * x.p[0];
-    for (h, bound) in [(0.037, 2e-14), (0.053, 2e-14), (0.05, 1e-13)] {
+    for h in [0.0125, 0.037, 0.05, 0.053] {
+        let mut worst = 0.0_f64;
         let mut sim = KEPLER.integrator(ContactSplitting, h, pericentre(0.4));
         let start = momentum(&sim.state());
         let mut exponent = 0.0;
@@ -57,8 +58,10 @@ fn angular_momentum_decays_by_its_law_whatever_the_error_of_the_orbit() {
             sim.step().unwrap();
             exponent -= h * KEPLER.alpha * (KEPLER.omega * (f64::from(n) + 0.5) * h).sin();
             let defect = momentum(&sim.state()) / (start * f64::exp(exponent)) - 1.0;
-            assert!(defect.abs() <= bound, "h = {h}, step {n}: {defect:.1e}");
+            worst = worst.max(defect.abs());
         }
+        println!("h = {h}: {worst:.1e}");
+        assert!(worst <= 2e-14, "h = {h}: {worst:.1e}");
     }
 }
 
