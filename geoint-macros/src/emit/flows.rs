@@ -56,7 +56,11 @@ fn separable(
     let quadratic = match parts.not_quadratic {
         None if context.energy.degrees() <= FEW => {
             let kick = quote!(gradient_kick::<Self, R>(prepared, t, q, p););
-            quadratic(context, (&quote!((<Self as Collocation<R>>::Constants, [R; 2])), &quote!((self.constants(), [h, g])), &kick), bounds)
+            quadratic(
+                context,
+                (&quote!((<Self as Collocation<R>>::Constants, [R; 2])), &quote!((self.constants(), [h, g])), &kick),
+                bounds,
+            )
         }
         None => {
             let (force, velocity) = (&derivatives.field.f, &derivatives.gradient.p);

@@ -91,6 +91,15 @@ fn thermostat() {
     );
 }
 
+/// The same where a constant belongs to the potential.
+#[test]
+fn thermostat_with_a_constant() {
+    found(
+        quote! { fn f(q: f64, p: f64, s: f64) -> f64 { (p * p / 2.0 + 1.0 - q.cos()) * (0.6 * s).exp() } },
+        &["weighted drift (Own): p²·exp(3·s/5)/2", "prolongation (Own): exp(3·s/5) - cos(q)·exp(3·s/5)"],
+    );
+}
+
 /// Seven waves with one factor, and a constant torque.
 #[test]
 fn spin_orbit() {

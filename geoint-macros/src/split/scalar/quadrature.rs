@@ -9,15 +9,20 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 /// x + ah − ln(1 − k·b·e^(kx)·h·φ₁(kah))/k.
 pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
-    let (mut a, mut rest) = (graph.zero(), graph.zero());
+    let (mut a, mut b, mut found) = (graph.zero(), graph.zero(), None);
     for term in terms(graph, equation.rate, own) {
-        let side = if is_free(graph, term, &|symbol| symbol == own) { &mut a } else { &mut rest };
-        *side = graph.add(*side, term);
+        if is_free(graph, term, &|symbol| symbol == own) {
+            a = graph.add(a, term);
+            continue;
+        }
+        // All with one exponential, whatever it is multiplied by.
+        let (function, argument, coefficient, exponent) = single_call(graph, term, own)?;
+        if (function, exponent) != (Function::Exp, Ratio::ONE) || *found.get_or_insert(argument) != argument {
+            return None;
+        }
+        b = graph.add(b, coefficient);
     }
-    let (function, argument, b, exponent) = single_call(graph, rest, own)?;
-    if (function, exponent) != (Function::Exp, Ratio::ONE) {
-        return None;
-    }
+    let argument = found?;
     let k = diff::partial(graph, argument, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
