@@ -163,6 +163,7 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
     Shear, "prolongation" => p[0] * q[1].sin();
     Shears, "prolongation" => p[0] * q[1].sin() + 0.3125 * s * q[1] + q[1] * q[1];
     Rotation, "prolongation" => p[0] * q[1] - p[1] * q[0];
+    Heated, "prolongation" => -0.625 * p[0] * q[0] + p[1] * (0.625 * q[0] * q[0] - 0.25 * q[0]);
     Linear, "prolongation" => 0.3125 * p[0] * q[0] + 1.375 * p[0] * q[1] - 0.40625 * p[1] * q[0] - 0.5 * p[1] * q[1];
     LinearWithDecay, "prolongation" => 0.3125 * p[0] * q[0] + 1.375 * p[0] * q[1] + 0.40625 * p[1] * q[0] + 0.5 * s;
     Componentwise, "prolongation" => p[0] * (q[0] - q[0].powi(3)) + p[1] * (q[1] * q[1] - 0.1875);

@@ -6,6 +6,7 @@
 use super::flow::{Flow, Group};
 use super::polynomial::{Polynomial, is_free};
 use super::scalar::{self, Equation, turn};
+use super::time::Clock;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -30,7 +31,11 @@ pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
                 {
                     return None;
                 }
-                let [x_end, y_end] = pair(graph, group, [x, y], [rate, other_rate])?;
+                let (first, second) = ((x, rate), (y, other_rate));
+                let ends = driven(graph, group, first, second)
+                    .or_else(|| driven(graph, group, second, first).map(|[y, x]| [x, y]))
+                    .or_else(|| pair(graph, group, [x, y], [rate, other_rate]));
+                let [x_end, y_end] = ends?;
                 set(&mut flow, x, x_end);
                 set(&mut flow, y, y_end);
             }
@@ -66,6 +71,34 @@ fn set(flow: &mut Flow, symbol: Symbol, end: Id) {
     }
 }
 
+/// x' = a·x drives y' = Σ cₖxᵏ: y + Σ cₖxᵏ·h·φ₁(kah). (Friction and the heat that it makes.)
+fn driven(graph: &mut Graph, group: &Group, (x, rate): (Symbol, Id), (y, driven): (Symbol, Id)) -> Option<[Id; 2]> {
+    if [rate, driven].into_iter().any(|id| reads(graph, id, y)) {
+        return None;
+    }
+    let steady = [rate, driven].into_iter().all(|id| !reads(graph, id, Symbol::T));
+    let powers = |graph: &mut Graph, id| Polynomial::of(graph, id, &|symbol| symbol == x);
+    let (own, other) = (powers(graph, rate)?, powers(graph, driven)?);
+    let whole = other.has_only(|monomial| monomial.values().all(|power| power.is_integer() && power.numerator > 0));
+    if !own.has_only(|monomial| monomial.values().eq([&Ratio::ONE])) || !whole || !steady && group.clock == Clock::Own {
+        return None;
+    }
+    let a = own.coefficient(graph, &[(x, 1)]);
+    let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
+    let [h, x, mut y] = [Symbol::H, x, y].map(|symbol| graph.symbol(symbol));
+    let z = graph.mul(a, h);
+    let terms: Vec<(Ratio, Id)> =
+        other.terms().map(|(m, c)| (m.values().next().copied().unwrap_or(Ratio::ZERO), c)).collect();
+    for (k, coefficient) in terms {
+        let z = graph.scale(Number::Exact(k), z);
+        let mean = graph.call(Function::Phi1, &[z]);
+        let power = graph.pow(x, k);
+        let change = graph.product(&[coefficient, power, h, mean]);
+        y = graph.add(y, change);
+    }
+    Some([end, y])
+}
+
 /// (x, y)' = A(x, y) with constant A: e^(μh)·(C + S·(A − μ)), 2μ the trace of A, C = cos ωh, S = sin ωh/ω, ω² = det(A − μ).
 fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Option<[Id; 2]> {
     let mut matrix = vec![];
@@ -77,7 +110,7 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
         matrix.push(of.map(|symbol| linear.coefficient(graph, &[(symbol, 1)])));
     }
     let steady = matrix.iter().flatten().all(|id| !reads(graph, *id, Symbol::T));
-    if !steady && group.clock == super::Clock::Own {
+    if !steady && group.clock == Clock::Own {
         return None;
     }
     let h = graph.symbol(Symbol::H);
