@@ -77,9 +77,3 @@ fn gradient_kick(graph: &mut Graph, kinetic: Id, potential: Id, degrees: u32) ->
     flow.s = graph.sub(flow.s, kick.energy);
     flow
 }
-
-/// Whether (q, p) moves without s: then H = g(t)·s + H₀(q, p, t).
-pub(crate) fn is_conformal(graph: &mut Graph, energy: Id) -> bool {
-    let slope = diff::partial(graph, energy, Symbol::S);
-    !analyze::reads(graph, slope).state()
-}

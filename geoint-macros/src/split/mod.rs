@@ -19,7 +19,7 @@ use crate::diff::modified;
 use crate::ir::{Graph, Id};
 use flow::Group;
 pub(crate) use flow::{Flow, Piece, level};
-pub(crate) use mechanics::{Mechanics, is_conformal, mechanics};
+pub(crate) use mechanics::{Mechanics, mechanics};
 pub(crate) use partition::{Pieces, pieces};
 pub(crate) use rules::RULES;
 pub(crate) use time::Clock;

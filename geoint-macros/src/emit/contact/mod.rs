@@ -7,7 +7,8 @@ mod report;
 mod system;
 
 use super::kernel::Context;
-use crate::ir::{Graph, Id};
+use crate::diff;
+use crate::ir::{Graph, Id, Symbol};
 use crate::split::{Mechanics, Pieces};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -23,12 +24,14 @@ pub(crate) fn contact_items(
     let bounds = super::system::bounds(graph, &[energy]);
     let system = system::contact(context, graph, energy, &bounds);
     let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);
-    let mechanics = mechanics::mechanics(context, graph, mechanics, &bounds);
-    let conformal = system::conformal(context, graph, energy, &bounds);
+    let kicks = mechanics::mechanics(context, graph, mechanics, &bounds);
+    let decay = diff::partial(graph, energy, Symbol::S);
+    let conformal = system::conformal(context, graph, decay, &bounds);
     // Implicit steps follow all coordinates.
     let lift = context.energy.lift.is_some();
     let (steps, step_costs) = if lift { Default::default() } else { implicit::steps(context, graph, energy, &bounds) };
-    let report = report::report(context, graph, energy, found, &costs, &step_costs);
+    let facts = report::Facts { energy, decay, pieces: found, mechanics, costs: &costs, steps: &step_costs };
+    let report = report::report(context, graph, &facts);
     let inherent = super::system::inherent(context, &report);
-    super::around(context, &report, &quote!(#inherent #system #conformal #pieces #mechanics #steps))
+    super::around(context, &report, &quote!(#inherent #system #conformal #pieces #kicks #steps))
 }

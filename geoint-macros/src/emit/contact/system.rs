@@ -3,10 +3,10 @@
 use super::super::domain;
 use super::super::kernel::{Context, write};
 use super::super::system::self_type;
+use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id};
 use crate::parse::over_scalar;
-use crate::split;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -51,12 +51,8 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
     }
 }
 
-/// `impl Conformal`, if it holds.
-pub(super) fn conformal(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
+/// `impl Conformal`, if ∂H/∂s depends on time alone: (q, p) then moves without s.
+pub(super) fn conformal(context: &Context<'_>, graph: &Graph, decay: Id, bounds: &TokenStream) -> Option<TokenStream> {
     let name = self_type(context);
-    if split::is_conformal(graph, energy) {
-        quote!(impl<R: #bounds> ConformalContact<R> for #name {})
-    } else {
-        TokenStream::new()
-    }
+    (!analyze::reads(graph, decay).state()).then(|| quote!(impl<R: #bounds> ConformalContact<R> for #name {}))
 }
