@@ -39,8 +39,8 @@ pub(crate) static RULES: &[Rule] = &[
     Rule { name: "prolongation", family: "p·a(q, s) + b(q, s)", solve: prolongation::solve },
     Rule { name: "uniform field", family: "p·Wp/2 + b·p + g·q", solve: quadratic::uniform_field },
     Rule { name: "weighted drift", family: "F(s) p·Wp/2", solve: kinetic::weighted },
-    Rule { name: "weighted power", family: "s pᵏ", solve: kinetic::power },
-    Rule { name: "geodesic", family: "f(q) p²", solve: kinetic::geodesic },
+    Rule { name: "weighted power", family: "s pᵢᵏ", solve: kinetic::power },
+    Rule { name: "geodesic", family: "f(qᵢ) pᵢ²", solve: kinetic::geodesic },
     Rule {
         name: "Legendre conjugate", family: "H(p, −q, s − q·p) for H of another family", solve: conjugate::solve
     },

@@ -18,6 +18,7 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
     if (function, exponent) != (Function::Exp, Ratio::ONE) {
         return None;
     }
+    equation.steady(graph, &[argument])?;
     let k = diff::partial(graph, argument, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
@@ -55,6 +56,7 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
 pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
     let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
+    equation.steady(graph, &[u])?;
     let k = diff::partial(graph, u, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
