@@ -65,7 +65,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             let steps = left.min(STEPS_BETWEEN_LOOKS);
             let (mut prepared, mut x) = (self.prepared, self.x);
             let outcome = M::advance(&mut prepared, &self.clock(), steps, &mut x);
-            if outcome.is_ok() && self.is_good(steps, &x) {
+            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps, &x).is_none() {
                 self.accept(steps, prepared, x);
             } else {
                 self.creep(steps)?;
@@ -82,12 +82,15 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             let (mut prepared, mut x) = (self.prepared, self.x);
             let mut watch = Watch::new(&self.system, self.time(), &self.x);
             let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
+            let (t, singular) = (real(self.time()), self.singular_time(1, &x));
             if outcome.is_ok() && self.is_good(1, &x) {
+                if let Some(what) = singular {
+                    return Err(StepError::OutsideDomain { t, what });
+                }
                 self.accept(1, prepared, x);
                 continue;
             }
             watch.look(self.clock().at(1), &x.q, &x.p, &x.s);
-            let t = real(self.time());
             return Err(match (outcome, watch.reason(outcome.err())) {
                 (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
                 (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
@@ -123,6 +126,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> bool {
         x.is_finite() && self.system.outside_domain(self.clock().at(steps) + x.ahead, &x.q, &x.p, &x.s).is_none()
+    }
+
+    /// The first coefficient, if any, that is singular at a time within one of the next steps.
+    #[inline(always)]
+    fn singular_time(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> Option<&'static str> {
+        let (clock, q, p, s) = (self.clock(), [&self.x.q, &x.q], [&self.x.p, &x.p], [&self.x.s, &x.s]);
+        (0..steps).find_map(|n| self.system.singular_time_between([clock.at(n), clock.at(n + 1)], q, p, s))
     }
 
     #[inline(always)]

@@ -40,6 +40,19 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         None
     }
 
+    /// The same as [`pole_between`](PhaseSpace::pole_between) of the poles of contact systems in time alone, asked before every step
+    /// is accepted: a flow at frozen time does not notice them.
+    #[inline(always)]
+    fn singular_time_between(
+        &self,
+        _t: [R; 2],
+        _q: [&Self::Array; 2],
+        _p: [&Self::Array; 2],
+        _s: [&Self::Action; 2],
+    ) -> Option<&'static str> {
+        None
+    }
+
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
         let (t, q, p, s) = Self::Action::parts(*state);

@@ -1,6 +1,7 @@
 //! Every family of pieces with a flow in closed form, against the differential equation solved to 20 digits and more.
 
 mod check;
+mod frozen;
 mod limits;
 mod poles;
 
@@ -127,6 +128,9 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     // 23: geodesics.
     Geodesic, "geodesic" => q * q * p * p / 2.0;
     HyperbolicGeodesic, "geodesic" => (1.0 + 0.5 * q) * p * p;
+    GeodesicInTime, "geodesic" => -0.75 * t.cos() * q * q * p * p;
+    GeodesicThroughZero, "geodesic" => 0.75 * q * p * p;
+    GeodesicOfCube, "geodesic" => -0.1875 * q.powi(3) * p * p;
     CubicGeodesic, "geodesic" => (2.0 + q).powi(4) * p * p / 16.0;
     // 24–25: conjugates.
     ConjugateFriction, "Legendre conjugate" => (p.sin() + 1.375) * (s - p * q);
@@ -170,6 +174,8 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
     ActionLift, "prolongation" => p[0] * s.sin() + p[1] * s * s;
     ActionAndPlace, "prolongation" => p[0] * s * q[0] + 0.75 * p[1] * q[1];
     TurningPlace, "prolongation" => p[0] * s + q[0] + p[1] * q[1];
+    PowerOfOne, "weighted power" => 0.375 * s * p[1].powi(3);
+    GeodesicOfOne, "geodesic" => 0.75 * q[1] * p[1] * p[1];
     DampedMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 0.75 * s;
     LaneEmdenMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 3.0 / t * s;
     Oscillators, "damped oscillator" => (p[0] * p[0] + 3.0 * q[0] * q[0]) / 2.0 + p[1] * p[1] * 0.6875 + 0.75 * q[1] * q[1] + 0.75 * s;

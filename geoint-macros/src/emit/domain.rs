@@ -16,7 +16,8 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
     let outside = outside_domain(context, graph, energy, damping);
     let nodes = unconditional(graph, energy, context.partial);
     let poles = poles(graph, &nodes);
-    let between = sides(context, graph, &poles).map(|body| pole_between(context, "pole_between", &body));
+    let between = sides(context, graph, &poles, End::Open).map(|body| pole_between(context, "pole_between", &body));
+    let singular = singular_time(context, graph, &poles);
     quote! {
         fn outside_domain(
             &self, t: R, q: &#array, p: &#array, s: &#action,
@@ -24,14 +25,25 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
             #outside
         }
         #between
+        #singular
     }
+}
+
+/// Poles in time alone, which no flow at frozen time notices.
+fn singular_time(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<TokenStream> {
+    if context.energy.form != Form::Contact {
+        return None;
+    }
+    let timed =
+        poles.iter().filter(|pole| !analyze::reads(graph, pole.vanishes).state()).copied().collect::<Vec<Pole>>();
+    sides(context, graph, &timed, End::Closed).map(|body| pole_between(context, "singular_time_between", &body))
 }
 
 /// Of poles those that divided differences do not notice either.
 pub(super) fn hidden(context: &Context<'_>, graph: &mut Graph, energy: Id) -> Option<TokenStream> {
     let nodes = unconditional(graph, energy, context.partial);
     let hidden: Vec<Pole> = poles(graph, &nodes).into_iter().filter(|pole| pole.hidden).collect();
-    sides(context, graph, &hidden).map(|body| pole_between(context, "hidden_pole_between", &body))
+    sides(context, graph, &hidden, End::Open).map(|body| pole_between(context, "hidden_pole_between", &body))
 }
 
 fn pole_between(context: &Context<'_>, name: &str, body: &TokenStream) -> TokenStream {
@@ -55,8 +67,15 @@ fn action(context: &Context<'_>) -> TokenStream {
     }
 }
 
+/// Whether a step may end at a pole.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum End {
+    Open,
+    Closed,
+}
+
 /// Tests that nothing changes its sign which vanishes at a pole.
-fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<TokenStream> {
+fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole], end: End) -> Option<TokenStream> {
     if poles.is_empty() {
         return None;
     }
@@ -68,11 +87,14 @@ fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<Tok
     let roots: Vec<Id> = poles.iter().map(|pole| pole.vanishes).collect();
     let (array, action, count) = (context.array(), action(context), Literal::usize_unsuffixed(poles.len()));
     let values = context.routine(graph, &roots, |values| quote!([#(#values),*]));
-    let places = (0..poles.len()).map(Literal::usize_unsuffixed);
+    let tests = (0..poles.len()).map(Literal::usize_unsuffixed).map(|i| {
+        let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_below(f64::MIN_POSITIVE)));
+        quote!((start[#i] * end[#i]).any_below(0.0) #reached)
+    });
     Some(quote! {
         let side = |t: R, q: &#array, p: &#array, s: &#action| -> [R; #count] { #values };
         let (start, end) = (side(t[0], q[0], p[0], s[0]), side(t[1], q[1], p[1], s[1]));
-        #(if (start[#places] * end[#places]).any_below(0.0) { return ::core::option::Option::Some(#messages); })*
+        #(if #tests { return ::core::option::Option::Some(#messages); })*
     })
 }
 

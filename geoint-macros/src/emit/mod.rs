@@ -16,12 +16,12 @@ mod system;
 use crate::analyze::Structure;
 use crate::diff::Derivatives;
 use crate::ir::{Graph, Id};
-use crate::parse::Energy;
+use crate::parse::{Energy, IMPORTED};
 pub(crate) use contact::contact_items;
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The user's function as it is. Coordinates and parameters may be many: clippy would not have it beyond seven.
 pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
@@ -59,6 +59,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     let Energy { runtime, .. } = context.energy;
     let structure = system::structure(context, &docs);
     let function = &context.energy.item.sig.ident;
+    let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
 
@@ -67,13 +68,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             unreachable_pub, unused_imports, unused_mut, unused_variables, reason = "generated code"
         )]
         const _: () = {
-            use #runtime::private::{
-                Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative, ContactDiscreteGradient, ContactMidpoint,
-                ContactPiece, ContactPieces, ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-                Integrator, Mean, MechanicalContact, Method, ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real,
-                Separable, Square, State,
-                is_positive_semidefinite, modified_verlet, gradient_kick, slope,
-            };
+            use #runtime::private::{#(#imported),*};
 
             // The function is the source of all this, and the user need not call it.
             const _: fn() = || {

@@ -110,6 +110,48 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
     Err(errors)
 }
 
+/// What emitted code imports: no struct can have such a name.
+pub(crate) const IMPORTED: &[&str] = &[
+    "Adaptive",
+    "Array",
+    "Autonomous",
+    "Collocation",
+    "ConformalContact",
+    "Conservative",
+    "ContactDiscreteGradient",
+    "ContactMidpoint",
+    "ContactPiece",
+    "ContactPieces",
+    "ContactState",
+    "ContactSystem",
+    "Cubic",
+    "DiscreteField",
+    "ForceGradient",
+    "Hamiltonian",
+    "ImplicitStep",
+    "Integrator",
+    "Mean",
+    "MechanicalContact",
+    "Method",
+    "ModifiedEnergy",
+    "PhaseSpace",
+    "PieceClock",
+    "QuadraticKinetic",
+    "Real",
+    "Separable",
+    "Square",
+    "State",
+    "is_positive_semidefinite",
+    "modified_verlet",
+    "gradient_kick",
+    "slope",
+];
+
+/// Whether emitted code has a name for something else.
+fn is_taken(name: &Ident) -> bool {
+    IMPORTED.iter().any(|taken| name == taken)
+}
+
 /// Reads the attribute's arguments and the signature.
 pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
     let options = (|input: ParseStream<'_>| Options::parse(form, input)).parse2(args)?;
@@ -123,6 +165,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
         errors.at(&name, "`R` is the scalar of generated code; give the struct another name: `name = …`");
+    }
+    if is_taken(&name) {
+        errors.at(&name, format!("`{name}` is a name of generated code; give the struct another one: `name = …`"));
     }
     let runtime = options.runtime.map_or_else(|| quote!(::geoint_runtime), ToTokens::into_token_stream);
     if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {

@@ -62,10 +62,10 @@ impl Options {
                 }
                 "split" if contact => {
                     input.parse::<Token![=]>()?;
-                    let Ok(text) = input.parse::<syn::LitStr>() else {
+                    if !input.peek(syn::LitStr) {
                         return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
-                    };
-                    options.split = Some(groups(&text)?);
+                    }
+                    options.split = Some(groups(&input.parse()?)?);
                 }
                 "lift" if contact => options.lift = Some(key.span()),
                 "damping" => {
@@ -95,7 +95,9 @@ impl Options {
 
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {
-    let groups = text.parse_with(Punctuated::<Group, Token![|]>::parse_separated_nonempty)?;
+    let parser = Punctuated::<Group, Token![|]>::parse_separated_nonempty;
+    // What is missing has no place inside of the text.
+    let groups = text.parse_with(parser).map_err(|error| syn::Error::new(text.span(), error))?;
     Ok(groups.into_iter().map(|Group(expr)| expr).collect())
 }
 
@@ -107,6 +109,9 @@ impl Parse for Group {
         let mut tokens = TokenStream::new();
         while !input.is_empty() && !input.peek(Token![|]) {
             tokens.extend([input.parse::<TokenTree>()?]);
+        }
+        if tokens.is_empty() {
+            return Err(input.error("a piece without terms: write `split = \"terms | terms\"`"));
         }
         syn::parse2(tokens).map(Group)
     }

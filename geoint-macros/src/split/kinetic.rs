@@ -1,7 +1,7 @@
 //! Pieces whose momenta keep their direction.
 
 use super::flow::{Flow, Group};
-use super::polynomial::{Polynomial, factors, is_free};
+use super::polynomial::{Monomial, Polynomial, factors, is_free};
 use super::scalar::{self, Equation, positive_power};
 use super::time::{Clock, over_time, ratio};
 use crate::diff;
@@ -165,15 +165,13 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let not_s = |symbol: Symbol| {
         matches!(symbol, Symbol::Q(_) | Symbol::P(_)) || symbol == Symbol::T && group.clock == Clock::Own
     };
+    let changes = |symbol: Symbol| reads_phase_space(symbol) || symbol == Symbol::T && group.clock == Clock::Own;
     let (mut kinetic, mut weight) = (graph.zero(), None);
     for (monomial, coefficient) in terms {
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
-        if !whole
-            || degree(monomial.values().copied())? != Ratio::integer(2)
-            || !is_free(graph, relative, &reads_phase_space)
-        {
+        if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &changes) {
             return None;
         }
         let mut term = relative;
@@ -185,9 +183,12 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
         kinetic = graph.add(kinetic, term);
     }
     let weight = weight.filter(|weight| is_free(graph, *weight, &not_s))?;
+    // A coefficient may be zero: the weight is what is divided by.
+    let (coefficient, weight) = parted(graph, weight, Symbol::S);
     if is_free(graph, weight, &|symbol| symbol == Symbol::S) {
         return None;
     }
+    let kinetic = graph.mul(coefficient, kinetic);
     // What is constant, under a name of its own while the equation of s is solved.
     let square = graph.pow(weight, Ratio::integer(2));
     let constant = graph.mul(kinetic, square);
@@ -238,28 +239,21 @@ fn at(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
     Substitution::new(|_, other| (other == symbol).then_some(value)).apply(graph, id)
 }
 
-/// c s pᵏ with k ≥ 2, in one degree of freedom: D = 1 + k c h pᵏ, Q = q + k c h pᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
+/// c s pᵢᵏ: D = 1 + k c h pᵢᵏ, Qᵢ = qᵢ + k c h pᵢᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
 pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    if group.degrees != 1 {
-        return None;
-    }
     let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
     let (monomial, c) = {
         let mut terms = powers.terms();
         let first = terms.next().map(|(m, c)| (m.clone(), c))?;
         terms.next().is_none().then_some(first)?
     };
-    let k = *monomial.get(&Symbol::P(0))?;
-    if monomial.get(&Symbol::S) != Some(&Ratio::ONE)
-        || !k.is_integer()
-        || k.numerator < 2
-        || !is_free(graph, c, &reads_phase_space)
-    {
+    let (i, k) = single_momentum(&monomial)?;
+    if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || monomial.len() != 2 || !is_free(graph, c, &reads_phase_space) {
         return None;
     }
     let c = graph.scale(Number::Exact(k), c);
     let weight = group.clock.over_step(graph, c)?;
-    let [p, s, one] = [graph.symbol(Symbol::P(0)), graph.symbol(Symbol::S), graph.integer(1)];
+    let [p, s, one] = [graph.symbol(Symbol::P(i)), graph.symbol(Symbol::S), graph.integer(1)];
     let lower = graph.pow(p, k.add(Ratio::integer(-1))?);
     let moved = graph.product(&[weight, lower, s]);
     let full = graph.pow(p, k);
@@ -268,42 +262,95 @@ pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let inverse = k.recip()?;
     let [shrunk, grown] = [inverse.mul(Ratio::integer(-1))?, Ratio::ONE.add(inverse.mul(Ratio::integer(-1))?)?]
         .map(|exponent| positive_power(graph, d, exponent));
-    let mut flow = Flow::rest(graph, 1);
-    flow.q[0] = graph.add(flow.q[0], moved);
-    flow.p[0] = graph.mul(p, shrunk);
+    let mut flow = Flow::rest(graph, group.degrees);
+    let q = &mut flow.q[i as usize];
+    *q = graph.add(*q, moved);
+    for p in &mut flow.p {
+        *p = graph.mul(*p, shrunk);
+    }
     flow.s = graph.mul(s, grown);
     Some(flow)
 }
 
-/// f(q) p² in one degree of freedom: with R² = 2f, R p is constant and q' = R·(R p).
+/// The only momentum of a monomial, and its power.
+fn single_momentum(monomial: &Monomial) -> Option<(u32, Ratio)> {
+    let mut momenta = monomial.iter().filter_map(|(symbol, power)| match symbol {
+        Symbol::P(i) => Some((*i, *power)),
+        _ => None,
+    });
+    momenta.next().filter(|_| momenta.next().is_none())
+}
+
+/// The factors of a product that do not read a symbol, and those that do.
+fn parted(graph: &mut Graph, id: Id, symbol: Symbol) -> (Id, Id) {
+    let (c, rest) = graph.coefficient(id);
+    let (mut free, mut reading) = (graph.number(c), graph.integer(1));
+    for (base, exponent) in factors(graph, rest) {
+        let factor = graph.pow(base, exponent);
+        let side = if is_free(graph, factor, &|other| other == symbol) { &mut free } else { &mut reading };
+        *side = graph.mul(*side, factor);
+    }
+    (free, reading)
+}
+
+/// c f(qᵢ) pᵢ²: with R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).
 pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    if group.degrees != 1 {
-        return None;
-    }
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
-    let f = powers.coefficient(graph, &[(Symbol::P(0), 2)]);
-    let only = powers.terms().count() == 1;
-    let others =
-        |symbol| matches!(symbol, Symbol::P(_) | Symbol::S) || symbol == Symbol::T && group.clock == Clock::Own;
-    if !only || graph.is_zero(f) || !is_free(graph, f, &others) {
+    let (monomial, coefficient) = {
+        let mut terms = powers.terms();
+        let first = terms.next().map(|(m, c)| (m.clone(), c))?;
+        terms.next().is_none().then_some(first)?
+    };
+    let (i, _) = single_momentum(&monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
+    let x = Symbol::Q(i);
+    if !is_free(graph, coefficient, &|symbol| symbol.is_coordinate() && symbol != x) {
         return None;
     }
-    let double = graph.scale(Number::integer(2), f);
-    let root = smooth_root(graph, double);
-    let (p, name) = (graph.symbol(Symbol::P(0)), graph.symbol(Symbol::Ds));
-    let constant = graph.mul(root, p);
-    let rate = graph.mul(name, root);
-    let end = scalar::solve(graph, &Equation { x: Symbol::Q(0), rate, clock: group.clock })?.end;
-    let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
-    let root_end = at(graph, root, Symbol::Q(0), end);
-    let quotient = quotient(graph, root, root_end);
-    let h = graph.symbol(Symbol::H);
-    let change = graph.mul(h, group.energy);
-    let mut flow = Flow::rest(graph, 1);
-    flow.q[0] = end;
-    flow.p[0] = graph.mul(p, quotient);
-    flow.s = graph.add(flow.s, change);
+    let (c, f) = parted(graph, coefficient, x);
+    let weight = group.clock.over_step(graph, c)?;
+    let p = graph.symbol(Symbol::P(i));
+    let (end, change) = match factors(graph, f)[..] {
+        [(base, k)] if base == graph.symbol(x) => along_power(graph, (base, k), p, weight)?,
+        _ if is_free(graph, coefficient, &|symbol| symbol == Symbol::T) || group.clock == Clock::Stage => {
+            let double = graph.scale(Number::integer(2), f);
+            let root = smooth_root(graph, double);
+            let name = graph.symbol(Symbol::Ds);
+            let constant = graph.product(&[c, root, p]);
+            let rate = graph.mul(name, root);
+            let end = scalar::solve(graph, &Equation { x, rate, clock: group.clock })?.end;
+            let end = Substitution::new(|_, symbol| (symbol == Symbol::Ds).then_some(constant)).apply(graph, end);
+            let root_end = at(graph, root, x, end);
+            (end, quotient(graph, root, root_end))
+        }
+        _ => return None,
+    };
+    let square = graph.pow(p, Ratio::integer(2));
+    let gained = graph.product(&[weight, f, square]);
+    let mut flow = Flow::rest(graph, group.degrees);
+    flow.q[i as usize] = end;
+    flow.p[i as usize] = graph.mul(p, change);
+    flow.s = graph.add(flow.s, gained);
     Some(flow)
+}
+
+/// The same for f = qᵏ, on both sides of q = 0: with D = 1 + (2 − k) c h qᵏ⁻¹ p, Q = q D^(2/(2−k)) and P = p D^(−k/(2−k)); with
+/// z = 2 c h q p, Q = q e^z and P = p e^(−z) for k = 2. Returned are Q and P/p.
+fn along_power(graph: &mut Graph, (q, k): (Id, Ratio), p: Id, weight: Id) -> Option<(Id, Id)> {
+    let lower = graph.pow(q, k.add(Ratio::integer(-1))?);
+    let rise = graph.product(&[weight, lower, p]);
+    let left = Ratio::integer(2).add(k.mul(Ratio::integer(-1))?)?;
+    if left.numerator == 0 {
+        let z = graph.scale(Number::integer(2), rise);
+        let back = graph.neg(z);
+        let [grown, shrunk] = [z, back].map(|z| graph.call(Function::Exp, &[z]));
+        return Some((graph.mul(q, grown), shrunk));
+    }
+    let (one, rise) = (graph.integer(1), graph.scale(Number::Exact(left), rise));
+    let d = graph.add(one, rise);
+    let inverse = left.recip()?;
+    let grown = positive_power(graph, d, inverse.mul(Ratio::integer(2))?);
+    let shrunk = positive_power(graph, d, inverse.mul(k)?.mul(Ratio::integer(-1))?);
+    Some((graph.mul(q, grown), shrunk))
 }
 
 /// A root that changes sign where its square touches zero: q of q².

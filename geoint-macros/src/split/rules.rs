@@ -34,8 +34,8 @@ pub(crate) static RULES: &[Rule] = &[
         source: "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139",
         solve: kinetic::weighted,
     },
-    Rule { name: "weighted power", family: "s pᵏ", source: SEPARATION, solve: kinetic::power },
-    Rule { name: "geodesic", family: "f(q) p²", source: SEPARATION, solve: kinetic::geodesic },
+    Rule { name: "weighted power", family: "s pᵢᵏ", source: SEPARATION, solve: kinetic::power },
+    Rule { name: "geodesic", family: "f(qᵢ) pᵢ²", source: SEPARATION, solve: kinetic::geodesic },
     Rule {
         name: "Legendre conjugate",
         family: "H(p, −q, s − q·p) for H of another family",

@@ -65,6 +65,7 @@ limits! { one_degree_of_freedom, f64, [0.3, 0.7, 0.8], (q p s t c):
     OverTime => c * s / t;
     WeightedByExponential => p * p * 0.7 * (c * s).exp();
     WeightedByLine => p * p * 0.7 * (1.0 + c * s);
+    WeightedBySquare => c * p * p * (2.0 + s).powi(2);
     WeightedPower => c * s * p.powi(3);
     Lift => p * (c * q + 0.3);
     LiftOfSquare => p * (c * q * q + 0.3 * q);
@@ -79,6 +80,7 @@ limits! { one_degree_of_freedom, f64, [0.3, 0.7, 0.8], (q p s t c):
     OscillatorOfMass => c * p * p + 0.5 * q * q + 0.3 * s;
     Gravity => p * p * 0.7 + c * q;
     Geodesic => (1.0 + c * q) * p * p;
+    GeodesicOfPower => c * q.powi(3) * p * p;
     ConjugateFriction => c * p.sin() * (s - p * q);
     ConjugateSquare => c * (s - p * q).powi(2);
 }

@@ -108,7 +108,7 @@ pub(super) fn assign(context: &Context<'_>, changed: &[(Symbol, Id)], values: &[
 
 fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, graph, "Mechanical", term, NOT_MECHANICAL);
+    let (marker, tokens) = unsatisfied(context, graph, "MechanicalIn", term, NOT_MECHANICAL);
     let never = quote!(::core::convert::Infallible);
     let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
     let flow = |name: &str| {

@@ -23,6 +23,7 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
         b = graph.add(b, coefficient);
     }
     let argument = found?;
+    equation.steady(graph, &[argument])?;
     let k = diff::partial(graph, argument, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
@@ -60,6 +61,7 @@ pub(super) fn exponential(graph: &mut Graph, equation: &Equation) -> Option<Solu
 pub(super) fn quadrature(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let own = equation.x;
     let (function, u, a, exponent) = single_call(graph, equation.rate, own)?;
+    equation.steady(graph, &[u])?;
     let k = diff::partial(graph, u, own);
     if !is_free(graph, k, &|symbol| symbol == own) {
         return None;
