@@ -38,6 +38,13 @@ fn tangled(q: f64, p: f64, s: f64, t: f64, a: f64) -> f64 {
     a * p * s + (0.3 + q * q) * s + q.sin() + 0.2 * (1.0 + 0.4 * (t * t).sin()) * p * p * q * q + 0.3 * p * p
 }
 
+/// A charge in a magnetic field and a trap, with friction: squares of sums.
+#[contact_hamiltonian]
+fn charge(q: [f64; 2], p: [f64; 2], s: f64, b: f64, g: f64) -> f64 {
+    let kinetic = (p[0] + b * q[1]).powi(2) / 3.4 + (p[1] - b * q[0]).powi(2) / 3.4;
+    kinetic + (q[0] * q[0] + 2.0 * q[1] * q[1]).powi(2) / 4.0 + g * s
+}
+
 /// A system with where it starts.
 trait Case {
     const NAME: &'static str;
@@ -67,6 +74,7 @@ cases! {
     Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Masses Coupled { a: 0.4 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Stars Star { k: 1.4 } from 0.6, [1.0, -0.2, 0.1];
+    Charges Charge { b: 0.8, g: 0.4 } from 0.0, [0.7, -0.4, 0.5, 0.8, 0.3];
     Tangles Tangled { a: 0.7 } from 0.2, [0.6, 0.4, 0.3];
 }
 
@@ -178,6 +186,7 @@ fn claims_hold() {
     split::<Drives>(&mut geometry);
     split::<Stars>(&mut geometry);
     split::<Tangles>(&mut geometry);
+    split::<Charges>(&mut geometry);
     mechanical::<Swings>(&mut geometry);
     mechanical::<Drives>(&mut geometry);
     mechanical::<Stars>(&mut geometry);

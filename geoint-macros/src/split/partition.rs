@@ -116,9 +116,18 @@ fn atoms(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<Id> {
             open.extend(parts);
             continue;
         }
-        match classes.iter_mut().find(|(other, _)| *other == reads) {
-            Some((_, terms)) => terms.push(term),
-            None => classes.push((reads, vec![term])),
+        let class = match classes.iter().position(|(other, _)| *other == reads) {
+            Some(class) => class,
+            None => {
+                classes.push((reads, vec![]));
+                classes.len() - 1
+            }
+        };
+        // What powers of sums were taken apart into meets again.
+        let (_, terms) = &mut classes[class];
+        match terms.iter_mut().find(|other| graph.coefficient(**other).1 == graph.coefficient(term).1) {
+            Some(other) => *other = graph.add(*other, term),
+            None => terms.push(term),
         }
     }
     let apart: usize = classes.iter().map(|(reads, terms)| if reads.kinds() > 1 { terms.len() } else { 1 }).sum();
@@ -139,12 +148,13 @@ fn atoms(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<Id> {
     atoms
 }
 
-/// A product with a sum that couples as a sum of products.
+/// A product with a sum that couples, or a power of one, as a sum of products.
 fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
     let (c, rest) = graph.coefficient(term);
     let factors = graph.factors(rest);
     let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
-        *exponent == Ratio::ONE
+        exponent.is_integer()
+            && (1..=MAX_POWER).contains(&exponent.numerator)
             && matches!(graph.node(*base), Node::Linear(..))
             && analyze::reads(graph, *base).kinds() > 1
     };
@@ -154,9 +164,18 @@ fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
         let factor = graph.pow(base, exponent);
         others = graph.mul(others, factor);
     }
-    let terms = analyze::terms(graph, factors[sum].0);
-    Some(terms.into_iter().map(|term| graph.mul(others, term)).collect())
+    let (base, exponent) = factors[sum];
+    let terms = analyze::terms(graph, base);
+    let mut products = vec![others];
+    for _ in 0..exponent.numerator {
+        let pairs = products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term)));
+        products = pairs.collect::<Vec<_>>().into_iter().map(|(product, term)| graph.mul(product, term)).collect();
+    }
+    Some(products)
 }
+
+/// Sums that couple are taken apart up to this power.
+const MAX_POWER: i64 = 4;
 
 /// What a flow costs wherever it is applied, after what is computed once a step.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {

@@ -100,6 +100,22 @@ fn thermostat_with_a_constant() {
     );
 }
 
+/// A charge in a magnetic field, with friction.
+#[test]
+fn charge() {
+    found(
+        quote! {
+            fn f(q: [f64; 2], p: [f64; 2], s: f64, b: f64, g: f64) -> f64 {
+                (p[0] + b * q[1]).powi(2) / 2.0 + (p[1] - b * q[0]).powi(2) / 2.0 + g * s
+            }
+        },
+        &[
+            "damped oscillator (Own): s·g + (q[1]²·b²/2 + q[0]²·b²/2) + (p[0]²/2 + p[1]²/2)",
+            "prolongation (Own): q[1]·p[0]·b - q[0]·p[1]·b",
+        ],
+    );
+}
+
 /// Seven waves with one factor, and a constant torque.
 #[test]
 fn spin_orbit() {
