@@ -21,36 +21,18 @@ pub trait Summation<A: Array>: Copy + Debug {
     fn carry(&self) -> A;
 }
 
-/// Every addition is rounded.
+/// Every addition is rounded. The action of a contact system is followed, or not.
 #[derive(Clone, Copy, Debug)]
-pub struct Plain;
-
-impl<A: Array> Summation<A> for Plain {
-    const PLAIN: bool = true;
-    fn new() -> Self {
-        Plain
-    }
-    #[inline(always)]
-    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
-        flow(x);
-    }
-    #[inline(always)]
-    fn owe(&mut self, _: &A) {}
-    #[inline(always)]
-    fn carry(&self) -> A {
-        A::zero()
-    }
-}
+pub struct Plain<const ACTION: bool = true>;
 
 /// Every addition is rounded, and the action of a contact system is not followed.
-#[derive(Clone, Copy, Debug)]
-pub struct WithoutAction;
+pub type WithoutAction = Plain<false>;
 
-impl<A: Array> Summation<A> for WithoutAction {
+impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
     const PLAIN: bool = true;
-    const ACTION: bool = false;
+    const ACTION: bool = ACTION;
     fn new() -> Self {
-        WithoutAction
+        Plain
     }
     #[inline(always)]
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {

@@ -102,12 +102,11 @@ fn twice(
 /// ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and what clocks add.
 fn bracket(graph: &mut Graph, (f, with_f): &(Id, Vec<Clock>), (g, with_g): &(Id, Vec<Clock>), degrees: u32) -> Id {
     let [df, dg] = [*f, *g].map(|energy| gradient(graph, energy, degrees));
-    let [along_f, along_g] = [*f, *g].map(|energy| partial(graph, energy, Symbol::S));
     let mut terms = vec![];
     for i in 0..degrees as usize {
         // ∂/∂q + p ∂/∂s is what the momenta are moved by.
         let p = graph.symbol(Symbol::P(i as u32));
-        let [lifted_f, lifted_g] = [(df.q[i], along_f), (dg.q[i], along_g)].map(|(by_q, by_s)| {
+        let [lifted_f, lifted_g] = [(df.q[i], df.s), (dg.q[i], dg.s)].map(|(by_q, by_s)| {
             let lift = graph.mul(p, by_s);
             graph.add(by_q, lift)
         });
@@ -115,8 +114,8 @@ fn bracket(graph: &mut Graph, (f, with_f): &(Id, Vec<Clock>), (g, with_g): &(Id,
         let back = graph.mul(lifted_f, dg.p[i]);
         terms.push(graph.neg(back));
     }
-    terms.push(graph.mul(*g, along_f));
-    let back = graph.mul(*f, along_g);
+    terms.push(graph.mul(*g, df.s));
+    let back = graph.mul(*f, dg.s);
     terms.push(graph.neg(back));
     for clock in with_f {
         terms.push(partial(graph, *g, clock.symbol()));

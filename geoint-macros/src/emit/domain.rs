@@ -10,15 +10,23 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 use std::collections::HashSet;
 
-/// What the trait `PhaseSpace` asks of a domain.
-pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> TokenStream {
-    let (array, action) = (context.array(), action(context));
+/// What the trait `PhaseSpace` asks of a domain, and `Hamiltonian`: of poles those that divided differences do not notice either.
+pub(super) fn domain(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    energy: Id,
+    damping: Option<&Damping>,
+) -> (TokenStream, Option<TokenStream>) {
+    let (array, action) = (context.array(), context.action());
     let outside = outside_domain(context, graph, energy, damping);
     let nodes = unconditional(graph, energy, context.partial);
     let poles = poles(graph, &nodes);
     let between = sides(context, graph, &poles, End::Open).map(|body| pole_between(context, "pole_between", &body));
-    let singular = singular_time(context, graph, &poles);
-    quote! {
+    let (singular, hidden) = match context.energy.form {
+        Form::Contact => (singular_time(context, graph, &poles), None),
+        Form::Hamiltonian => (None, hidden(context, graph, &poles)),
+    };
+    let space = quote! {
         fn outside_domain(
             &self, t: R, q: &#array, p: &#array, s: &#action,
         ) -> ::core::option::Option<&'static str> {
@@ -26,28 +34,24 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
         }
         #between
         #singular
-    }
+    };
+    (space, hidden)
 }
 
 /// Poles in time alone, which no flow at frozen time notices.
 fn singular_time(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<TokenStream> {
-    if context.energy.form != Form::Contact {
-        return None;
-    }
     let timed =
         poles.iter().filter(|pole| !analyze::reads(graph, pole.vanishes).state()).copied().collect::<Vec<Pole>>();
     sides(context, graph, &timed, End::Closed).map(|body| pole_between(context, "singular_time_between", &body))
 }
 
-/// Of poles those that divided differences do not notice either.
-pub(super) fn hidden(context: &Context<'_>, graph: &mut Graph, energy: Id) -> Option<TokenStream> {
-    let nodes = unconditional(graph, energy, context.partial);
-    let hidden: Vec<Pole> = poles(graph, &nodes).into_iter().filter(|pole| pole.hidden).collect();
+fn hidden(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<TokenStream> {
+    let hidden: Vec<Pole> = poles.iter().filter(|pole| pole.hidden).copied().collect();
     sides(context, graph, &hidden, End::Open).map(|body| pole_between(context, "hidden_pole_between", &body))
 }
 
 fn pole_between(context: &Context<'_>, name: &str, body: &TokenStream) -> TokenStream {
-    let (array, action, name) = (context.array(), action(context), format_ident!("{name}"));
+    let (array, action, name) = (context.array(), context.action(), format_ident!("{name}"));
     quote! {
         #[inline]
         fn #name(
@@ -56,14 +60,6 @@ fn pole_between(context: &Context<'_>, name: &str, body: &TokenStream) -> TokenS
             #body
             ::core::option::Option::None
         }
-    }
-}
-
-/// The type of what phase space has beside positions and momenta.
-fn action(context: &Context<'_>) -> TokenStream {
-    match context.energy.form {
-        Form::Hamiltonian => quote!(()),
-        Form::Contact => quote!(R),
     }
 }
 
@@ -85,7 +81,7 @@ fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole], end: End) -> 
         .map(|pole| format!("a pole between the ends of the step: {}", printer.excerpt(pole.term)))
         .collect();
     let roots: Vec<Id> = poles.iter().map(|pole| pole.vanishes).collect();
-    let (array, action, count) = (context.array(), action(context), Literal::usize_unsuffixed(poles.len()));
+    let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(poles.len()));
     let values = context.routine(graph, &roots, |values| quote!([#(#values),*]));
     let tests = (0..poles.len()).map(Literal::usize_unsuffixed).map(|i| {
         let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_below(f64::MIN_POSITIVE)));

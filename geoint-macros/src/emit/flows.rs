@@ -7,7 +7,6 @@ use crate::analyze::{Parts, Split, Structure};
 use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::diff::{self, Derivatives, modified};
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
-use crate::parse::Form;
 use crate::schedule::{self, Operations};
 use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -158,7 +157,7 @@ pub(super) fn quadratic(
     (prepared, prepare, body): (&TokenStream, &TokenStream, &TokenStream),
     bounds: &TokenStream,
 ) -> TokenStream {
-    let (name, array, action) = (self_type(context), context.array(), action(context));
+    let (name, array, action) = (self_type(context), context.array(), context.action());
     quote! {
         impl<R: #bounds> QuadraticKinetic<R> for #name {}
         impl<R: #bounds> ForceGradient<R> for #name {
@@ -177,7 +176,7 @@ pub(super) fn quadratic(
 
 /// The same for no scalar.
 pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
-    let (name, array, action) = (self_type(context), context.array(), action(context));
+    let (name, array, action) = (self_type(context), context.array(), context.action());
     let never = quote!(::core::convert::Infallible);
     quote! {
         impl<R: #bounds> QuadraticKinetic<R> for #name {}
@@ -190,13 +189,6 @@ pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> Toke
                 match *never {}
             }
         }
-    }
-}
-
-fn action(context: &Context<'_>) -> TokenStream {
-    match context.energy.form {
-        Form::Hamiltonian => quote!(()),
-        Form::Contact => quote!(R),
     }
 }
 

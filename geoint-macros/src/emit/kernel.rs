@@ -2,7 +2,7 @@
 
 use super::straight_line;
 use crate::ir::{Graph, Id, Symbol};
-use crate::parse::{Energy, Role, Shape};
+use crate::parse::{Energy, Form, Role, Shape};
 use crate::schedule::{self, Block};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
@@ -63,6 +63,14 @@ impl<'a> Context<'a> {
             let extent = Literal::usize_unsuffixed(*extent);
             quote!([#inner; #extent])
         })
+    }
+
+    /// The type of what phase space has beside positions and momenta.
+    pub(crate) fn action(&self) -> TokenStream {
+        match self.energy.form {
+            Form::Hamiltonian => quote!(()),
+            Form::Contact => quote!(R),
+        }
     }
 
     /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an

@@ -1,7 +1,7 @@
 //! Pieces whose momenta keep their direction.
 
 use super::flow::{Flow, Group};
-use super::polynomial::{Monomial, Polynomial, factors, is_free};
+use super::polynomial::{Monomial, Polynomial, factors, is_free, times_powers};
 use super::scalar::{self, Equation, positive_power};
 use super::time::{Clock, over_time, ratio};
 use crate::diff;
@@ -42,14 +42,10 @@ fn legendre(graph: &mut Graph, group: &Group) -> Option<(Vec<Id>, Id)> {
     let velocity = diff::gradient(graph, group.energy, group.degrees).p;
     if let Some(powers) = Polynomial::of(graph, group.energy, &is_momentum) {
         let mut action = graph.zero();
-        for (monomial, coefficient) in powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>() {
+        for (monomial, coefficient) in powers.into_terms() {
             let weight = degree(monomial.values().copied())?.add(Ratio::integer(-1))?;
-            let mut term = graph.scale(Number::Exact(weight), coefficient);
-            for (symbol, power) in monomial {
-                let symbol = graph.symbol(symbol);
-                let power = graph.pow(symbol, power);
-                term = graph.mul(term, power);
-            }
+            let weighted = graph.scale(Number::Exact(weight), coefficient);
+            let term = times_powers(graph, weighted, &monomial);
             action = graph.add(action, term);
         }
         return Some((velocity, action));
@@ -68,7 +64,7 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
     let g = powers.coefficient(graph, &[(Symbol::S, 1)]);
     let mut kinetic = graph.zero();
-    for (monomial, coefficient) in powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>() {
+    for (monomial, coefficient) in powers.into_terms() {
         if !is_free(graph, coefficient, &reads_phase_space) {
             return None;
         }
@@ -79,12 +75,7 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
         if !whole || degree(monomial.values().copied())? != Ratio::integer(2) {
             return None;
         }
-        let mut term = coefficient;
-        for (symbol, power) in monomial {
-            let symbol = graph.symbol(symbol);
-            let power = graph.pow(symbol, power);
-            term = graph.mul(term, power);
-        }
+        let term = times_powers(graph, coefficient, &monomial);
         kinetic = graph.add(kinetic, term);
     }
     (!graph.is_zero(g) && !graph.is_zero(kinetic)).then_some((kinetic, g))
@@ -161,28 +152,19 @@ fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Decay, Id)> {
 /// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).
 pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
-    let terms = powers.terms().map(|(m, c)| (m.clone(), c)).collect::<Vec<_>>();
-    let not_s = |symbol: Symbol| {
-        matches!(symbol, Symbol::Q(_) | Symbol::P(_)) || symbol == Symbol::T && group.clock == Clock::Own
-    };
     let changes = |symbol: Symbol| reads_phase_space(symbol) || symbol == Symbol::T && group.clock == Clock::Own;
     let (mut kinetic, mut weight) = (graph.zero(), None);
-    for (monomial, coefficient) in terms {
+    for (monomial, coefficient) in powers.into_terms() {
         let weight = *weight.get_or_insert(coefficient);
         let relative = graph.div(coefficient, weight);
         let whole = monomial.values().all(|power| power.is_integer());
         if !whole || degree(monomial.values().copied())? != Ratio::integer(2) || !is_free(graph, relative, &changes) {
             return None;
         }
-        let mut term = relative;
-        for (symbol, power) in monomial {
-            let symbol = graph.symbol(symbol);
-            let power = graph.pow(symbol, power);
-            term = graph.mul(term, power);
-        }
+        let term = times_powers(graph, relative, &monomial);
         kinetic = graph.add(kinetic, term);
     }
-    let weight = weight.filter(|weight| is_free(graph, *weight, &not_s))?;
+    let weight = weight.filter(|weight| is_free(graph, *weight, &|symbol| symbol != Symbol::S && changes(symbol)))?;
     // A coefficient may be zero: the weight is what is divided by.
     let (coefficient, weight) = parted(graph, weight, Symbol::S);
     if is_free(graph, weight, &|symbol| symbol == Symbol::S) {
@@ -242,12 +224,8 @@ fn at(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
 /// c s pᵢᵏ: D = 1 + k c h pᵢᵏ, Qᵢ = qᵢ + k c h pᵢᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
 pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
-    let (monomial, c) = {
-        let mut terms = powers.terms();
-        let first = terms.next().map(|(m, c)| (m.clone(), c))?;
-        terms.next().is_none().then_some(first)?
-    };
-    let (i, k) = single_momentum(&monomial)?;
+    let (monomial, c) = powers.single()?;
+    let (i, k) = single_momentum(monomial)?;
     if monomial.get(&Symbol::S) != Some(&Ratio::ONE) || monomial.len() != 2 || !is_free(graph, c, &reads_phase_space) {
         return None;
     }
@@ -296,12 +274,8 @@ fn parted(graph: &mut Graph, id: Id, symbol: Symbol) -> (Id, Id) {
 /// c f(qᵢ) pᵢ²: with R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).
 pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
-    let (monomial, coefficient) = {
-        let mut terms = powers.terms();
-        let first = terms.next().map(|(m, c)| (m.clone(), c))?;
-        terms.next().is_none().then_some(first)?
-    };
-    let (i, _) = single_momentum(&monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
+    let (monomial, coefficient) = powers.single()?;
+    let (i, _) = single_momentum(monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
     let x = Symbol::Q(i);
     if !is_free(graph, coefficient, &|symbol| symbol.is_coordinate() && symbol != x) {
         return None;

@@ -100,8 +100,13 @@ impl Polynomial {
         self.0.values().map(|(monomial, coefficient)| (monomial, *coefficient))
     }
 
+    /// The same, kept for when the graph is written to.
+    pub(super) fn into_terms(self) -> impl Iterator<Item = (Monomial, Id)> {
+        self.0.into_values()
+    }
+
     /// The only term, if there is just one.
-    fn single(&self) -> Option<(&Monomial, Id)> {
+    pub(super) fn single(&self) -> Option<(&Monomial, Id)> {
         let mut terms = self.terms();
         terms.next().filter(|_| terms.next().is_none())
     }
@@ -129,6 +134,15 @@ fn is_one(graph: &Graph, id: Id) -> bool {
 /// Whether a node reads none of the symbols.
 pub(super) fn is_free(graph: &Graph, root: Id, counts: &impl Fn(Symbol) -> bool) -> bool {
     graph.reachable(&[root]).into_iter().all(|id| !matches!(graph.node(id), Node::Symbol(symbol) if counts(*symbol)))
+}
+
+/// coefficient·monomial.
+pub(super) fn times_powers(graph: &mut Graph, coefficient: Id, monomial: &Monomial) -> Id {
+    monomial.iter().fold(coefficient, |term, (symbol, power)| {
+        let symbol = graph.symbol(*symbol);
+        let power = graph.pow(symbol, *power);
+        graph.mul(term, power)
+    })
 }
 
 /// The exponents of one symbol in a monomial.

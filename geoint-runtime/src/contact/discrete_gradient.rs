@@ -1,11 +1,5 @@
 //! The discrete gradient of a contact system: its energy decays as the equation says.
 
-use super::implicit::{self, ImplicitStep, PreparedFor};
-use crate::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
-use crate::point::{Point, Summation};
-use crate::real::Real;
-
 /// The discrete gradient for H(q, p, s): H(x₁) = H(x₀) exp(−h g_s) to rounding, for every h. Order 2, symmetric; *not* a contact
 /// map; one Newton solve a step, for 2n + 1 unknowns.
 ///
@@ -24,27 +18,3 @@ use crate::real::Real;
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactDiscreteGradient;
-
-impl<S: ImplicitStep<ContactDiscreteGradient, R>, R: Real> Method<S, R> for ContactDiscreteGradient {
-    type Prepared = PreparedFor<S, Self, R>;
-
-    fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
-    }
-
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        implicit::prepare::<S, Self, R>(system, h)
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, R>,
-        probe: &mut P,
-    ) -> Result<(), Refusal> {
-        implicit::step::<S, Self, R, C, P>(prepared, 1.0, t, x, probe)
-    }
-}
-
-substeps!([] ContactDiscreteGradient);

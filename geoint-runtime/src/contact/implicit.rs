@@ -1,8 +1,9 @@
 //! Implicit steps of contact systems: one equation for the increments of q, p and s together.
 
-use super::Contact;
+use super::{Contact, ContactDiscreteGradient, ContactMidpoint};
 use crate::array::{Array, Square};
-use crate::method::{Probe, Refusal, check_end};
+use crate::composition::substeps;
+use crate::method::{Claims, Method, Probe, Refusal, check_end};
 use crate::newton::Newton;
 use crate::point::{Point, Summation};
 use crate::real::{Real, zero};
@@ -47,16 +48,15 @@ pub struct Prepared<S, P, Y, R> {
 }
 
 /// What a step of `M` needs.
-pub(super) type PreparedFor<S, M, R> =
-    Prepared<S, <S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
+type PreparedFor<S, M, R> = Prepared<S, <S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
 
-pub(super) fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
+fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
     Prepared { system: *system, constants: system.constants(h), half: R::from_f64(0.5) * h, newton: Newton::new() }
 }
 
 /// A step that looks at the energy at x + `ahead`·d.
 #[inline(always)]
-pub(super) fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
     Prepared { system, constants, half, newton }: &mut PreparedFor<S, M, R>,
     ahead: f64,
     t: R,
@@ -111,3 +111,36 @@ fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Arr
     p.as_mut_slice().copy_from_slice(&x.as_slice()[n..2 * n]);
     (q, p, x.as_slice().last().copied().unwrap_or_else(zero))
 }
+
+/// Makes methods of this: where they look at the energy, whether the step is a contact map, whether H decays as the equation says.
+macro_rules! methods {
+    ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
+        impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
+            type Prepared = PreparedFor<S, Self, R>;
+
+            fn claims(&self) -> Claims {
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
+            }
+
+            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+                prepare::<S, Self, R>(system, h)
+            }
+
+            #[inline(always)]
+            fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+                prepared: &mut Self::Prepared,
+                t: R,
+                x: &mut Point<S::Array, C, R>,
+                probe: &mut P,
+            ) -> Result<(), Refusal> {
+                step::<S, Self, R, C, P>(prepared, $ahead, t, x, probe)
+            }
+        }
+    )* };
+}
+
+methods! {
+    ContactMidpoint: 0.5, true, false;
+    ContactDiscreteGradient: 1.0, false, true;
+}
+substeps!([] ContactMidpoint; [] ContactDiscreteGradient);

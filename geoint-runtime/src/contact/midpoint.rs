@@ -1,11 +1,5 @@
 //! The implicit midpoint rule one dimension up.
 
-use super::implicit::{self, ImplicitStep, PreparedFor};
-use crate::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
-use crate::point::{Point, Summation};
-use crate::real::Real;
-
 /// The implicit midpoint rule in the symplectisation. Order 2, symmetric, a contact map, for every H; one Newton solve a step,
 /// for 2n + 1 unknowns.
 ///
@@ -26,27 +20,3 @@ use crate::real::Real;
 /// maps as symplectic maps that commute with scaling are their section 11.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ContactMidpoint;
-
-impl<S: ImplicitStep<ContactMidpoint, R>, R: Real> Method<S, R> for ContactMidpoint {
-    type Prepared = PreparedFor<S, Self, R>;
-
-    fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
-    }
-
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        implicit::prepare::<S, Self, R>(system, h)
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, R>,
-        probe: &mut P,
-    ) -> Result<(), Refusal> {
-        implicit::step::<S, Self, R, C, P>(prepared, 0.5, t, x, probe)
-    }
-}
-
-substeps!([] ContactMidpoint);

@@ -4,13 +4,18 @@ use super::super::domain;
 use super::super::kernel::{Context, write};
 use super::super::system::self_type;
 use crate::analyze;
-use crate::diff;
+use crate::diff::Gradient;
 use crate::ir::{Graph, Id};
 use crate::parse::over_scalar;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, bounds: &TokenStream) -> TokenStream {
+pub(super) fn contact(
+    context: &Context<'_>,
+    graph: &mut Graph,
+    (energy, gradient): (Id, &Gradient),
+    bounds: &TokenStream,
+) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     // Momenta that are not followed give no energy.
@@ -18,8 +23,7 @@ pub(super) fn contact(context: &Context<'_>, graph: &mut Graph, energy: Id, boun
         Some(_) => quote!(R::from_f64(f64::NAN)),
         None => context.routine(graph, &[energy], |mut values| values.remove(0)),
     };
-    let domain = domain::domain(context, graph, energy, None);
-    let gradient = diff::gradient(graph, energy, context.energy.degrees());
+    let (domain, _) = domain::domain(context, graph, energy, None);
     let places = context.coordinates();
     let roots = [&gradient.q[..], &gradient.p, &[gradient.s]].concat();
     let slopes = context.routine(graph, &roots, |values| {
