@@ -14,7 +14,7 @@ use quote::{ToTokens, format_ident, quote};
 use shape::{float_type, plain, shape};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{FnArg, ItemFn, Pat, ReturnType, Type};
+use syn::{Attribute, FnArg, ItemFn, Pat, ReturnType, Type};
 
 /// What kind of system an attribute makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +62,8 @@ pub(crate) struct Argument {
     pub(crate) name: Ident,
     pub(crate) ty: Type,
     pub(crate) shape: Shape,
+    /// Lints and the like.
+    pub(crate) attributes: Vec<Attribute>,
 }
 
 impl Energy {
@@ -281,7 +283,10 @@ fn arguments(
                     format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`"),
                 );
             }
-            Ok(shape) => arguments.push((role, Argument { name: name.clone(), ty: (*typed.ty).clone(), shape })),
+            Ok(shape) => {
+                let (name, ty, attributes) = (name.clone(), (*typed.ty).clone(), typed.attrs.clone());
+                arguments.push((role, Argument { name, ty, shape, attributes }));
+            }
             // One message a type: q and p share theirs.
             Err(error) => {
                 let ty = typed.ty.to_token_stream().to_string();
