@@ -1,7 +1,7 @@
 //! What is measured of steps of contact systems.
 
-use geoint_runtime::array::Array;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Array;
 use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::{Double, Dual, Scalar};

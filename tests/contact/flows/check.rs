@@ -1,8 +1,8 @@
 //! A flow against its differential equation, and against what all contact flows have in common.
 
 use crate::measure::field;
-use geoint_runtime::contact::{Clock, Contact, Pieces};
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Clock, Contact, Pieces};
 use geoint_runtime::{Coordinates, PhaseSpace, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};

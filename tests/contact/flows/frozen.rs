@@ -2,8 +2,8 @@
 
 use crate::measure::{run, solution};
 use geoint_runtime::StepError;
-use geoint_runtime::contact::{Clock, Pieces};
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Clock, Pieces};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;
 
