@@ -50,7 +50,7 @@ pub(crate) fn run<R: Scalar, S: Contact<R>, M: Method<S, R>>(
     steps: u64,
 ) -> Result<Vec<R>, StepError> {
     let start = state::<S::Coordinates>(R::from_f64(t), x);
-    let mut sim = PhaseSpace::integrator(system, method, R::from_f64(h), start);
+    let mut sim = Integrator::new(system, method, R::from_f64(h), start);
     sim.advance(steps)?;
     Ok(flat(&sim.state()))
 }
