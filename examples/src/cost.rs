@@ -1,8 +1,8 @@
 //! What a run costs: time, and looks at the energy.
 
 use geoint_runtime::method::{Probe, Refusal};
-use geoint_runtime::point::{Plain, Point};
-use geoint_runtime::state::Coordinates;
+use geoint_runtime::space::Coordinates;
+use geoint_runtime::space::{Plain, Point};
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
 

@@ -4,7 +4,7 @@
 //! against differences of the user's function; everything that contains second derivatives against dual numbers run
 //! through the kernel of first derivatives.
 
-use geoint_runtime::array::Array;
+use geoint_runtime::space::Array;
 use geoint_runtime::system::{Collocation, DiscreteField};
 use geoint_runtime::{Hamiltonian, Real};
 use geoint_tests::for_each_problem;

@@ -7,8 +7,8 @@
 //! Two rows of that table are left out, both explicit splittings of the field, into planes or along the three terms of the
 //! energy: splittings here are of T(p) + V(q).
 
-use geoint_runtime::array::Square;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Square;
 use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::measure::distance;

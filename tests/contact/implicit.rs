@@ -3,9 +3,9 @@
 use super::cases::*;
 use super::laws::decays;
 use geoint_runtime::Claims;
-use geoint_runtime::array::Array;
-use geoint_runtime::contact::ImplicitStep;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Array;
+use geoint_runtime::system::ImplicitStep;
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Dual;
 

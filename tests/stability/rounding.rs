@@ -1,8 +1,8 @@
 //! What divided differences without cancellation are worth: small steps, large constants in the energy, very long runs.
 
 use geoint_runtime::method::{Method, Probe};
-use geoint_runtime::point::{Plain, Point};
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::{Plain, Point};
 use geoint_tests::measure::{Line, distance, regression};
 use geoint_tests::problems::flat;
 use geoint_tests::scalars::Double;
@@ -43,7 +43,7 @@ fn small_steps_do_not_cost_digits() {
         let one = Double::from(1.0);
         let exact = Swing { m: one, g: one, rest: one - one };
         let start = State::new(Double::from(START.0), Double::from(START.1));
-        let mut exact = PhaseSpace::integrator(exact, DiscreteGradient, Double::from(h), start);
+        let mut exact = Integrator::new(exact, DiscreteGradient, Double::from(h), start);
         exact.advance(steps).unwrap();
         let exact = flat(&exact.state());
         let error = |q: f64, p: f64| distance(&[Double::from(q), Double::from(p)], &exact);

@@ -88,7 +88,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -99,7 +99,7 @@ const _: () = {
             tolerance: f64,
             state: State<f64>,
         ) -> Adaptive<Self, M, f64> {
-            Hamiltonian::adaptive(self, method, tolerance, state)
+            Adaptive::new(self, method, tolerance, state)
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
