@@ -65,6 +65,31 @@ use proc_macro::TokenStream;
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
 /// smoothly no method has the order that it claims.
 ///
+/// # A vector field
+///
+/// q' = X(q) is the first half of Hamilton's equations for H = p·X(q), an energy that is linear in p. It gives every field the
+/// implicit methods: `ImplicitMidpoint` and `Gauss` make the step for q that they make for the field alone, whatever the momenta
+/// are, which may begin at zero and then stay there. Explicit Runge–Kutta methods are there as well.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Lotka and Volterra: hares and lynxes.
+/// #[hamiltonian]
+/// fn lotka_volterra(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
+///     p[0] * q[0] * (a - q[1]) + p[1] * q[1] * (q[0] - b)
+/// }
+///
+/// let [x, y] = [1.2, 0.7];
+/// let kept = |[x, y]: [f64; 2]| x - 0.8 * x.ln() + y - 1.5 * y.ln();
+/// let mut sim = LotkaVolterra { a: 1.5, b: 0.8 }.integrator(Gauss::<3>, 0.01, State::new([x, y], [0.0; 2]));
+/// sim.advance(1000)?;
+/// assert!((kept(sim.state().q) - kept([x, y])).abs() < 1e-11);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// Flows in closed form for the terms of such a field are found by [`macro@contact_hamiltonian`] with `lift`.
+///
 /// # Damping
 ///
 /// `damping = C` adds −C ∂H/∂p to the force: q' = ∂H/∂p, p' = −∂H/∂q − C ∂H/∂p. C is an expression in the language of the
@@ -126,7 +151,8 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// # Ok::<(), StepError>(())
 /// ```
 ///
-/// The function's arguments and body are as for [`macro@hamiltonian`], with `s` for the action, a scalar.
+/// The function's arguments and body are as for [`macro@hamiltonian`], with `s` for the action, a scalar, or `_s` where the
+/// energy does not read it.
 ///
 /// # Pieces
 ///
@@ -142,7 +168,8 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
 ///   which add up to H.
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
-///   which would blow up in finite time: they stay what they are, and the energy is not a number.
+///   which would blow up in finite time: they stay what they are, and the energy is not a number. A field of q alone has the
+///   argument `_s`.
 /// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {

@@ -1,6 +1,7 @@
 //! Arguments and signature: who is q, p and t, who is a parameter, in which shape.
 
 mod options;
+mod runtime;
 mod shape;
 
 pub(crate) use options::Requirement;
@@ -10,7 +11,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::Symbol;
 use options::Options;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::{ToTokens, format_ident, quote};
+use quote::{ToTokens, format_ident};
 use shape::{float_type, plain, shape};
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
@@ -163,7 +164,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let mut errors = errors.or(Diagnostics::default())?;
     let float = returned_float(&item, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);
-    let coordinates = coordinates(&item, &options, &arguments, &mut errors);
+    let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
         errors.at(&name, "`R` is the scalar of generated code; give the struct another name: `name = …`");
@@ -171,7 +172,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     if is_taken(&name) {
         errors.at(&name, format!("`{name}` is a name of generated code; give the struct another one: `name = …`"));
     }
-    let runtime = options.runtime.map_or_else(|| quote!(::geoint_runtime), ToTokens::into_token_stream);
+    let runtime = options.runtime.map_or_else(runtime::path, ToTokens::into_token_stream);
     if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");
     }
@@ -206,6 +207,12 @@ fn plain_function(item: &ItemFn, errors: &mut Diagnostics) {
     if let Some(abi) = &signature.abi {
         refuse(abi, "an energy cannot have a foreign ABI: it is a plain function of numbers");
     }
+    if let syn::Safety::Unsafe(token) = &signature.safety {
+        refuse(token, "an energy cannot be unsafe: it is a plain function of numbers");
+    }
+    if let Some(clause) = &signature.generics.where_clause {
+        refuse(clause, "an energy is not generic, so that `where` has nothing to say: leave it out");
+    }
     for parameter in &signature.generics.params {
         refuse(
             parameter,
@@ -220,20 +227,46 @@ fn plain_function(item: &ItemFn, errors: &mut Diagnostics) {
     if let Some(receiver) = signature.receiver() {
         refuse(receiver, "an energy cannot have a receiver: make every quantity an argument");
     }
+    if let ReturnType::Type(_, ty) = &signature.output
+        && has_several(ty)
+    {
+        refuse(ty, VECTOR_FIELD);
+    }
 }
 
 /// The float type that the function returns; every other number must have it too.
 fn returned_float(item: &ItemFn, errors: &mut Diagnostics) -> Ident {
-    let message = "an energy returns one number: `-> f64` or `-> f32`";
     match &item.sig.output {
         ReturnType::Type(_, ty) => match float_type(ty) {
             Some(float) => return float,
-            None => errors.at(ty, message),
+            None => errors.at(ty, ONE_NUMBER),
         },
-        ReturnType::Default => errors.at(&item.sig.ident, message),
+        ReturnType::Default => errors.at(&item.sig.ident, ONE_NUMBER),
     }
     format_ident!("f64")
 }
+
+/// Whether a type is one of several numbers.
+fn has_several(ty: &Type) -> bool {
+    match ty {
+        Type::Array(_) | Type::Slice(_) => true,
+        Type::Tuple(tuple) => !tuple.elems.is_empty(),
+        Type::Path(path) => path.path.segments.last().is_some_and(|last| {
+            let name = last.ident.to_string();
+            name.contains("Vector") || name == "Vec"
+        }),
+        Type::Paren(inner) => has_several(&inner.elem),
+        Type::Group(inner) => has_several(&inner.elem),
+        Type::Reference(inner) => has_several(&inner.elem),
+        _ => false,
+    }
+}
+
+const ONE_NUMBER: &str = "an energy returns one number: `-> f64` or `-> f32`";
+
+const VECTOR_FIELD: &str = "an energy returns one number: `-> f64` or `-> f32`. A vector field X has one too: q' = X(q) follows from the \
+                            energy p·X(q), by implicit methods under `#[hamiltonian]`, and by flows of its terms, without \
+                            momenta, under `#[contact_hamiltonian(lift)]`";
 
 fn arguments(
     form: Form,
@@ -252,6 +285,7 @@ fn arguments(
             continue;
         };
         let name = &pattern.ident;
+        attributes_of_argument(&typed.attrs, errors);
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
         let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
         if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
@@ -325,6 +359,23 @@ fn arguments(
     arguments
 }
 
+/// An argument may come with lints, and with nothing that could take it away.
+fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
+    let is_lint = |attribute: &&Attribute| {
+        ["allow", "expect", "warn", "deny", "forbid"].iter().any(|lint| attribute.path().is_ident(lint))
+    };
+    for attribute in attributes.iter().filter(|attribute| !is_lint(attribute)) {
+        let name = attribute.path().to_token_stream();
+        errors.at(
+            attribute,
+            format!(
+                "`{name}` may change or remove this argument after it was read: leave it out; of two variants make two \
+                 functions, with the condition above each"
+            ),
+        );
+    }
+}
+
 /// Who an argument is by its name alone.
 const DEFAULTS: [(Role, &str, &str); 4] = [
     (Role::Position, "q", "the positions"),
@@ -349,28 +400,58 @@ fn names(pattern: &Pat, name: &Ident) -> bool {
     matches!(pattern, Pat::Ident(pattern) if pattern.ident == *name)
 }
 
+/// Whether an argument has the name that a velocity has in a Lagrangian.
+fn is_velocity(name: &Ident) -> bool {
+    let name = name.to_string();
+    let name = name.trim_start_matches('_');
+    ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
+}
+
+const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
+
+const MOMENTA: &str = "momenta are missing: call an argument `p`, or name one with `p = …`";
+
+const VELOCITY: &str = "is the name of a velocity, but an energy is a function of momenta, `p`. Of the Lagrangian L(q, v) it is \
+                        H = p·v − L with p = ∂L/∂v: for L = m v²/2 − V(q) write p²/(2m) + V(q)";
+
+const MISSING_ACTION: &str = "the action is missing: call an argument `s`, or name one with `s = …`";
+
+const NO_ACTION: &str = "an energy without it is one for `#[hamiltonian]`";
+
+const UNREAD_ACTION: &str = "a lift of q' = X(q), which does not read it, has the argument `_s`";
+
 /// The shape that q and p share.
 fn coordinates(
+    form: Form,
     item: &ItemFn,
     options: &Options,
     arguments: &[(Role, Argument)],
     errors: &mut Diagnostics,
 ) -> Option<Argument> {
-    let mut find = |role: Role, default: &str, what: &str| {
+    let mut find = |role: Role, default: &str, missing: &dyn Fn(&mut Diagnostics)| {
         let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
         // A wrong name in the attribute, or a wrong type, has been reported.
         let named = options.roles.iter().any(|(r, _)| *r == role);
         let written = exists(item, &format_ident!("{default}")) || exists(item, &format_ident!("_{default}"));
         if found.is_none() && !named && !written {
-            errors.at(
-                &item.sig.ident,
-                format!("{what} are missing: call an argument `{default}`, or name one with `{default} = …`"),
-            );
+            missing(errors);
         }
         found
     };
-    let q = find(Role::Position, "q", "positions");
-    let p = find(Role::Momentum, "p", "momenta");
+    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
+    let p = find(Role::Momentum, "p", &|errors| {
+        let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
+        match velocity {
+            Some(name) => errors.at(name, format!("`{name}` {VELOCITY}")),
+            None => errors.at(&item.sig.ident, MOMENTA),
+        }
+    });
+    if form == Form::Contact {
+        find(Role::Action, "s", &|errors| {
+            let rest = if options.lift.is_some() { UNREAD_ACTION } else { NO_ACTION };
+            errors.at(&item.sig.ident, format!("{MISSING_ACTION}; {rest}"));
+        });
+    }
     let (q, p) = (q?, p?);
     if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
         errors.at(
