@@ -46,11 +46,35 @@ use proc_macro::TokenStream;
 /// `q` and `p` have one type: `f64` (or `f32`), `[f64; N]`, `[[f64; D]; N]`, `VectorN<f64>`, `SVector<f64, N>`, or an array of
 /// vectors. `t` is a scalar. Every other argument is a parameter, in one of the same shapes.
 ///
+/// An attribute sees its function alone. Where lengths are constants of the file, or types have names, it is told what they are;
+/// rustc checks that the file says the same:
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// const N: usize = 8;
+/// type Chain = [f64; N];
+///
+/// /// Toda's chain.
+/// #[hamiltonian(const N = 8, type Chain = [f64; N])]
+/// fn toda(q: Chain, p: Chain, m: f64) -> f64 {
+///     let mut e = 0.0;
+///     for i in 0..N {
+///         e += p[i] * p[i] / (2.0 * m) + (q[i] - q[(i + 1) % N]).exp();
+///     }
+///     e
+/// }
+/// # let mut sim = Toda { m: 1.3 }.integrator(PEFRL, 0.1, State::new([0.1; N], [0.0; N]));
+/// # sim.step()?;
+/// # Ok::<(), StepError>(())
+/// ```
+///
 /// # Arguments of the attribute
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `t = time`: other names for positions, momenta and time.
-/// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+/// - `const N = 8`, `type P = [f64; 3]`: what constants and names of types outside of the function are, each as often as needed.
+/// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
@@ -165,12 +189,13 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `s = z`, `t = time`: other names for positions, momenta, action and time.
+/// - `const N = 8`, `type P = [f64; 3]`: as for [`macro@hamiltonian`].
 /// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
 ///   which add up to H.
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
 ///   which would blow up in finite time: they stay what they are, and the energy is not a number. A field of q alone has the
 ///   argument `_s`.
-/// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+/// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()

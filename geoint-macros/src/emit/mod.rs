@@ -58,7 +58,7 @@ pub(crate) fn items(
 fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
-    let structure = system::structure(context, &docs);
+    let (structure, assertions) = (system::structure(context, &docs), context.energy.outside.assertions());
     // The function is the source of all this, and the user need not call it.
     let used = (!attributes::expected_dead(context.energy)).then(|| {
         let function = &context.energy.item.sig.ident;
@@ -71,6 +71,7 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
     let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
+        #assertions
 
         #[allow(
             clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, deprecated, missing_docs, private_bounds,

@@ -9,7 +9,7 @@ use quote::ToTokens;
 use std::rc::Rc;
 use syn::Expr;
 
-impl Lowering {
+impl Lowering<'_> {
     /// Calls a closure or nested function.
     pub(super) fn apply(
         &mut self,
@@ -54,7 +54,13 @@ impl Lowering {
         let Expr::Path(path) = &*call.func else {
             return self.refuse(&call.func, "only nested functions and closures can be called");
         };
-        let segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let mut segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let [owner, _] = &mut segments[..]
+            && let Some(syn::Type::Path(path)) = self.outside.alias(owner)
+            && let Some(last) = path.path.segments.last()
+        {
+            *owner = last.ident.to_string();
+        }
         let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
         let (owner, function) = match &segments[..] {
             [.., owner, function] => (owner.as_str(), function.as_str()),

@@ -13,7 +13,7 @@ use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
 pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - * /`, methods of `f64`, `if … else`, \
                            closures, `for` over ranges, and sums over iterators";
 
-impl Lowering {
+impl Lowering<'_> {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
         if self.depth >= super::MAX_DEPTH {

@@ -18,7 +18,7 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol};
-use crate::parse::{Argument, Energy};
+use crate::parse::{Argument, Energy, Outside};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
@@ -85,7 +85,11 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         partial: vec![],
         calls: vec![],
         float: energy.float.to_string(),
+        outside: &energy.outside,
     };
+    for (name, value) in energy.outside.constants() {
+        lowering.scopes.declare(name, scope::Item::Import(Value::Integer(value)));
+    }
     for (role, argument) in &energy.arguments {
         let symbols = energy.symbols(*role, argument);
         let value = lowering.argument(argument, &symbols);
@@ -97,7 +101,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     // Damping and pieces see the arguments as they were given.
     lowering.scopes = arguments;
     let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
-    let group = |lowering: &mut Lowering, expr: &syn::Expr| {
+    let group = |lowering: &mut Lowering<'_>, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
     };
@@ -107,7 +111,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
 }
 
 /// The evaluator.
-struct Lowering {
+struct Lowering<'a> {
     graph: Graph,
     errors: Diagnostics,
     scopes: Scopes,
@@ -127,9 +131,11 @@ struct Lowering {
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
     float: String,
+    /// Aliases of the file.
+    outside: &'a Outside,
 }
 
-impl Lowering {
+impl Lowering<'_> {
     /// Says what is wrong; the value that comes of it silences what would follow.
     fn refuse(&mut self, syntax: &impl ToTokens, message: impl Display) -> Value {
         self.errors.at(syntax, message);

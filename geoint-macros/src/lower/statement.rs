@@ -16,7 +16,7 @@ const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, 
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
 
-impl Lowering {
+impl Lowering<'_> {
     pub(super) fn block(&mut self, block: &Block) -> Value {
         self.scopes.enter();
         self.items(block);
@@ -154,8 +154,8 @@ impl Lowering {
 
     /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
     fn poison_names(&mut self, pattern: &Pat) {
-        struct Names<'a>(&'a mut Lowering);
-        impl Visit<'_> for Names<'_> {
+        struct Names<'a, 'b>(&'a mut Lowering<'b>);
+        impl Visit<'_> for Names<'_, '_> {
             fn visit_pat_ident(&mut self, pattern: &syn::PatIdent) {
                 self.0.scopes.bind(&pattern.ident, Value::Poison);
             }
