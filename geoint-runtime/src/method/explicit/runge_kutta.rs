@@ -7,10 +7,10 @@
 #![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
 
 use crate::method::tableau::Tableau;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
-use crate::space::{Point, Summation};
+use crate::space::Summation;
 use crate::system::Hamiltonian;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
@@ -159,34 +159,35 @@ impl<const K: usize> RungeKutta<K> {
     }
 }
 
-/// The system, and the coefficients times h.
+/// The coefficients times h.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<S, R, const K: usize> {
-    system: S,
+pub struct Prepared<R, const K: usize> {
     a: [[R; K]; K],
     b: [R; K],
     c: [R; K],
 }
 
 impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
-    type Prepared = Prepared<S, R, K>;
+    type Prepared = Prepared<R, K>;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: self.order, symmetric: false, symplectic: false, conserves_energy: false }
     }
 
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+    fn prepare(&self, _: &S, h: R) -> Self::Prepared {
         let times_h = |row: [f64; K]| row.map(|x| R::from_f64(x) * h);
         let Tableau { a, b, c } = self.tableau;
-        Prepared { system: *system, a: a.map(times_h), b: times_h(b), c: times_h(c) }
+        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c) }
     }
+
+    fn memory() {}
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { system, a, b, c }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        Prepared { a, b, c }: &Self::Prepared,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let none = S::Array::zero();
         let (mut rates_q, mut rates_p) = ([none; K], [none; K]);
@@ -201,7 +202,7 @@ impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
             let (mut q, mut p) = (x.q, x.p);
             q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_q));
             p.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_p));
-            probe.visit(t + c[i], &q, &p);
+            probe.visit(t + c[i], &q, &p, &());
             system.rate(t + c[i], &q, &p, &mut rates_q[i], &mut rates_p[i]);
         }
         x.add(&sum(b, &rates_q), &sum(b, &rates_p));

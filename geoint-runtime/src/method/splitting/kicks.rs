@@ -24,11 +24,11 @@ pub struct Weight<R> {
 /// What a kick is.
 pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
     /// Coefficients of a kick.
-    type Kick: Copy;
+    type Kick: Clone;
     /// Prepares a kick.
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
     /// A kick.
-    fn kick(kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action);
+    fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action);
 }
 
 /// The flow of V.
@@ -41,8 +41,8 @@ impl<S: Separable<R>, R: Real> Kicks<S, R> for Plain {
         system.prepare_kick(weight.h)
     }
     #[inline(always)]
-    fn kick(kick: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
-        S::kick(kick, t, q, p, s);
+    fn kick(system: &S, kick: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
+        system.kick(kick, t, q, p, s);
     }
 }
 
@@ -68,10 +68,10 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
         }
     }
     #[inline(always)]
-    fn kick(kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
+    fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
         match kick {
-            SomeKick::Plain(kick) => S::kick(kick, t, q, p, s),
-            SomeKick::WithGradient(kick) => S::gradient_kick(kick, t, q, p, s),
+            SomeKick::Plain(kick) => system.kick(kick, t, q, p, s),
+            SomeKick::WithGradient(kick) => system.gradient_kick(kick, t, q, p, s),
         }
     }
 }
@@ -79,17 +79,17 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 /// Which of kick and drift is the outer flow.
 pub trait Order<S: Separable<R>, R: Real>: Copy {
     /// Coefficients of an outer flow.
-    type Outer: Copy;
+    type Outer: Clone;
     /// Coefficients of an inner flow.
-    type Inner: Copy;
+    type Inner: Clone;
     /// Prepares an outer flow.
     fn prepare_outer(system: &S, weight: Weight<R>) -> Self::Outer;
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, weight: Weight<R>) -> Self::Inner;
     /// An outer flow.
-    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
+    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
     /// An inner flow.
-    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]);
+    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
@@ -102,12 +102,12 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
         system.prepare_drift(weight.h)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        kick::<S, R, F, C>(flow, at, x, &mut sums[1]);
+    fn outer<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+        x.kick::<F>(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, at, x, &mut sums[0]);
+    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+        x.drift(flow, at);
     }
 }
 
@@ -121,50 +121,61 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         F::prepare(system, weight)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        drift::<S, R, C>(flow, at, x, &mut sums[0]);
+    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+        x.drift(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Parts<'_, S, R>, sums: &mut [C; 2]) {
-        kick::<S, R, F, C>(flow, at, x, &mut sums[1]);
+    fn inner<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+        x.kick::<F>(flow, at);
     }
 }
 
-/// Positions, momenta and the action of a point.
-pub(super) type Parts<'a, S, R> =
-    (&'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Array, &'a mut <S as PhaseSpace<R>>::Action);
-
-/// The times of a flow: where its own kind of flow has come to, and where the other kind has.
+/// The times of a flow: the one that flows of its own kind have reached, and the one that the others have reached.
 #[derive(Clone, Copy, Debug)]
 pub struct Times<R> {
     pub(crate) own: R,
     pub(crate) other: R,
 }
 
-/// A kick. Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
-/// tenth on six bodies.
-#[inline(always)]
-fn kick<S: Separable<R>, R: Real, F: Kicks<S, R>, C: Summation<S::Array>>(
-    flow: &F::Kick,
-    at: Times<R>,
-    (q, p, s): Parts<'_, S, R>,
-    sum: &mut C,
-) {
-    let mut unread = *s;
-    let s = if C::ACTION { s } else { &mut unread };
-    if C::PLAIN { F::kick(flow, at.other, q, p, s) } else { sum.add(p, |p| F::kick(flow, at.other, q, p, s)) }
+/// A point of a system while flows move it. Its parts are apart, so that a loop may hold each of them in registers.
+#[derive(Debug)]
+pub struct Moving<'a, S: PhaseSpace<R>, R: Real, C> {
+    pub(crate) system: &'a S,
+    pub(crate) q: &'a mut S::Array,
+    pub(crate) p: &'a mut S::Array,
+    pub(crate) s: &'a mut S::Action,
+    pub(crate) sums: &'a mut [C; 2],
 }
 
-/// A drift, likewise.
-#[inline(always)]
-fn drift<S: Separable<R>, R: Real, C: Summation<S::Array>>(
-    flow: &S::Drift,
-    at: Times<R>,
-    (q, p, s): Parts<'_, S, R>,
-    sum: &mut C,
-) {
-    let mut unread = *s;
-    let s = if C::ACTION { s } else { &mut unread };
-    let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
-    if C::PLAIN { S::drift(flow, t, q, p, s) } else { sum.add(q, |q| S::drift(flow, t, q, p, s)) }
+impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
+    /// p ← p − h ∂V/∂q, at the time that the drifts have reached.
+    ///
+    /// Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
+    /// tenth on six bodies.
+    #[inline(always)]
+    pub fn kick<F: Kicks<S, R>>(self, flow: &F::Kick, at: Times<R>) {
+        let Moving { system, q, p, s, sums: [_, sum] } = self;
+        let mut unread = *s;
+        let s = if C::ACTION { s } else { &mut unread };
+        if C::PLAIN {
+            F::kick(system, flow, at.other, q, p, s);
+        } else {
+            sum.add(p, |p| F::kick(system, flow, at.other, q, p, s));
+        }
+    }
+
+    /// q ← q + h ∂T/∂p, at the time that the kicks have reached; or from the time that the drifts have reached, if the drift is
+    /// exact in time.
+    #[inline(always)]
+    pub fn drift(self, flow: &S::Drift, at: Times<R>) {
+        let Moving { system, q, p, s, sums: [sum, _] } = self;
+        let mut unread = *s;
+        let s = if C::ACTION { s } else { &mut unread };
+        let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
+        if C::PLAIN {
+            system.drift(flow, t, q, p, s);
+        } else {
+            sum.add(q, |q| system.drift(flow, t, q, p, s));
+        }
+    }
 }

@@ -7,13 +7,13 @@
 
 mod kicks;
 
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
+use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{QuadraticKinetic, Separable};
 use core::marker::PhantomData;
 pub use kicks::{DriftFirst, KickFirst, WithGradient};
-use kicks::{Order, Times, Weight};
+use kicks::{Moving, Order, Times, Weight};
 
 /// A table of fractions of h: outer₁, inner₁, outer₂, inner₂, …, inner_K, last, in order of application.
 ///
@@ -160,60 +160,76 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// inner₁, outer₂, inner₂, …, inner_K, last.
     #[inline(always)]
-    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(
-        &self,
-        t: R,
-        x: &mut Point<S::Array, C, S::Action>,
-        probe: &mut P,
-    ) {
+    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
-            probe.look(inner_at.other, &x.q, &x.p, &x.s);
-            O::inner(&self.inner[i], inner_at, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
+            probe.visit(inner_at.other, &x.q, &x.p, &x.s);
+            O::inner(&self.inner[i], inner_at, moving(system, x));
             let next = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
             if let Some(outer) = next {
-                probe.look(outer_at.other, &x.q, &x.p, &x.s);
-                O::outer(outer, outer_at, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
+                probe.visit(outer_at.other, &x.q, &x.p, &x.s);
+                O::outer(outer, outer_at, moving(system, x));
             }
         }
     }
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, t: R, x: &mut Point<S::Array, C, S::Action>, probe: &mut P) {
-        probe.look(t, &x.q, &x.p, &x.s);
-        O::outer(&self.first, Times { own: t, other: t }, (&mut x.q, &mut x.p, &mut x.s), &mut x.sums);
-        self.finish(t, x, probe);
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
+        let Step { system, t, x, probe } = step;
+        probe.visit(t, &x.q, &x.p, &x.s);
+        O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
+        self.finish(Step { system, t, x, probe });
     }
 
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(&self, clock: &Clock<R>, steps: u64, point: &mut Point<S::Array, C, S::Action>) {
+    fn advance<C: Summation<S::Array>>(
+        &self,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        point: &mut Point<S::Array, C, S::Action>,
+    ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
         // In locals of this loop, q and p stay in registers.
         let (mut q, mut p, mut s, mut sums) = (point.q, point.p, point.s, point.sums);
+        macro_rules! x {
+            () => {
+                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums }
+            };
+        }
         let start = clock.at(0);
-        O::outer(&self.first, Times { own: start, other: start }, (&mut q, &mut p, &mut s), &mut sums);
+        O::outer(&self.first, Times { own: start, other: start }, x!());
         for n in 0..final_step {
             let t = clock.at(n);
             for i in 0..K {
                 let [inner_at, outer_at] = self.times(t, i);
-                O::inner(&self.inner[i], inner_at, (&mut q, &mut p, &mut s), &mut sums);
-                O::outer(&self.outer[i], outer_at, (&mut q, &mut p, &mut s), &mut sums);
+                O::inner(&self.inner[i], inner_at, x!());
+                O::outer(&self.outer[i], outer_at, x!());
             }
         }
         (point.q, point.p, point.s, point.sums) = (q, p, s, sums);
-        self.end(clock.at(final_step), point);
+        self.end(system, clock.at(final_step), point);
     }
 
     /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
     /// makes the loop over six bodies up to a fifth slower.
     #[inline(never)]
-    fn end<C: Summation<S::Array>>(&self, t: R, x: &mut Point<S::Array, C, S::Action>) {
-        self.finish(t, x, &mut Unwatched);
+    fn end<C: Summation<S::Array>>(&self, system: &S, t: R, x: &mut Point<S::Array, C, S::Action>) {
+        self.finish(Step { system, t, x, probe: &mut Unwatched });
     }
+}
+
+#[inline(always)]
+fn moving<'a, S: Separable<R>, R: Real, C>(
+    system: &'a S,
+    x: &'a mut Point<S::Array, C, S::Action>,
+) -> Moving<'a, S, R, C> {
+    Moving { system, q: &mut x.q, p: &mut x.p, s: &mut x.s, sums: &mut x.sums }
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
     type Prepared = Sequence<S, R, O, K>;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         self.claims
@@ -223,25 +239,28 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         Sequence::prepare(self, system, h)
     }
 
+    fn memory() {}
+
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, S::Action>,
-        probe: &mut P,
+        prepared: &Self::Prepared,
+        (): &mut (),
+        step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        prepared.step(t, x, probe);
+        prepared.step(step);
         Ok(())
     }
 
     #[inline(always)]
     fn advance<C: Summation<S::Array>>(
-        prepared: &mut Self::Prepared,
+        prepared: &Self::Prepared,
+        (): &mut (),
+        system: &S,
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Array, C, S::Action>,
     ) -> Result<(), Refusal> {
-        prepared.advance(clock, steps, x);
+        prepared.advance(system, clock, steps, x);
         Ok(())
     }
 }
@@ -252,9 +271,10 @@ macro_rules! delegate {
         $(#[$doc])*
         impl<$($generics)* S: $system<R>, R: Real> Method<S, R> for $method
         where
-            $inner: Method<S, R>,
+            $inner: Method<S, R, Memory = ()>,
         {
             type Prepared = <$inner as Method<S, R>>::Prepared;
+            type Memory = ();
 
             fn claims(&self) -> Claims {
                 let $this = self;
@@ -264,23 +284,25 @@ macro_rules! delegate {
                 let $this = self;
                 Method::prepare(&$table, system, h)
             }
+            fn memory() {}
             #[inline(always)]
             fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-                prepared: &mut Self::Prepared,
-                t: R,
-                x: &mut Point<S::Array, C, S::Action>,
-                probe: &mut P,
+                prepared: &Self::Prepared,
+                memory: &mut (),
+                step: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
-                <$inner>::step(prepared, t, x, probe)
+                <$inner as Method<S, R>>::step(prepared, memory, step)
             }
             #[inline(always)]
             fn advance<C: Summation<S::Array>>(
-                prepared: &mut Self::Prepared,
+                prepared: &Self::Prepared,
+                memory: &mut (),
+                system: &S,
                 clock: &Clock<R>,
                 steps: u64,
                 x: &mut Point<S::Array, C, S::Action>,
             ) -> Result<(), Refusal> {
-                <$inner as Method<S, R>>::advance(prepared, clock, steps, x)
+                <$inner as Method<S, R>>::advance(prepared, memory, system, clock, steps, x)
             }
         }
     };
