@@ -4,7 +4,7 @@
 //! here, from t = 0 to 2, the explicit methods cost least; what is kept shows in `energy_exact`.
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
-use geoint_examples::{claim, looks, shortest, table};
+use geoint_examples::{claim, evaluations, shortest, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -119,8 +119,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// What a method does with one step size.
 struct Point {
     error: f64,
-    /// At how many points the energy or its gradient is looked at, on the whole way.
-    looks: u64,
+    /// At how many points the energy or its gradient is evaluated, on the whole way.
+    evaluations: u64,
     /// For the whole way.
     time: Duration,
 }
@@ -139,8 +139,8 @@ impl Run {
         let mut energy_error = 0.0_f64;
         for steps in STEPS {
             let time = shortest(|| (0..20).try_for_each(|_| after(method, steps).map(drop)))? / 20;
-            let looks = looks(HenonHeiles, method, DURATION / steps as f64, start(), steps)?;
-            points.push(Point { error: distance(&after(method, steps)?, end), looks, time });
+            let evaluations = evaluations(HenonHeiles, method, DURATION / steps as f64, start(), steps)?;
+            points.push(Point { error: distance(&after(method, steps)?, end), evaluations, time });
             let energy_errors = states(method, steps)?;
             let energy_errors =
                 energy_errors.iter().map(|x| (HenonHeiles.energy(x) - HenonHeiles.energy(&start())).abs());
@@ -194,7 +194,7 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     let mut curves = Vec::new();
     for (name, colour) in colours {
         for run in runs.iter().filter(|run| run.name == name) {
-            let points = run.points.iter().map(|point| (point.looks as f64, point.error));
+            let points = run.points.iter().map(|point| (point.evaluations as f64, point.error));
             curves.push(Curve::line(name, colour, points.collect()).width(1.6).marked(3.0));
         }
     }
