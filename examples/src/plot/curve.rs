@@ -75,6 +75,11 @@ impl Curve {
         Curve { width: 0.0, marker: 3.0, ..Curve::line(name, ink, points) }
     }
 
+    /// Markers that are too small for a shape are discs.
+    pub(super) fn shape(&self) -> Marker {
+        if self.marker < 1.2 { Marker::Disc } else { self.ink.marker }
+    }
+
     /// With a line of this width in pixels.
     pub fn width(self, width: f64) -> Self {
         Curve { width, ..self }

@@ -167,7 +167,7 @@ impl<'a> Frame<'a> {
             let mut places: Vec<_> = places[skipped..].iter().flatten().copied().collect();
             places.retain(|place| self.holds(*place));
             places.dedup();
-            to.markers(&places, curve.ink.marker, (10.0 * curve.marker) as i32, curve.open, self.pen(curve));
+            to.markers(&places, curve.shape(), (10.0 * curve.marker) as i32, curve.open, self.pen(curve));
         }
     }
 
@@ -180,7 +180,7 @@ impl<'a> Frame<'a> {
         }
         if curve.marker > 0.0 {
             let radius = (10.0 * curve.marker.max(3.0)) as i32;
-            to.markers(&[(10 * x + 5 * SAMPLE, 10 * y)], curve.ink.marker, radius, curve.open, pen);
+            to.markers(&[(10 * x + 5 * SAMPLE, 10 * y)], curve.shape(), radius, curve.open, pen);
         }
         to.text((10 * (x + SAMPLE + SPACE), 10 * y), Anchor::Start, false, &curve.name);
     }

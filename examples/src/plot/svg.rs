@@ -81,9 +81,6 @@ pub(super) enum Anchor {
     End,
 }
 
-/// Smaller markers than this have no shape that can be seen.
-const SHAPELESS: i32 = 12;
-
 pub(super) struct Document {
     text: String,
 }
@@ -147,7 +144,7 @@ impl Document {
     /// Markers at places, of a radius in tenths of a pixel; open ones have white inside.
     pub(super) fn markers(&mut self, places: &[Place], marker: Marker, radius: i32, open: bool, pen: Pen<'_>) {
         let (colour, class) = (pen.colour, class(pen));
-        if (marker == Marker::Disc || radius < SHAPELESS) && !open {
+        if marker == Marker::Disc && !open {
             // A line of no length with round ends is a disc, in a tenth of the bytes.
             let path: String = places.iter().map(|(x, y)| format!("M{x} {y}h0")).collect();
             self.line(format_args!(
