@@ -1,6 +1,7 @@
 //! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
 
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
+use crate::method::total::adds_up;
 use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
@@ -23,6 +24,7 @@ impl<const K: usize> Composition<K> {
             gamma[i] = half[if i < HALF { i } else { K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(&gamma, 1.0), "the weights add up to 1");
         Composition { order, gamma }
     }
 

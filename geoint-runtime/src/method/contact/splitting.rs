@@ -5,6 +5,7 @@
 //! before all flows of Φ and after all flows of Φ*: at the turn between both it is the same for all.
 
 use crate::method::composition::substeps;
+use crate::method::total::adds_up;
 use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
@@ -125,6 +126,7 @@ impl<const K: usize> PieceComposition<K> {
             weights[i / 2][i % 2] = half[if i < K { i } else { 2 * K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(weights.as_flattened(), 1.0), "the weights add up to 1");
         PieceComposition { order, weights }
     }
 
