@@ -14,7 +14,7 @@ pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
     start: StateOf<S, f64>,
     duration: f64,
 ) -> Result<Vec<StateOf<S, f64>>, StepError> {
-    let mut sim = system.integrator(method, h, start);
+    let mut sim = geoint_runtime::Integrator::new(system, method, h, start);
     let later = sim.sampled(1).take((duration / h).round() as usize);
     std::iter::once(Ok(start)).chain(later).collect()
 }

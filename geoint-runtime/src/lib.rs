@@ -47,98 +47,64 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
-pub mod real;
-pub mod array;
+pub mod scalar;
+pub mod space;
 pub mod slope;
-pub mod state;
-pub mod error;
-pub mod point;
-pub mod method;
 pub mod system;
-mod damped;
-mod damping;
-mod linear;
-mod newton;
-mod quasi_newton;
-mod predictor;
-mod stagnation;
-pub mod kicks;
-mod field;
-pub mod splitting;
-pub mod composition;
-mod tables;
-pub mod tableau;
-pub mod gauss;
-pub mod discrete_gradient;
-pub mod kahan;
-pub mod contact;
-pub mod explicit;
-pub mod runge_kutta;
-pub mod invariants;
-pub mod projection;
-pub mod relaxation;
-pub mod integrator;
-mod step_size;
-pub mod adaptive;
+mod solving;
+pub mod method;
+pub mod running;
 #[doc(hidden)]
 pub mod private;
 
+pub use geoint_macros::{contact_hamiltonian, hamiltonian};
 #[doc(inline)]
-pub use adaptive::Adaptive;
+pub use method::composition::{Composed, Composition};
 #[doc(inline)]
-pub use composition::{Composed, Composition};
-#[doc(inline)]
-pub use contact::{
-    Conformal, Contact, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, Mechanical,
-    PieceComposition, Pieces,
+pub use method::contact::{
+    ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, PieceComposition,
 };
 #[doc(inline)]
-pub use discrete_gradient::{
+pub use method::corrected::{Energy, Invariants, Projection, Relaxation};
+#[doc(inline)]
+pub use method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
     SymmetrisedItohAbe,
 };
 #[doc(inline)]
-pub use error::{Reason, StepError};
+pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
 #[doc(inline)]
-pub use explicit::ExplicitEuler;
+pub use method::gauss::{Gauss, ImplicitMidpoint};
 #[doc(inline)]
-pub use gauss::{Gauss, ImplicitMidpoint};
-pub use geoint_macros::{contact_hamiltonian, hamiltonian};
+pub use method::kahan::Kahan;
 #[doc(inline)]
-pub use integrator::Integrator;
-#[doc(inline)]
-pub use invariants::{Energy, Invariants};
-#[doc(inline)]
-pub use kahan::Kahan;
+pub use method::splitting::{
+    Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
+};
+pub use method::tables::*;
 #[doc(inline)]
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use projection::Projection;
+pub use running::{Adaptive, Integrator, Reason, Run, StepError};
 #[doc(inline)]
-pub use real::Real;
+pub use scalar::Real;
 #[doc(inline)]
-pub use relaxation::Relaxation;
-#[doc(inline)]
-pub use runge_kutta::{DOP853, RK4, RungeKutta};
-#[doc(inline)]
-pub use splitting::{Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
-#[doc(inline)]
-pub use state::{ContactState, Coordinates, State};
+pub use space::{ContactState, Coordinates, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conservative, ForceGradient, Hamiltonian, ModifiedEnergy, PhaseSpace, QuadraticKinetic, Separable,
+    Autonomous, Conformal, Conservative, Contact, ForceGradient, Hamiltonian, Mechanical, ModifiedEnergy, PhaseSpace,
+    Pieces, QuadraticKinetic, Separable,
 };
-pub use tables::*;
 
 /// Everything that a program needs.
 pub mod prelude {
-    pub use crate::tables::*;
+    pub use crate::method::tables::*;
     pub use crate::{
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
-        PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, State, StepError, StormerVerlet, SymmetrisedItohAbe,
-        SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
+        PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
     };
 }

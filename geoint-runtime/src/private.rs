@@ -1,19 +1,16 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::adaptive::Adaptive;
-pub use crate::array::{Array, Square};
-pub use crate::contact::{
-    Clock as PieceClock, Conformal as ConformalContact, Contact as ContactSystem, ContactDiscreteGradient,
-    ContactMidpoint, ImplicitStep, Mechanical as MechanicalContact, Piece as ContactPiece, Pieces as ContactPieces,
-};
-pub use crate::damping::is_positive_semidefinite;
-pub use crate::field::{gradient_kick, modified_verlet};
-pub use crate::integrator::Integrator;
 pub use crate::method::Method;
-pub use crate::real::Real;
+pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::{gradient_kick, modified_verlet};
+pub use crate::running::{Adaptive, Integrator};
+pub use crate::scalar::Real;
 pub use crate::slope;
-pub use crate::state::{ContactState, State};
+pub use crate::solving::is_positive_semidefinite;
+pub use crate::space::{Array, ContactState, Square, State};
 pub use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, ForceGradient, Hamiltonian, Mean, ModifiedEnergy,
-    PhaseSpace, QuadraticKinetic, Separable,
+    Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
+    Contact as ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep, Mean,
+    Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
+    QuadraticKinetic, Separable,
 };

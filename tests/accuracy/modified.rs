@@ -27,7 +27,7 @@ where
     D: ModifiedEnergy<Dual, Coordinates = [Dual; 2], Action = ()>,
 {
     let (t, x) = (0.3, [0.7, -0.4, 0.5, 0.8]);
-    let mut sim = PhaseSpace::integrator(system, StormerVerlet, h, State::at(t, [x[0], x[1]], [x[2], x[3]]));
+    let mut sim = Integrator::new(system, StormerVerlet, h, State::at(t, [x[0], x[1]], [x[2], x[3]]));
     sim.step().unwrap();
     let State { q, p, .. } = sim.state();
     let field = |now: f64, x: &[f64]| -> Vec<f64> {

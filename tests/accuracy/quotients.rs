@@ -96,7 +96,7 @@ fn trajectories_keep_their_digits() {
     ] {
         let start = State::new(Double::from(START.0), Double::from(START.1));
         let system = Pendulum { background: Double::from(0.0) };
-        let mut exact = PhaseSpace::integrator(system, DiscreteGradient, Double::from(h), start);
+        let mut exact = Integrator::new(system, DiscreteGradient, Double::from(h), start);
         exact.advance(steps as u64).unwrap();
         let exact: Vec<f64> = flat(&exact.state()).iter().map(|x| x.value()).collect();
         let (drift, end) = generated(h, steps, 0.0);

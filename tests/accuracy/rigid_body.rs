@@ -7,8 +7,8 @@
 //! Two rows of that table are left out, both explicit splittings of the field, into planes or along the three terms of the
 //! energy: splittings here are of T(p) + V(q).
 
-use geoint_runtime::array::Square;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Square;
 use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::measure::distance;
@@ -73,13 +73,13 @@ impl Collocation for RigidBody {
     fn start(w: &[f64; 3], _: &[f64; 3]) -> ([f64; 3], [f64; 3]) {
         (*w, *w)
     }
-    fn velocity(_: &(), _: &[f64; 3]) -> [f64; 3] {
+    fn velocity(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
-    fn field(_: &(), _: f64, w: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
+    fn field(&self, _: &(), _: f64, w: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
         (*f, *jacobian) = (field(w), derivative(w));
     }
-    fn add(_: &(), h: f64, f: &[f64; 3], w: &mut [f64; 3]) {
+    fn add(&self, _: &(), h: f64, f: &[f64; 3], w: &mut [f64; 3]) {
         for i in 0..3 {
             w[i] += h * f[i];
         }
@@ -97,13 +97,13 @@ impl DiscreteField for RigidBody {
     const LINEAR: bool = false;
 
     fn parameters(&self, _: f64) {}
-    fn drift(_: &(), _: &[f64; 3]) -> [f64; 3] {
+    fn drift(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
-    fn begin(_: &(), _: f64, w: &[f64; 3]) -> [f64; 3] {
+    fn begin(&self, _: &(), _: f64, w: &[f64; 3]) -> [f64; 3] {
         *w
     }
-    fn slope(_: &(), start: &[f64; 3], d: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
+    fn slope(&self, _: &(), start: &[f64; 3], d: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
         let mean = [0, 1, 2].map(|i| start[i] + 0.5 * d[i]);
         let [momentum, energy] = [2, 1].map(|k| [0, 1, 2].map(|i| INERTIA[i].powi(k) * mean[i]));
         let c = 1.0 / INERTIA.iter().product::<f64>();

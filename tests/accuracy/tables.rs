@@ -1,7 +1,7 @@
 //! The tables themselves: every one is in the list of methods, is consistent, and meets conditions of its order.
 
+use geoint_runtime::method::splitting::{DriftFirst, KickFirst};
 use geoint_runtime::prelude::*;
-use geoint_runtime::splitting::{DriftFirst, KickFirst};
 use geoint_runtime::{Composition, Method, Splitting};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::HenonHeiles;
@@ -26,7 +26,7 @@ fn the_list_of_methods_is_complete() {
     methods::force_gradient(&mut names);
 
     let mut tables = 0;
-    for line in include_str!("../../geoint-runtime/src/tables.rs").lines() {
+    for line in include_str!("../../geoint-runtime/src/method/tables.rs").lines() {
         let Some((name, ty)) = line.strip_prefix("pub const ").and_then(|rest| rest.split_once(':')) else { continue };
         // Pieces are those of contact systems.
         if ty.trim_start().starts_with("PieceComposition") {
@@ -47,7 +47,7 @@ fn the_list_of_methods_is_complete() {
     for stages in 1..=6 {
         assert!(names.0.contains(format!("Gauss::<{stages}>").as_str()));
     }
-    for line in include_str!("../../geoint-runtime/src/splitting.rs").lines() {
+    for line in include_str!("../../geoint-runtime/src/method/splitting/mod.rs").lines() {
         if let Some(name) = line.strip_prefix("pub struct ").and_then(|rest| rest.strip_suffix(';')) {
             let no_method = name.contains('<') || ["KickFirst", "DriftFirst"].contains(&name);
             assert!(no_method || names.0.contains(name), "{name} is not in the list of methods");

@@ -4,15 +4,12 @@
 //! 1 − h·J is, and not near it, so that pivots move.
 
 // The elimination is private to the runtime; its file is compiled here once more, with the two modules that it names.
-#[path = "../../geoint-runtime/src/linear.rs"]
+#[path = "../../geoint-runtime/src/solving/linear.rs"]
 mod linear;
 mod paired;
-mod real {
-    pub(crate) use geoint_runtime::real::Real;
-}
-use geoint_runtime::array;
+use geoint_runtime::{scalar, space};
 
-use geoint_runtime::array::{Array, Square};
+use geoint_runtime::space::{Array, Square};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;

@@ -8,10 +8,10 @@ mod paired;
 mod systems;
 
 use criterion::Criterion;
-use geoint_runtime::array::Array;
 use geoint_runtime::method::Method;
 use geoint_runtime::prelude::*;
-use geoint_runtime::state::Coordinates;
+use geoint_runtime::space::Array;
+use geoint_runtime::space::Coordinates;
 use nalgebra::Vector3;
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;
@@ -204,7 +204,7 @@ where
     M: Method<S> + 'static,
 {
     Box::new(move |steps| {
-        let mut sim = PhaseSpace::integrator(system, black_box(method), black_box(h), black_box(start));
+        let mut sim = Integrator::new(system, black_box(method), black_box(h), black_box(start));
         sim.advance(black_box(steps)).unwrap();
         let ContactState { q, p, s, .. } = sim.state();
         vec![q[0], q[1], p[0], p[1], s]
@@ -350,7 +350,7 @@ where
     M: Method<S, f64> + 'static,
 {
     Box::new(move |n| {
-        let mut sim = black_box(system).integrator(method, black_box(h), start);
+        let mut sim = Integrator::new(black_box(system), method, black_box(h), start);
         sim.advance(n).expect("a regular problem");
         let State { q, p, .. } = sim.state();
         [q, p].iter().flat_map(|x| x.into_array().as_slice().to_vec()).collect()

@@ -1,9 +1,9 @@
 //! What implicit steps of contact systems keep exactly: the decay of H, that of the form, and of angular momentum.
 
 use super::cases::*;
-use geoint_runtime::array::Array;
-use geoint_runtime::contact::ImplicitStep;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Array;
+use geoint_runtime::system::ImplicitStep;
 use geoint_runtime::{Coordinates, Real};
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::scalars::Double;

@@ -1,7 +1,7 @@
 //! What is measured of steps of contact systems.
 
-use geoint_runtime::array::Array;
 use geoint_runtime::prelude::*;
+use geoint_runtime::space::Array;
 use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::{Double, Dual, Scalar};
@@ -50,7 +50,7 @@ pub(crate) fn run<R: Scalar, S: Contact<R>, M: Method<S, R>>(
     steps: u64,
 ) -> Result<Vec<R>, StepError> {
     let start = state::<S::Coordinates>(R::from_f64(t), x);
-    let mut sim = PhaseSpace::integrator(system, method, R::from_f64(h), start);
+    let mut sim = Integrator::new(system, method, R::from_f64(h), start);
     sim.advance(steps)?;
     Ok(flat(&sim.state()))
 }

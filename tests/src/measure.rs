@@ -2,8 +2,8 @@
 
 use crate::problems::{Problem, flat};
 use crate::scalars::{Double, Dual, Scalar};
-use geoint_runtime::array::Array;
-use geoint_runtime::{Coordinates, Hamiltonian, Method, PhaseSpace, State, StepError};
+use geoint_runtime::space::Array;
+use geoint_runtime::{Coordinates, Hamiltonian, Method, Run, State, StepError};
 
 /// The state of a system without damping after a time, by [`extrapolated`]: all that is used of the system is ∇H.
 pub fn solution<S: Hamiltonian<R>, R: Scalar>(

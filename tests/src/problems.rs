@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use geoint_runtime::system::Collocation;
-use geoint_runtime::{Coordinates, Hamiltonian, PhaseSpace, State, array::Array, hamiltonian};
+use geoint_runtime::{Coordinates, Hamiltonian, PhaseSpace, State, hamiltonian, space::Array};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// Planar pendulum; q in rad.

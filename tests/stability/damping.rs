@@ -258,7 +258,7 @@ fn damping_that_feeds_energy_on_the_way() {
     where
         S::Coordinates: PartialEq + std::fmt::Debug,
     {
-        let (mut sim, name) = (start, std::any::type_name::<M>());
+        let (mut sim, name) = (start.clone(), std::any::type_name::<M>());
         let mut energy = sim.energy();
         let error = loop {
             match sim.step() {
@@ -272,7 +272,7 @@ fn damping_that_feeds_energy_on_the_way() {
         assert!(error.to_string().contains(reason), "{name}: {error}");
         // Nor does a long run come out on the other side, where the sign is right again.
         for n in sim.steps() + 1..400 {
-            let mut through = start;
+            let mut through = start.clone();
             assert_eq!(through.advance(n), Err(error), "{name}: {n} steps");
             assert_eq!(through.state(), sim.state(), "{name}: {n} steps");
         }

@@ -4,7 +4,7 @@
 //! them: collocation, the midpoint rule and the discrete gradient, alone or composed to a higher order.
 
 use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_examples::{claim, evaluations, output, shortest, shown, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -52,10 +52,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         run("Gauss::<3>", Gauss::<3>, 0.01, &truth)?,
     ];
     println!("Double pendulum, {SECONDS} s\n");
-    let head = ["method", "step / s", "looks", "time / ms", "energy error", "distance / m"];
+    let head = ["method", "step / s", "evaluations", "time / ms", "energy error", "distance / m"];
     println!("{}", table(head, &runs.each_ref().map(Run::row)));
     println!(
-        "looks: points at which the energy is looked at; distance: of the lower bob from its true path, at most\n"
+        "evaluations: points at which the energy is evaluated; distance: of the lower bob from its true path, at most\n"
     );
 
     let [euler, midpoint, midpoint_half, conserve, conserve_half, suzuki, suzuki_half, gauss, gauss_half] = &runs;
@@ -91,7 +91,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Run {
     name: &'static str,
     step_size: f64,
-    looks: u64,
+    evaluations: u64,
     time: Duration,
     samples: Vec<Arms>,
     energy_error: f64,
@@ -103,7 +103,7 @@ impl Run {
         [
             self.name.into(),
             self.step_size.to_string(),
-            self.looks.to_string(),
+            self.evaluations.to_string(),
             format!("{:.1}", self.time.as_secs_f64() * 1e3),
             format!("{:.1e}", self.energy_error),
             format!("{:.1e}", self.distance),
@@ -119,11 +119,11 @@ fn run<M: Method<DoublePendulum, f64>>(
     truth: &[Arms],
 ) -> Result<Run, Box<dyn Error>> {
     let steps = (SECONDS / h).round() as u64;
-    let looks = looks(SYSTEM, method, h, start(), steps)?;
+    let evaluations = evaluations(SYSTEM, method, h, start(), steps)?;
     let time = shortest(|| SYSTEM.integrator(method, h, start()).advance(steps))?;
     let samples = samples(method, h)?;
     let distance = distance(&samples, truth);
-    Ok(Run { name, step_size: h, looks, time, energy_error: energy_error(&samples), samples, distance })
+    Ok(Run { name, step_size: h, evaluations, time, energy_error: energy_error(&samples), samples, distance })
 }
 
 fn samples<M: Method<DoublePendulum, f64>>(method: M, h: f64) -> Result<Vec<Arms>, StepError> {

@@ -103,7 +103,7 @@ fn run<S: Hamiltonian, M: Method<S>>(
     h: f64,
     start: State<S::Coordinates>,
 ) -> Run {
-    let mut sim = system.integrator(method, h, start);
+    let mut sim = Integrator::new(system, method, h, start);
     let first = sim.energy();
     let (mut largest, mut errors, mut due) = (0.0_f64, Vec::new(), 0);
     for n in 1..=STEPS {

@@ -7,7 +7,7 @@
 //! table 2.2: heliocentric, equatorial, for September 5, 1994, at 0h00.
 
 use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_examples::{claim, evaluations, output, shortest, shown, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -154,7 +154,7 @@ fn implicit<M: Method<OuterSolarSystem, f64>>(
     steps: u64,
     bar: &ProgressBar,
 ) -> Result<Run, Box<dyn Error>> {
-    let forces = looks(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
+    let forces = evaluations(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
     Ok(run(name, method, steps, forces, bar)?)
 }
 

@@ -49,7 +49,7 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 tolerance: f64,
                 state: #state<#coordinates>,
             ) -> Adaptive<Self, M, #float> {
-                Hamiltonian::adaptive(self, method, tolerance, state)
+                Adaptive::new(self, method, tolerance, state)
             }
         }
     });
@@ -73,7 +73,7 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 h: #float,
                 state: #state<#coordinates>,
             ) -> Integrator<Self, M, #float> {
-                PhaseSpace::integrator(self, method, h, state)
+                Integrator::new(self, method, h, state)
             }
 
             #adaptive

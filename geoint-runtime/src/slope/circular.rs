@@ -1,7 +1,7 @@
 //! The circle: sines of half an increment, angles between two points.
 
 use super::{away, either, factorial, polynomial, series, tiny};
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// sin x / x.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Exponentials, logarithms and powers.
 
 use super::{away, either, factorial, polynomial, recip_positive, series, tiny};
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// exp[a, b] = e^M·(1 − e^(−d))/d, M the larger argument, d = |b − a|.
 #[inline(always)]

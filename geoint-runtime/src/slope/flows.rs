@@ -1,7 +1,7 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
 use super::{either, factorial, polynomial, series};
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// φ₁(x) = (eˣ − 1)/x.
 #[inline(always)]

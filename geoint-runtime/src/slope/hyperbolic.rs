@@ -1,7 +1,7 @@
 //! Hyperbolic functions.
 
 use super::{away, either, factorial, polynomial, series, tiny};
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// sinh x / x.
 #[inline(always)]

@@ -1,7 +1,7 @@
 //! Where functions end or are not smooth.
 
 use super::{away, tiny};
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// 1/x of a positive number, NaN of any other: of logarithms and of poles only one side belongs to a trajectory.
 #[inline(always)]

@@ -21,7 +21,7 @@ pub use flows::{grown, phi_1, phi_1_derivative, stumpff_c0, stumpff_c1, stumpff_
 pub use hyperbolic::{sinhc, sinhc_derivative, tanh, tanh_derivative};
 pub use kinks::{abs, abs_derivative, at_most, bounded, not_negative, recip_positive, root};
 
-use crate::real::Real;
+use crate::scalar::Real;
 
 /// A number that is lost when it is added to any other one, and that can still be divided by. (A sum keeps what is not a
 /// number, which `max` would lose.)

@@ -1,8 +1,8 @@
 //! A flow against its differential equation, and against what all contact flows have in common.
 
 use crate::measure::field;
-use geoint_runtime::contact::{Clock, Contact, Pieces};
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Clock, Contact, Pieces};
 use geoint_runtime::{Coordinates, PhaseSpace, Real, StepError};
 use geoint_tests::measure::{Noise, extrapolated};
 use geoint_tests::scalars::{Double, Dual, Scalar};
@@ -74,7 +74,7 @@ where
     S: Pieces<R, Array = [R; N]>,
 {
     let state = ContactState::at(R::from_f64(t), point::<R, N, S>(&x[..N]), point::<R, N, S>(&x[N..2 * N]), x[2 * N]);
-    let mut sim = PhaseSpace::integrator(system, ContactSplitting, R::from_f64(h), state);
+    let mut sim = Integrator::new(system, ContactSplitting, R::from_f64(h), state);
     let outcome = sim.step();
     let state = sim.state();
     let end = [state.q.into_array().as_slice(), state.p.into_array().as_slice(), &[state.s]].concat();

@@ -2,8 +2,8 @@
 
 use crate::measure::{run, solution};
 use geoint_runtime::StepError;
-use geoint_runtime::contact::{Clock, Pieces};
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Clock, Pieces};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;
 
@@ -69,7 +69,7 @@ where
     S: Pieces<Coordinates = f64>,
     M: Method<S, f64>,
 {
-    let mut sim = PhaseSpace::integrator(system, method, h, ContactState::at(0.0, 0.3, 0.2, 0.1));
+    let mut sim = Integrator::new(system, method, h, ContactState::at(0.0, 0.3, 0.2, 0.1));
     let outcome = (0..80 / steps).try_for_each(|_| sim.advance(steps));
     let refused = matches!(outcome, Err(StepError::OutsideDomain { .. } | StepError::Pole { .. }));
     assert!(refused, "{name}, h = {h}: {outcome:?}");

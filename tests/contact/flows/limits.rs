@@ -1,8 +1,8 @@
 //! Coefficients that go through zero: no flow notices.
 
 use super::check::step;
-use geoint_runtime::contact::Pieces;
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::Pieces;
 
 /// An energy with a coefficient c a line.
 macro_rules! limits {

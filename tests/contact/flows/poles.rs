@@ -2,8 +2,8 @@
 
 use super::check::step;
 use geoint_runtime::StepError;
-use geoint_runtime::contact::Pieces;
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::Pieces;
 
 /// An energy with a start, a time there, and the lengths after which its flow ends, of either sign.
 macro_rules! poles {

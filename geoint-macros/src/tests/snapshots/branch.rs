@@ -88,7 +88,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -99,7 +99,7 @@ const _: () = {
             tolerance: f64,
             state: State<f64>,
         ) -> Adaptive<Self, M, f64> {
-            Hamiltonian::adaptive(self, method, tolerance, state)
+            Adaptive::new(self, method, tolerance, state)
         }
     }
     impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
@@ -195,7 +195,14 @@ const _: () = {
             [h]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let k0 = R::from_f64(0.0);
             let q0 = q[0];
             let k2 = R::from_f64(4.0);
@@ -216,7 +223,14 @@ const _: () = {
             p[0] = v7;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let prepared_0 = prepared[0];
@@ -244,6 +258,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn gradient_kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 1],
@@ -329,7 +344,7 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
             let p0 = y[1][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -361,6 +376,7 @@ const _: () = {
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 0],
             start: &[R; 11],
             d: &[[R; 1]; 2],
@@ -460,7 +476,7 @@ const _: () = {
             jacobian[1][0][1][0] = k5;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn drift(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
         }
@@ -478,12 +494,13 @@ const _: () = {
             ([*q, *p], [*q, *p])
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn velocity(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut velocity = <[[R; 1]; 2] as Array>::zero();
             velocity
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 0],
             t: R,
             y: &[[R; 1]; 2],
@@ -528,7 +545,7 @@ const _: () = {
             jacobian[1][0][1][0] = k2;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
+        fn add(&self, prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
             y[0][0] = w.multiply_add(f[0][0], y[0][0]);
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);
         }

@@ -85,7 +85,7 @@ const _: () = {
             h: f64,
             state: State<[f64; 2]>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -96,7 +96,7 @@ const _: () = {
             tolerance: f64,
             state: State<[f64; 2]>,
         ) -> Adaptive<Self, M, f64> {
-            Hamiltonian::adaptive(self, method, tolerance, state)
+            Adaptive::new(self, method, tolerance, state)
         }
     }
     impl<R: Real> Conservative<R> for Coupled {}
@@ -173,6 +173,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -182,6 +183,7 @@ const _: () = {
             match *never {}
         }
         fn drift(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -198,6 +200,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn gradient_kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -217,7 +220,7 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
+        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
             let q0 = y[0][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -233,6 +236,7 @@ const _: () = {
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 0],
             start: &[R; 8],
             d: &[[R; 2]; 2],
@@ -300,7 +304,7 @@ const _: () = {
             jacobian[1][1][1][1] = k15;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn drift(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut drift = <[[R; 2]; 2] as Array>::zero();
             drift
         }
@@ -318,12 +322,13 @@ const _: () = {
             ([*q, *p], [*q, *p])
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn velocity(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut velocity = <[[R; 2]; 2] as Array>::zero();
             velocity
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 0],
             t: R,
             y: &[[R; 2]; 2],
@@ -376,7 +381,7 @@ const _: () = {
             jacobian[1][1][1][1] = k8;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {
+        fn add(&self, prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {
             y[0][0] = w.multiply_add(f[0][0], y[0][0]);
             y[0][1] = w.multiply_add(f[0][1], y[0][1]);
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);

@@ -98,7 +98,7 @@ const _: () = {
             h: f64,
             state: State<f64>,
         ) -> Integrator<Self, M, f64> {
-            PhaseSpace::integrator(self, method, h, state)
+            Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
@@ -109,7 +109,7 @@ const _: () = {
             tolerance: f64,
             state: State<f64>,
         ) -> Adaptive<Self, M, f64> {
-            Hamiltonian::adaptive(self, method, tolerance, state)
+            Adaptive::new(self, method, tolerance, state)
         }
     }
     impl<R: Real> Conservative<R> for Pendulum<R> {}
@@ -205,7 +205,14 @@ const _: () = {
             [v2]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let q0 = q[0];
             let prepared_0 = prepared[0];
             let p0 = p[0];
@@ -214,7 +221,14 @@ const _: () = {
             p[0] = v1;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let prepared_0 = prepared[0];
             let p0 = p[0];
             let q0 = q[0];
@@ -235,13 +249,14 @@ const _: () = {
         }
         #[inline(always)]
         fn gradient_kick(
+            &self,
             prepared: &(<Self as Collocation<R>>::Constants, [R; 2]),
             t: R,
             q: &mut [R; 1],
             p: &mut [R; 1],
             s: &mut (),
         ) {
-            gradient_kick::<Self, R>(prepared, t, q, p);
+            gradient_kick(self, prepared, t, q, p);
         }
     }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
@@ -290,12 +305,13 @@ const _: () = {
             [v2, v4, v11, v12]
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
+        fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
             let q0 = y[0];
             [q0]
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 4],
             start: &[R; 1],
             d: &[R; 1],
@@ -323,6 +339,7 @@ const _: () = {
         }
         #[inline(always)]
         fn equation(
+            &self,
             _: (&Self::Constants, R),
             prepared: &[R; 4],
             start: &[R; 1],
@@ -352,7 +369,7 @@ const _: () = {
             matrix[0][0] = v12;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
+        fn drift(&self, prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
             let mut drift = <[R; 1] as Array>::zero();
             let prepared_3 = prepared[3];
             let dp0 = p[0];
@@ -384,7 +401,7 @@ const _: () = {
             (*q, *p)
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
+        fn velocity(&self, prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
             let mut velocity = <[R; 1] as Array>::zero();
             let prepared_1 = prepared[1];
             let p0 = p[0];
@@ -394,6 +411,7 @@ const _: () = {
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 2],
             t: R,
             y: &[R; 1],
@@ -409,7 +427,7 @@ const _: () = {
             jacobian[0][0] = v3;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
+        fn add(&self, prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
             let prepared_1 = prepared[1];
             let p0 = f[0];
             let v0 = prepared_1 * p0;

@@ -1,0 +1,131 @@
+//! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
+
+use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::Summation;
+use crate::system::PhaseSpace;
+
+/// Weights γ₁, …, γ_K, reading the same from both ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Composition<const K: usize> {
+    order: u32,
+    gamma: [f64; K],
+}
+
+impl<const K: usize> Composition<K> {
+    /// A palindrome given by its first half (the middle included).
+    pub(crate) const fn palindrome<const HALF: usize>(order: u32, half: [f64; HALF]) -> Self {
+        assert!(HALF == K.div_ceil(2));
+        let mut gamma = [0.0; K];
+        let mut i = 0;
+        while i < K {
+            gamma[i] = half[if i < HALF { i } else { K - 1 - i }];
+            i += 1;
+        }
+        Composition { order, gamma }
+    }
+
+    /// This composition of a symmetric map of order 2.
+    ///
+    /// The map must be exactly symmetric; implicit maps are solved to rounding for that reason. Compositions of
+    /// [`StormerVerlet`] and [`PositionVerlet`] become splitting tables with neighbouring flows merged.
+    pub fn of<M: SymmetricMap>(self, map: M) -> M::Composed<K> {
+        map.compose(self)
+    }
+
+    /// The order for a map of order 2.
+    pub const fn order(&self) -> u32 {
+        self.order
+    }
+
+    /// The weights.
+    pub const fn weights(&self) -> &[f64; K] {
+        &self.gamma
+    }
+}
+
+/// A symmetric map of order 2.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
+    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for quadratic fields: `Kahan`",
+    note = "maps for every energy: `ImplicitMidpoint`, `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`, `ItohAbePair`",
+    note = "maps for contact systems: `ContactSplitting`, `ContactLeapfrog`, `ContactMidpoint`, `ContactDiscreteGradient`"
+)]
+pub trait SymmetricMap: Copy {
+    /// The composed method.
+    type Composed<const K: usize>;
+    /// Composes.
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K>;
+}
+
+/// Maps of which a composition is one substep after the other.
+macro_rules! substeps {
+    ($([$($generic:tt)*] $map:ty);*) => { $(
+        impl<$($generic)*> crate::method::composition::SymmetricMap for $map {
+            type Composed<const SUBSTEPS: usize> = crate::method::composition::Composed<$map, SUBSTEPS>;
+            fn compose<const SUBSTEPS: usize>(
+                self,
+                composition: crate::method::composition::Composition<SUBSTEPS>,
+            ) -> Self::Composed<SUBSTEPS> {
+                crate::method::composition::Composed { map: self, composition }
+            }
+        }
+    )* };
+}
+pub(crate) use substeps;
+
+impl SymmetricMap for StormerVerlet {
+    type Composed<const K: usize> = Splitting<K, KickFirst>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, KickFirst> {
+        Splitting::of_verlet(composition.order, composition.gamma)
+    }
+}
+
+impl SymmetricMap for PositionVerlet {
+    type Composed<const K: usize> = Splitting<K, DriftFirst>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
+        Splitting::of_verlet(composition.order, composition.gamma)
+    }
+}
+
+/// A symmetric composition of a map whose steps share nothing: one substep after the other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Composed<M, const K: usize> {
+    pub(crate) map: M,
+    pub(crate) composition: Composition<K>,
+}
+
+impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+    /// Each substep with the time, after the start, at which it begins.
+    type Prepared = [(M::Prepared, R); K];
+    /// That of each substep.
+    type Memory = [M::Memory; K];
+
+    fn claims(&self) -> Claims {
+        Claims { order: self.composition.order, ..self.map.claims() }
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        let gamma = &self.composition.gamma;
+        core::array::from_fn(|i| {
+            let reached = gamma[..i].iter().sum();
+            (self.map.prepare(system, R::from_f64(gamma[i]) * h), R::from_f64(reached) * h)
+        })
+    }
+
+    fn memory() -> Self::Memory {
+        core::array::from_fn(|_| M::memory())
+    }
+
+    #[inline]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        mut step: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let mut substeps = prepared.iter().zip(memory);
+        let t = step.t;
+        substeps.try_for_each(|((substep, after), memory)| M::step(substep, memory, step.part(t + *after)))
+    }
+}

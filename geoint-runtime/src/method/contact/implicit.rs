@@ -1,0 +1,113 @@
+//! Implicit steps of contact systems: one equation for the increments of q, p and s together.
+
+use super::{ContactDiscreteGradient, ContactMidpoint};
+use crate::method::composition::substeps;
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::scalar::{Real, zero};
+use crate::solving::newton::Newton;
+use crate::space::{Array, Square, Summation};
+use crate::system::ImplicitStep;
+
+/// What a step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<P, R> {
+    constants: P,
+    half: R,
+}
+
+/// What a step of `M` needs.
+type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
+
+/// A step that evaluates the energy at x + `ahead`·d.
+#[inline(always)]
+fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+    Prepared { constants, half }: &PreparedFor<S, M, R>,
+    newton: &mut Newton<S::Unknown>,
+    ahead: f64,
+    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+) -> Result<(), Refusal> {
+    let (none, n, middle) = (S::Unknown::zero(), S::Array::LEN, t + *half);
+    let mut origin = none;
+    let entries = origin.as_mut_slice();
+    entries[..n].copy_from_slice(x.q.as_slice());
+    entries[n..2 * n].copy_from_slice(x.p.as_slice());
+    entries[2 * n] = x.s;
+    let start = system.begin(constants, middle, &origin);
+
+    // Φ(Φ(0)) is the explicit midpoint rule, or as good.
+    let explicit = || {
+        let [mut once, mut twice] = [none; 2];
+        let mut unused = S::Unknown::fill(none);
+        system.image(constants, &start, &none, &mut once, &mut unused);
+        system.image(constants, &start, &once, &mut twice, &mut unused);
+        twice
+    };
+    let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
+        let (mut seen, mut f) = (origin, none);
+        seen.add_scaled(R::from_f64(ahead), d);
+        let (q, p, s) = apart::<S, M, R>(&seen);
+        probe.visit(middle, &q, &p, &s);
+        system.image(constants, &start, d, &mut f, matrix);
+        f
+    };
+    let image = |probe: &mut P, d: &S::Unknown| evaluate(probe, d, &mut S::Unknown::fill(none));
+    let still = P::PATIENT.then_some(0.0);
+    let (d, _) = newton.solve((&origin, still), explicit, probe, image, evaluate)?;
+
+    let end = system.end(constants, &start, &d);
+    if !end.is_finite() {
+        return Err(Refusal::Singular);
+    }
+    let (dq, dp, ds) = apart::<S, M, R>(&end);
+    let (q, p, s) = (x.q, x.p, x.s);
+    x.add(&dq, &dp);
+    x.s += ds;
+    check_end(system, [t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s])
+}
+
+/// Positions, momenta and the action.
+#[inline(always)]
+fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Array, R) {
+    let n = S::Array::LEN;
+    let (mut q, mut p) = (S::Array::zero(), S::Array::zero());
+    q.as_mut_slice().copy_from_slice(&x.as_slice()[..n]);
+    p.as_mut_slice().copy_from_slice(&x.as_slice()[n..2 * n]);
+    (q, p, x.as_slice().last().copied().unwrap_or_else(zero))
+}
+
+/// Makes methods of this: where they look at the energy, whether the step is a contact map, whether H decays as the equation says.
+macro_rules! methods {
+    ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
+        impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
+            type Prepared = PreparedFor<S, Self, R>;
+            type Memory = Newton<S::Unknown>;
+
+            fn claims(&self) -> Claims {
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
+            }
+
+            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+                Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h }
+            }
+
+            fn memory() -> Self::Memory {
+                Newton::new()
+            }
+
+            #[inline(always)]
+            fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                at: Step<'_, S, R, C, P>,
+            ) -> Result<(), Refusal> {
+                step::<S, Self, R, C, P>(prepared, memory, $ahead, at)
+            }
+        }
+    )* };
+}
+
+methods! {
+    ContactMidpoint: 0.5, true, false;
+    ContactDiscreteGradient: 1.0, false, true;
+}
+substeps!([] ContactMidpoint; [] ContactDiscreteGradient);

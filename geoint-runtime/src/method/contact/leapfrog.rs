@@ -1,0 +1,82 @@
+//! The variational integrator of Herglotz' principle.
+
+use crate::method::composition::substeps;
+use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::Array;
+use crate::space::{Point, Summation};
+use crate::system::Mechanical;
+
+/// p₁ = [(1 − h g₀/2) p₀ − h/2 (V'(q₀, t₀) + V'(q₁, t₁))]/(1 + h g₁/2), with g₀ = g(t₀), g₁ = g(t₁) and q₁ = q₀ + h T'(p) of the
+/// momentum p in between: leapfrog with trapezoidal damping, solved for. Order 2, symmetric, a contact map, one force a step.
+///
+/// For H = T(p) + g(t)·s + V(q, t). Damping enters by a quotient that is not positive for h g ≥ 2: such a step is refused, where
+/// [`ContactSplitting`] keeps e^(−hg). With constant g it is velocity Verlet with trapezoidal damping.
+/// M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206; both halves of the time dependence are taken into account.
+///
+/// [`ContactSplitting`]: crate::ContactSplitting
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ContactLeapfrog;
+
+/// What a step needs.
+#[derive(Clone, Copy)]
+pub struct Prepared<S: Mechanical<R>, R: Real> {
+    h: R,
+    half_kick: S::Kick,
+    drift: S::FreeDrift,
+}
+
+impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
+    type Prepared = Prepared<S, R>;
+    type Memory = ();
+
+    fn claims(&self) -> Claims {
+        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
+        let half_kick = system.prepare_kick(R::from_f64(0.5) * h);
+        Prepared { h, half_kick, drift: system.prepare_free_drift(h) }
+    }
+
+    fn memory() {}
+
+    #[inline(always)]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &Prepared<S, R>,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * prepared.h);
+        let end = t + prepared.h;
+        let before = one - half * system.damping(t);
+        let after = one + half * system.damping(end);
+        if before.any_below(f64::MIN_POSITIVE) || after.any_below(f64::MIN_POSITIVE) {
+            return Err(Refusal::Singular);
+        }
+        probe.visit(t, &x.q, &x.p, &x.s);
+        scale(before, x);
+        // An action that nobody reads ends here, and with it what it is computed from.
+        let unread = x.s;
+        system.kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
+        system.free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
+        probe.visit(end, &x.q, &x.p, &x.s);
+        system.kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
+        scale(one / after, x);
+        if !C::ACTION {
+            x.s = unread;
+        }
+        Ok(())
+    }
+}
+
+/// (p, s) ← w·(p, s).
+#[inline(always)]
+fn scale<A: Array, C>(w: A::Real, x: &mut Point<A, C, A::Real>) {
+    for p in x.p.as_mut_slice() {
+        *p = w * *p;
+    }
+    x.s = w * x.s;
+}
+
+substeps!([] ContactLeapfrog);

@@ -1,0 +1,135 @@
+//! The tree discrete gradient, ∇H and their derivatives in all coordinates x = (q, p), from the field of implicit methods.
+
+use super::matrix::{Matrix, entries, moved, opposite};
+use crate::method::Probe;
+use crate::scalar::Real;
+use crate::space::{Array, Square};
+use crate::system::{Conservative, DiscreteField};
+
+/// A gradient, or a mean of gradients between x and x + d, and its derivative with respect to x, or d.
+#[derive(Clone, Copy, Debug)]
+pub struct Slope<A: Array> {
+    /// The gradient.
+    pub g: [A; 2],
+    /// ∂gᵢ/∂xⱼ or ∂gᵢ/∂dⱼ, a row an entry of g.
+    pub derivative: Matrix<A>,
+}
+
+/// A mean gradient between x and x + d that depends on the way there.
+#[derive(Clone, Copy, Debug)]
+pub struct Staircase<A: Array> {
+    /// The mean gradient.
+    pub g: [A; 2],
+    /// Its derivative with respect to x, with x + d fixed.
+    pub start: Matrix<A>,
+    /// Its derivative with respect to x + d, with x fixed.
+    pub end: Matrix<A>,
+}
+
+/// An energy seen during one step, at the time of its middle unless said otherwise.
+#[derive(Debug)]
+pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
+    pub(super) system: &'a S,
+    pub(super) constants: &'a S::Constants,
+    pub(super) parameters: &'a S::Parameters,
+    pub(super) probe: &'a mut P,
+    /// The time of the middle of the step.
+    pub t: R,
+    /// The step size.
+    pub h: R,
+}
+
+impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {
+    /// The tree discrete gradient between x and x + d, and its derivative with respect to d.
+    #[inline]
+    pub fn tree(&mut self, x: &[S::Array; 2], d: &[S::Array; 2]) -> Slope<S::Array> {
+        let end = moved(x, R::from_f64(1.0), d);
+        self.probe.visit(self.t, &x[0], &x[1], &());
+        self.probe.visit(self.t, &end[0], &end[1], &());
+        let (y, mut mean) = S::start(&x[0], &x[1]);
+        let (change, impulse) = S::start(&d[0], &d[1]);
+        let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+        let start = self.system.begin(self.parameters, self.t, &y);
+        self.system.slope(self.parameters, &start, &change, &mut f, &mut jacobian);
+        let half = R::from_f64(0.5);
+        mean.add_scaled(half, &impulse);
+        self.slope(&mean, half, &f, &mut jacobian)
+    }
+
+    /// ∇H and the Hessian at a point.
+    #[inline]
+    pub fn gradient(&mut self, t: R, x: &[S::Array; 2]) -> Slope<S::Array> {
+        self.probe.visit(t, &x[0], &x[1], &());
+        let (y, p) = S::start(&x[0], &x[1]);
+        let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+        self.system.field(self.constants, t, &y, &mut f, &mut jacobian);
+        self.slope(&p, R::from_f64(1.0), &f, &mut jacobian)
+    }
+
+    /// g with Jg = f; or with f as −∂V/∂q alone, if T is quadratic: ∂T/∂p at the momentum p then has the derivative w·M⁻¹.
+    #[inline(always)]
+    fn slope(&self, p: &S::Unknown, w: R, f: &S::Unknown, jacobian: &mut Square<S::Unknown>) -> Slope<S::Array> {
+        let (none, n) = (S::Unknown::zero(), S::Array::LEN);
+        let first_order = S::DERIVATIVE == 1;
+        let rate = if first_order { *f } else { self.system.velocity(self.constants, p) };
+        let [rate, force] = S::increments(&rate, f);
+        let mut slope = Slope { g: [opposite(&force), rate], derivative: Matrix::zero() };
+        let rows = slope.derivative.rows();
+        let force_rows = if first_order { n } else { 0 };
+        for (i, row) in S::Unknown::entries::<S::Unknown>(jacobian).iter().enumerate() {
+            let row = S::increments(row, &none);
+            if i < force_rows {
+                rows[n + i] = row;
+            } else {
+                rows[i - force_rows] = opposite(&row);
+            }
+        }
+        if !first_order {
+            for i in 0..n {
+                let (mut unit, mut row) = (none, none);
+                unit.as_mut_slice()[i] = R::from_f64(1.0);
+                self.system.add(self.constants, w, &unit, &mut row);
+                rows[n + i] = S::increments(&none, &row);
+            }
+        }
+        slope
+    }
+
+    /// The tree discrete gradient along corners between x and x + d, of which neighbours differ in `block` coordinates.
+    ///
+    /// Each entry comes from the edge along which its coordinate moves. With blocks of one coordinate that entry is the
+    /// exact divided difference of H: the discrete chain rule has no other term.
+    #[inline]
+    pub fn staircase(&mut self, x: &[S::Array; 2], d: &[S::Array; 2], block: usize) -> Staircase<S::Array> {
+        let mut stairs = Staircase { g: Array::zero(), start: Matrix::zero(), end: Matrix::zero() };
+        let mut corner = *x;
+        for first in (0..2 * S::Array::LEN).step_by(block.max(1)) {
+            let moving = first..first + block;
+            let mut edge = <[S::Array; 2]>::zero();
+            entries(&mut edge)[moving.clone()].copy_from_slice(&Array::as_slice(d)[moving.clone()]);
+            let next = moved(&corner, R::from_f64(1.0), &edge);
+            // The tree gradient is symmetric: from the other end, the derivative is that with respect to this one.
+            let mut ahead = self.tree(&corner, &edge);
+            let mut back = self.tree(&next, &opposite(&edge));
+            for i in moving.clone() {
+                entries(&mut stairs.g)[i] = Array::as_slice(&ahead.g)[i];
+                let (at_end, at_start) = (ahead.derivative.rows()[i], back.derivative.rows()[i]);
+                let start = entries(&mut stairs.start.rows()[i]);
+                let end = entries(&mut stairs.end.rows()[i]);
+                for (j, (at_end, at_start)) in
+                    Array::as_slice(&at_end).iter().zip(Array::as_slice(&at_start)).enumerate()
+                {
+                    if moving.contains(&j) {
+                        (start[j], end[j]) = (*at_start, *at_end);
+                    } else {
+                        // The coordinate is where it has been moved to already, or where it still is, at both corners.
+                        let here = if j < first { &mut end[j] } else { &mut start[j] };
+                        *here = *at_start + *at_end;
+                    }
+                }
+            }
+            corner = next;
+        }
+        stairs
+    }
+}

@@ -1,0 +1,136 @@
+//! Steps along a mean of ∇H between their ends: one driver for all of them.
+
+use super::energy::{Energy, Slope};
+use super::matrix::{entries, moved, scaled, turned};
+use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
+use crate::method::composition::SymmetricMap;
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::scalar::Real;
+use crate::solving::quasi_newton;
+use crate::space::Array;
+use crate::space::{Compensated, Summation};
+use crate::system::{Conservative, DiscreteField};
+
+/// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
+///
+/// A discrete gradient has g·d = H(x + d) − H(x), and then the energy is kept: d·g = h Jg·g = 0.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a step along a mean of gradients",
+    note = "means of order 2: `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`"
+)]
+pub trait MeanGradient: Copy {
+    /// Whether ∂g/∂d is symmetric.
+    const CURL_FREE: bool = false;
+
+    /// Whether g is a discrete gradient of the system, so that steps keep the energy.
+    fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
+        true
+    }
+
+    /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`], which has
+    /// its order from it.
+    ///
+    /// # Errors
+    /// Where g does not exist.
+    fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
+        &self,
+        energy: &mut Energy<'_, S, R, P>,
+        x: &[S::Array; 2],
+        d: &[S::Array; 2],
+    ) -> Result<Slope<S::Array>, Refusal>;
+}
+
+/// Coefficients of a step.
+#[derive(Clone, Debug)]
+pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
+    mean: G,
+    constants: S::Constants,
+    parameters: S::Parameters,
+    h: R,
+}
+
+impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
+    pub(super) fn new(mean: G, system: &S, h: R) -> Self {
+        Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h }
+    }
+
+    #[inline]
+    pub(super) fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        &self,
+        sums: &mut [Compensated<S::Array>; 2],
+        Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let Prepared { mean, constants, parameters, h } = self;
+        let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
+        let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
+        let x = [point.q, point.p];
+        // The explicit midpoint rule.
+        let rate = turned(&energy.gradient(t, &x).g);
+        let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
+        let guess = scaled(*h, &rate);
+        let d = quasi_newton::solve(&x, guess, |d, residual, matrix| {
+            let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
+            // d − h J g and 1 − h J ∂g/∂d.
+            *residual = moved(d, -*h, &turned(&g));
+            let (derivative, rows) = (derivative.rows(), <[S::Array; 2]>::entries::<[S::Array; 2]>(matrix));
+            for i in 0..n {
+                rows[i] = scaled(-*h, &derivative[n + i]);
+                rows[n + i] = scaled(*h, &derivative[i]);
+            }
+            for (i, row) in rows.iter_mut().enumerate() {
+                entries(row)[i] += R::from_f64(1.0);
+            }
+            Ok(())
+        })?;
+        point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
+        check_end(system, [t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()])
+    }
+}
+
+/// Makes methods of means: the order, whether it is symmetric, whether it keeps the energy.
+macro_rules! methods {
+    ($system:ident, $([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $order:literal, $symmetric:literal, $energy:expr;)*) => { $(
+        impl<$system, R, $($generic)*> Method<$system, R> for $mean
+        where
+            $system: DiscreteField<R> + Conservative<R>,
+            R: Real,
+            $($bounded: $bound,)?
+        {
+            type Prepared = Prepared<Self, $system, R>;
+            /// The compensations of the sums of q and p.
+            type Memory = [Compensated<$system::Array>; 2];
+
+            fn claims(&self) -> Claims {
+                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy }
+            }
+
+            fn prepare(&self, system: &$system, h: R) -> Self::Prepared {
+                Prepared::new(*self, system, h)
+            }
+
+            fn memory() -> Self::Memory {
+                [Compensated::new(); 2]
+            }
+
+            #[inline]
+            fn step<C: Summation<$system::Array>, P: Probe<$system, R>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                step: Step<'_, $system, R, C, P>,
+            ) -> Result<(), Refusal> {
+                prepared.step(memory, step)
+            }
+        }
+    )* };
+}
+
+methods! { S,
+    [] ItohAbe: 1, false, true;
+    [] ItohAbeAdjoint: 1, false, true;
+    [] SymmetrisedItohAbe: 2, true, true;
+    [] Gonzalez: 2, true, true;
+    [] CoordinateIncrement: 1, false, true;
+    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_exact::<S, R>();
+    [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, G::is_exact::<S, R>();
+}

@@ -1,0 +1,211 @@
+//! Explicit Runge–Kutta methods: yᵢ = x₀ + h Σ aᵢⱼ kⱼ, kᵢ = J∇H(yᵢ), x₁ = x₀ + h Σ bᵢ kᵢ.
+//!
+//! They keep nothing by themselves. They are here because [`Projection`](crate::Projection) and
+//! [`Relaxation`](crate::Relaxation) make them keep the energy, and as the measure of what that is worth.
+
+#![allow(non_upper_case_globals)]
+#![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
+
+use crate::method::tableau::Tableau;
+use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::Array;
+use crate::space::Summation;
+use crate::system::Hamiltonian;
+
+/// An explicit Runge–Kutta method of `K` stages, for every H.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RungeKutta<const K: usize> {
+    order: u32,
+    tableau: Tableau<K>,
+}
+
+/// The classical method. Order 4, 4 gradients, for every H; keeps nothing. W. Kutta, Z. Math. Phys. 46 (1901) 435.
+pub const RK4: RungeKutta<4> = RungeKutta::new(
+    4,
+    [0.0, 0.5, 0.5, 1.0],
+    [&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
+    [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
+);
+
+/// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 without its estimators: E. Hairer, S. P.
+/// Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), section II.5, after J. R. Dormand & P. J. Prince;
+/// thirty digits as in their program.
+pub const DOP853: RungeKutta<12> = RungeKutta::new(
+    8,
+    [
+        0.0,
+        0.0526001519587677318785587544488,
+        0.0789002279381515978178381316732,
+        0.118350341907227396726757197510,
+        0.281649658092772603273242802490,
+        0.333333333333333333333333333333,
+        0.25,
+        0.307692307692307692307692307692,
+        0.651282051282051282051282051282,
+        0.6,
+        0.857142857142857142857142857142,
+        1.0,
+    ],
+    [
+        &[],
+        &[0.0526001519587677318785587544488],
+        &[0.0197250569845378994544595329183, 0.0591751709536136983633785987549],
+        &[0.0295875854768068491816892993775, 0.0, 0.0887627564304205475450678981324],
+        &[0.241365134159266685502369798665, 0.0, -0.884549479328286085344864962717, 0.924834003261792003115737966543],
+        &[
+            0.037037037037037037037037037037,
+            0.0,
+            0.0,
+            0.170828608729473871279604482173,
+            0.125467687566822425016691814123,
+        ],
+        &[0.037109375, 0.0, 0.0, 0.170252211019544039314978060272, 0.0602165389804559606850219397283, -0.017578125],
+        &[
+            0.0370920001185047927108779319836,
+            0.0,
+            0.0,
+            0.170383925712239993810214054705,
+            0.107262030446373284651809199168,
+            -0.0153194377486244017527936158236,
+            0.00827378916381402288758473766002,
+        ],
+        &[
+            0.624110958716075717114429577812,
+            0.0,
+            0.0,
+            -3.36089262944694129406857109825,
+            -0.868219346841726006818189891453,
+            27.5920996994467083049415600797,
+            20.1540675504778934086186788979,
+            -43.4898841810699588477366255144,
+        ],
+        &[
+            0.477662536438264365890433908527,
+            0.0,
+            0.0,
+            -2.48811461997166764192642586468,
+            -0.590290826836842996371446475743,
+            21.2300514481811942347288949897,
+            15.2792336328824235832596922938,
+            -33.2882109689848629194453265587,
+            -0.0203312017085086261358222928593,
+        ],
+        &[
+            -0.93714243008598732571704021658,
+            0.0,
+            0.0,
+            5.18637242884406370830023853209,
+            1.09143734899672957818500254654,
+            -8.14978701074692612513997267357,
+            -18.5200656599969598641566180701,
+            22.7394870993505042818970056734,
+            2.49360555267965238987089396762,
+            -3.0467644718982195003823669022,
+        ],
+        &[
+            2.27331014751653820792359768449,
+            0.0,
+            0.0,
+            -10.5344954667372501984066689879,
+            -2.00087205822486249909675718444,
+            -17.9589318631187989172765950534,
+            27.9488845294199600508499808837,
+            -2.85899827713502369474065508674,
+            -8.87285693353062954433549289258,
+            12.3605671757943030647266201528,
+            0.643392746015763530355970484046,
+        ],
+    ],
+    [
+        0.0542937341165687622380535766363,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        4.45031289275240888144113950566,
+        1.89151789931450038304281599044,
+        -5.8012039600105847814672114227,
+        0.31116436695781989440891606237,
+        -0.152160949662516078556178806805,
+        0.201365400804030348374776537501,
+        0.0447106157277725905176885569043,
+    ],
+);
+
+impl<const K: usize> RungeKutta<K> {
+    /// A method of order `order` with nodes `c`, weights `b` and, in row i, the i coefficients aᵢⱼ of stage i.
+    ///
+    /// # Panics
+    /// If a row is longer than the stages before it.
+    pub const fn new(order: u32, c: [f64; K], rows: [&[f64]; K], b: [f64; K]) -> Self {
+        let mut a = [[0.0; K]; K];
+        let mut i = 0;
+        while i < K {
+            assert!(rows[i].len() <= i, "stage i of an explicit method knows those before it");
+            let mut j = 0;
+            while j < rows[i].len() {
+                a[i][j] = rows[i][j];
+                j += 1;
+            }
+            i += 1;
+        }
+        RungeKutta { order, tableau: Tableau { a, b, c } }
+    }
+
+    /// The coefficients.
+    pub const fn tableau(&self) -> &Tableau<K> {
+        &self.tableau
+    }
+}
+
+/// The coefficients times h.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<R, const K: usize> {
+    a: [[R; K]; K],
+    b: [R; K],
+    c: [R; K],
+}
+
+impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
+    type Prepared = Prepared<R, K>;
+    type Memory = ();
+
+    fn claims(&self) -> Claims {
+        Claims { order: self.order, symmetric: false, symplectic: false, conserves_energy: false }
+    }
+
+    fn prepare(&self, _: &S, h: R) -> Self::Prepared {
+        let times_h = |row: [f64; K]| row.map(|x| R::from_f64(x) * h);
+        let Tableau { a, b, c } = self.tableau;
+        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c) }
+    }
+
+    fn memory() {}
+
+    #[inline]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        Prepared { a, b, c }: &Self::Prepared,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let none = S::Array::zero();
+        let (mut rates_q, mut rates_p) = ([none; K], [none; K]);
+        let sum = |weights: &[R], rates: &[S::Array]| {
+            let mut sum = none;
+            for (w, rate) in weights.iter().zip(rates) {
+                sum.add_scaled(*w, rate);
+            }
+            sum
+        };
+        for i in 0..K {
+            let (mut q, mut p) = (x.q, x.p);
+            q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_q));
+            p.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_p));
+            probe.visit(t + c[i], &q, &p, &());
+            system.rate(t + c[i], &q, &p, &mut rates_q[i], &mut rates_p[i]);
+        }
+        x.add(&sum(b, &rates_q), &sum(b, &rates_p));
+        Ok(())
+    }
+}

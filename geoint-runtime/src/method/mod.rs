@@ -1,0 +1,130 @@
+//! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
+
+pub mod composition;
+pub mod contact;
+pub mod corrected;
+pub mod discrete_gradient;
+pub mod explicit;
+mod field;
+pub mod gauss;
+pub mod kahan;
+mod probe;
+pub mod splitting;
+pub mod tableau;
+pub mod tables;
+
+pub use field::{gradient_kick, modified_verlet};
+pub(crate) use probe::check_end;
+pub use probe::{Probe, Unwatched};
+
+pub use crate::solving::Refusal;
+
+use crate::scalar::Real;
+use crate::space::{Point, Summation};
+use crate::system::PhaseSpace;
+
+/// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
+///
+/// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Claims {
+    /// Global error O(hᵖ).
+    pub order: u32,
+    /// Φ(−h) ∘ Φ(h) is the identity.
+    pub symmetric: bool,
+    /// The step is a symplectic map; of a contact system a contact map, which multiplies the form ds − p dq by a positive factor.
+    pub symplectic: bool,
+    /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
+    /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
+    pub conserves_energy: bool,
+}
+
+/// A one-step method for the system `S`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a method for `{S}`",
+    note = "a composition becomes a method with the map that it composes: `Yoshida4.of(StormerVerlet)`",
+    note = "`Gauss` has 1 to 6 stages"
+)]
+pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
+    /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
+    type Prepared: Clone;
+    /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
+    /// compensations of sums. `()` for most explicit methods.
+    type Memory: Clone;
+
+    /// What the method promises.
+    fn claims(&self) -> Claims;
+
+    /// Coefficients for steps of length `h`.
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared;
+
+    /// The memory before the first step.
+    fn memory() -> Self::Memory;
+
+    /// One step, in place. Every point at which the energy is evaluated is shown to `step.probe`.
+    ///
+    /// # Errors
+    /// Where the step has no result; point and memory are then worth nothing.
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal>;
+
+    /// `steps` steps, of which the `i`-th starts at `clock.at(i)`.
+    ///
+    /// # Errors
+    /// Where one of them has no result; point and memory are then worth nothing.
+    #[inline(always)]
+    fn advance<C: Summation<S::Array>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Array, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        for i in 0..steps {
+            let t = clock.at(i) + x.ahead;
+            Self::step(prepared, memory, Step { system, t, x, probe: &mut Unwatched })?;
+        }
+        Ok(())
+    }
+}
+
+/// A step that is about to be taken: of which system, when, from where, and who watches.
+#[derive(Debug)]
+pub struct Step<'a, S: PhaseSpace<R>, R: Real, C, P> {
+    /// The system with its parameters.
+    pub system: &'a S,
+    /// The time at which the step starts.
+    pub t: R,
+    /// The point that is moved.
+    pub x: &'a mut Point<S::Array, C, S::Action>,
+    /// Is shown every point at which the energy is evaluated.
+    pub probe: &'a mut P,
+}
+
+impl<S: PhaseSpace<R>, R: Real, C, P> Step<'_, S, R, C, P> {
+    /// A part of this step, from time `t` on.
+    #[inline(always)]
+    pub fn part(&mut self, t: R) -> Step<'_, S, R, C, P> {
+        Step { system: self.system, t, x: self.x, probe: self.probe }
+    }
+}
+
+/// The times at which steps start.
+#[derive(Clone, Copy, Debug)]
+pub struct Clock<R> {
+    pub(crate) t0: R,
+    pub(crate) h: R,
+    pub(crate) first: u64,
+}
+
+impl<R: Real> Clock<R> {
+    /// The time at which step `i` starts: t₀ + (n + i)·h.
+    #[inline(always)]
+    pub fn at(&self, i: u64) -> R {
+        R::time(self.t0, self.first + i, self.h)
+    }
+}

@@ -1,0 +1,345 @@
+//! Steps as long as their error allows.
+//!
+//! What a method keeps for every h it keeps here as well: the energy under a discrete gradient, a projection, a relaxation.
+//! What rests on equal steps is lost: a symplectic method drifts like any other.
+
+use super::watch::{Found, Watch};
+use crate::method::corrected::invariants::{plus, size};
+use crate::method::{Method, Probe, Step, Unwatched};
+use crate::running::error::{Reason, StepError};
+use crate::running::integrator::real;
+use crate::running::step_size::{Bounds, Controller};
+use crate::scalar::{Real, zero};
+use crate::space::Array;
+use crate::space::{Compensated, Point, Summation};
+use crate::space::{Coordinates, State};
+use crate::system::Hamiltonian;
+
+/// A point whose sums outlive a change of the step size.
+type Carried<A> = Point<A, Compensated<A>>;
+
+/// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
+///
+/// Every step is done in two halves, which are kept, and once as a whole. Their difference may be as large as `tolerance` times
+/// the largest position, and the largest momentum, met before. That is the error of the whole step; for a method of order p the
+/// error of the halves is a 2ᵖ-th part of it, which is not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
+/// error the last good state is still there.
+///
+/// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
+/// methods know how to guess. Sums of coordinates and of time are compensated.
+#[derive(Clone, Debug)]
+pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
+    system: S,
+    method: M,
+    tolerance: f64,
+    bounds: Bounds,
+    controller: Controller,
+    prepared: Prepared<M::Prepared>,
+    /// Of steps as a whole, and of their halves.
+    memory: [M::Memory; 2],
+    t: R,
+    t_sum: Compensated<R>,
+    x: Carried<S::Array>,
+    /// The largest position and the largest momentum so far.
+    largest: [f64; 2],
+    steps: u64,
+    rejections: u64,
+}
+
+/// Coefficients of a step as a whole, and of its halves.
+#[derive(Clone, Debug)]
+struct Prepared<P> {
+    h: f64,
+    whole: P,
+    half: P,
+}
+
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
+    /// A system under a method, with steps as long as the tolerance of a step's error allows, from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+    pub fn new(system: S, method: M, tolerance: f64, state: State<S::Coordinates>) -> Self {
+        let x = Carried::new(state.q.into_array(), state.p.into_array());
+        let controller = Controller::new(method.claims().order);
+        let mut sim = Adaptive {
+            system,
+            method,
+            tolerance,
+            bounds: Bounds::default(),
+            controller,
+            prepared: prepare(&system, &method, 1.0),
+            memory: [M::memory(), M::memory()],
+            t: state.t,
+            t_sum: Compensated::new(),
+            x,
+            largest: [magnitude(&x.q), magnitude(&x.p)],
+            steps: 0,
+            rejections: 0,
+        };
+        sim.controller.start(sim.guess(), tolerance);
+        sim
+    }
+
+    /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
+    ///
+    /// The last step on the way to a given time may be shorter.
+    pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
+        self.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
+        self
+    }
+
+    /// The first step; negative to go back in time. Without it one is guessed, forwards.
+    pub fn first_step(mut self, h: f64) -> Self {
+        self.controller.set(h);
+        self
+    }
+
+    /// In how long, roughly, the state changes by itself: the shortest of |q|/|q'|, |p|/|p'|.
+    fn guess(&self) -> f64 {
+        let [slope_q, slope_p] = self.gradient(&self.x);
+        let time = |x: f64, rate: f64| if x > 0.0 && rate > 0.0 { x / rate } else { f64::INFINITY };
+        time(self.largest[0], magnitude(&slope_p)).min(time(self.largest[1], magnitude(&slope_q)))
+    }
+
+    fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
+        let mut slopes = [S::Array::zero(); 2];
+        let [by_q, by_p] = &mut slopes;
+        self.system.gradient(self.t, &x.q, &x.p, by_q, by_p);
+        slopes
+    }
+
+    /// One step, of whatever length the tolerance allows.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.check_start()?;
+        self.step_within(f64::INFINITY)
+    }
+
+    /// Steps to the time `t`, before or after now: the last one ends there.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.until(t).try_for_each(|state| state.map(drop))
+    }
+
+    /// The state after every step to the time `t`, before or after now: the last one is there.
+    pub fn until(&mut self, t: R) -> Until<'_, S, M, R> {
+        Until { sim: self, t, failed: false }
+    }
+
+    fn step_towards(&mut self, t: R) -> Result<(), StepError> {
+        self.check_start()?;
+        let left = self.left(t);
+        if left.is_nan() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        self.controller.turn(left < 0.0);
+        self.step_within(left.abs())?;
+        // Methods that scale their steps end a little beside it, and take another one.
+        if self.left(t).abs() <= R::epsilon() * (real(t).abs() + self.step_size().abs()) {
+            (self.t, self.t_sum) = (t, Compensated::new());
+        }
+        Ok(())
+    }
+
+    fn left(&self, t: R) -> f64 {
+        let mut left = t - self.t;
+        left += -self.t_sum.carry();
+        real(left)
+    }
+
+    /// A step that is not longer than `left`.
+    fn step_within(&mut self, left: f64) -> Result<(), StepError> {
+        let t = real(self.t);
+        let bounds = self.bounds.at(t, R::epsilon());
+        loop {
+            let regular = self.controller.step(&bounds);
+            let h = if regular.abs() < left { regular } else { left.copysign(regular) };
+            if h == regular && h != self.prepared.h {
+                self.prepared = prepare(&self.system, &self.method, h);
+                self.memory = [M::memory(), M::memory()];
+            }
+            let (mut memory, shorter);
+            let prepared = if h == regular {
+                memory = self.memory.clone();
+                &self.prepared
+            } else {
+                memory = [M::memory(), M::memory()];
+                shorter = prepare(&self.system, &self.method, h);
+                &shorter
+            };
+            let (x, error) = match self.attempt(prepared, &mut memory, &mut Unwatched) {
+                Ok((x, error)) if error <= 1.0 => (x, error),
+                outcome => {
+                    self.rejections += 1;
+                    self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
+                    if h.abs() <= bounds.shortest {
+                        let reason = self.reason(h);
+                        return Err(StepError::StepTooSmall { t, h, reason });
+                    }
+                    continue;
+                }
+            };
+            if h == regular {
+                self.memory = memory;
+                self.controller.accept(h, error);
+            }
+            self.t_sum.add(&mut self.t, |t| *t += R::from_f64(h) + x.ahead);
+            self.largest = [self.largest[0].max(magnitude(&x.q)), self.largest[1].max(magnitude(&x.p))];
+            self.x = x;
+            self.x.ahead = zero();
+            self.steps += 1;
+            return Ok(());
+        }
+    }
+
+    /// A step in two halves, and its estimated error in units of what is tolerated.
+    fn attempt<P: Probe<S, R>>(
+        &self,
+        prepared: &Prepared<M::Prepared>,
+        [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
+        probe: &mut P,
+    ) -> Result<(Carried<S::Array>, f64), Reason> {
+        let half = R::from_f64(0.5 * prepared.h);
+        let (mut x, mut whole) = (self.x, self.x);
+        let system = &self.system;
+        M::step(&prepared.whole, memory_of_whole, Step { system, t: self.t, x: &mut whole, probe })?;
+        for end in [half, half + half] {
+            let start = self.t + (end - half) + x.ahead;
+            M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
+            if !x.is_finite() {
+                return Err(Reason::NonFinite);
+            }
+            if let Some(what) = self.system.outside_domain(self.t + end + x.ahead, &x.q, &x.p, &()) {
+                return Err(Reason::OutsideDomain { what });
+            }
+        }
+        let mut gap = plus([x.q, x.p], -1.0, &[whole.q, whole.p]);
+        // Where a method scales its steps, the two are at different times.
+        let late = x.ahead - whole.ahead;
+        if late.magnitude() != 0.0 {
+            let [slope_q, slope_p] = self.gradient(&x);
+            gap[0].add_scaled(-late, &slope_p);
+            gap[1].add_scaled(late, &slope_q);
+        }
+        // The step as a whole may have led to what is not a number.
+        if !gap.iter().all(Array::is_finite) {
+            return Err(Reason::NonFinite);
+        }
+        let later = [magnitude(&x.q), magnitude(&x.p)];
+        let [q, p] = [0, 1].map(|i| {
+            // What was zero so far is measured by what it becomes; else a wrong step could excuse itself by its size.
+            let largest = if self.largest[i] > 0.0 { self.largest[i] } else { later[i] };
+            let gap = magnitude(&gap[i]);
+            if gap == 0.0 { 0.0 } else { gap / (self.tolerance * largest) }
+        });
+        Ok((x, q.max(p)))
+    }
+
+    /// Why a step is refused: once more, watched.
+    #[cold]
+    fn reason(&self, h: f64) -> Reason {
+        let mut watch = Watch::new(&self.system, self.t, &self.x);
+        let outcome =
+            self.attempt(&prepare(&self.system, &self.method, h), &mut [M::memory(), M::memory()], &mut watch);
+        match outcome {
+            Ok((_, error)) => Reason::Inaccurate { error },
+            Err(reason @ Reason::OutsideDomain { .. }) => reason,
+            Err(reason) => match watch.reason(None) {
+                Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
+                Some(Found::Pole(piece)) => Reason::Pole { piece },
+                None => reason,
+            },
+        }
+    }
+
+    fn check_start(&self) -> Result<(), StepError> {
+        if !(self.tolerance > 0.0 && self.tolerance < f64::INFINITY) {
+            return Err(StepError::InvalidTolerance { tolerance: self.tolerance });
+        }
+        if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
+            return Err(StepError::InvalidStepSize { h });
+        }
+        let t = real(self.t);
+        if !(t.is_finite() && self.x.is_finite()) {
+            return Err(StepError::NonFiniteState { t });
+        }
+        // Later states are good because the steps that led to them were.
+        match self.system.outside_domain(self.t, &self.x.q, &self.x.p, &()) {
+            Some(what) if self.steps == 0 => Err(StepError::OutsideDomain { t, what }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Time now.
+    pub fn time(&self) -> R {
+        self.t
+    }
+
+    /// The state now.
+    pub fn state(&self) -> State<S::Coordinates> {
+        State::at(self.t, Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
+    }
+
+    /// The energy now.
+    pub fn energy(&self) -> R {
+        self.system.hamiltonian(self.t, &self.x.q, &self.x.p, &())
+    }
+
+    /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
+    pub fn step_size(&self) -> f64 {
+        self.controller.step(&self.bounds.at(real(self.t), R::epsilon()))
+    }
+
+    /// The number of steps taken, each in two halves.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// The number of steps that were tried and not taken.
+    pub fn rejections(&self) -> u64 {
+        self.rejections
+    }
+
+    /// The system with its parameters.
+    pub fn system(&self) -> &S {
+        &self.system
+    }
+
+    /// The method.
+    pub fn method(&self) -> &M {
+        &self.method
+    }
+}
+
+fn prepare<S: Hamiltonian<R>, M: Method<S, R>, R: Real>(system: &S, method: &M, h: f64) -> Prepared<M::Prepared> {
+    let prepare = |h: f64| method.prepare(system, R::from_f64(h));
+    Prepared { h, whole: prepare(h), half: prepare(0.5 * h) }
+}
+
+fn magnitude<A: Array>(x: &A) -> f64 {
+    size(core::slice::from_ref(x))
+}
+
+/// States along a trajectory; ends at the given time, or after the first error.
+pub struct Until<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real> {
+    sim: &'a mut Adaptive<S, M, R>,
+    t: R,
+    failed: bool,
+}
+
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Iterator for Until<'_, S, M, R> {
+    type Item = Result<State<S::Coordinates>, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed || self.sim.t == self.t {
+            return None;
+        }
+        let outcome = self.sim.step_towards(self.t);
+        self.failed = outcome.is_err();
+        Some(outcome.map(|()| self.sim.state()))
+    }
+}

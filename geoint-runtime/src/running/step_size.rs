@@ -1,0 +1,120 @@
+//! How long the next step is.
+
+use crate::scalar::Real;
+
+/// Lengths between two powers of 2.
+const RUNGS: [f64; 4] = [1.0, 1.189_207_115_002_721, core::f64::consts::SQRT_2, 1.681_792_830_507_429];
+
+/// How far errors stay below the tolerance, so that few steps are rejected.
+const SAFETY: f64 = 0.9;
+
+/// Steps never become longer, or, after a rejection, shorter by more rungs than this.
+const LEAP: f64 = 8.0;
+
+/// The shortest and the longest step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    pub(crate) shortest: f64,
+    pub(crate) longest: f64,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Bounds { shortest: 0.0, longest: f64::INFINITY }
+    }
+}
+
+impl Bounds {
+    /// Steps that change the time `t`, and are no zero in a type of this accuracy.
+    pub(crate) fn at(&self, t: f64, epsilon: f64) -> Bounds {
+        let zero = epsilon * epsilon * epsilon * epsilon;
+        Bounds { shortest: self.shortest.max(4.0 * epsilon * t.abs()).max(zero), ..*self }
+    }
+
+    /// A bound between which and the other there is no step.
+    pub(crate) fn unusable(&self) -> Option<f64> {
+        let good = self.longest > 0.0 && self.shortest <= self.longest && self.shortest < f64::INFINITY;
+        (!good).then_some(if self.shortest.is_nan() { self.shortest } else { self.longest })
+    }
+}
+
+/// A proportional and integral controller: h ← h·(1/e)^(0.7/(p+1))·e₋₁^(0.4/(p+1)) for errors e, e₋₁ of the last two steps in units
+/// of the tolerance. K. Gustafsson, M. Lundh & G. Söderlind, BIT 28 (1988) 270; constants of Hairer & Wanner, *Solving Ordinary
+/// Differential Equations II* (1996), section IV.2.
+///
+/// It climbs a ladder of lengths, a rung at least or not at all.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Controller {
+    /// p + 1.
+    exponent: f64,
+    /// |h| = 2^(rung/4).
+    rung: f64,
+    backwards: bool,
+    before: f64,
+    rejected: bool,
+}
+
+impl Controller {
+    pub(crate) fn new(order: u32) -> Self {
+        Controller { exponent: f64::from(order) + 1.0, rung: 0.0, backwards: false, before: 1.0, rejected: false }
+    }
+
+    /// From the time in which the state changes.
+    pub(crate) fn start(&mut self, time: f64, tolerance: f64) {
+        let h = time * Real::powf(tolerance, 1.0 / self.exponent);
+        self.set(if h > 0.0 && h < f64::INFINITY { h } else { 1.0 });
+    }
+
+    pub(crate) fn set(&mut self, h: f64) {
+        self.rung = rung(h);
+        self.backwards = h < 0.0;
+    }
+
+    pub(crate) fn turn(&mut self, backwards: bool) {
+        self.backwards = backwards;
+    }
+
+    /// The first step, if it is zero, infinite or not a number.
+    pub(crate) fn unusable(&self) -> Option<f64> {
+        (!self.rung.is_finite()).then(|| Real::exp2(self.rung / 4.0))
+    }
+
+    /// The next step.
+    pub(crate) fn step(&self, bounds: &Bounds) -> f64 {
+        let octave = floor(self.rung / 4.0);
+        let h = Real::exp2(octave) * RUNGS[((self.rung - 4.0 * octave) as usize).min(3)];
+        let h = h.max(bounds.shortest).min(bounds.longest);
+        if self.backwards { -h } else { h }
+    }
+
+    /// A step `h`, of the controller's length within bounds, had this error.
+    pub(crate) fn accept(&mut self, h: f64, error: f64) {
+        let (error, before) = (error.max(1e-4), self.before.max(1e-4));
+        let wish = rungs(SAFETY) + (0.4 * rungs(before) - 0.7 * rungs(error)) / self.exponent;
+        let most = if self.rejected { 0.0 } else { LEAP };
+        self.rung = rung(h) + floor(wish).clamp(-LEAP, most);
+        (self.before, self.rejected) = (error, false);
+    }
+
+    /// A step `h` had this error, or no result at all.
+    pub(crate) fn reject(&mut self, h: f64, error: Option<f64>) {
+        let fall = error.map_or(-4.0, |error| floor(rungs(SAFETY) - rungs(error) / self.exponent));
+        self.rung = self.rung.min(rung(h)) + fall.clamp(-LEAP, -1.0);
+        self.rejected = true;
+    }
+}
+
+/// Rungs from length 1 to `length`.
+fn rungs(length: f64) -> f64 {
+    4.0 * Real::log2(length)
+}
+
+/// The rung nearest to a step.
+fn rung(h: f64) -> f64 {
+    floor(rungs(h.abs()) + 0.5)
+}
+
+/// Not in the core library.
+fn floor(x: f64) -> f64 {
+    libm::floor(x)
+}

@@ -1,0 +1,59 @@
+//! What explains a refused step: the step is repeated, and every point at which it evaluates the energy is examined.
+
+use crate::method::Probe;
+use crate::scalar::Real;
+use crate::solving::Refusal;
+use crate::space::Point;
+use crate::system::PhaseSpace;
+
+/// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
+/// that ended before it was through.
+pub(crate) struct Watch<'a, S, X> {
+    system: &'a S,
+    start: X,
+    found: Option<Found>,
+}
+
+/// What a watch has seen first.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Found {
+    /// The energy is not defined.
+    OutsideDomain(&'static str),
+    /// The flow of this piece ends.
+    Pole(&'static str),
+}
+
+/// Where a step starts: its time, and q, p, s.
+type Start<S, R> = (R, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+
+impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
+    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
+        Watch { system, start: (t, x.q, x.p, x.s), found: None }
+    }
+}
+
+impl<S, X> Watch<'_, S, X> {
+    /// What explains best why a step was refused.
+    pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
+        match refusal {
+            Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
+            _ => self.found,
+        }
+    }
+}
+
+impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
+    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
+        if self.found.is_none() {
+            let (t0, q0, p0, s0) = &self.start;
+            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p], [s0, s]);
+            self.found = self.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
+        }
+    }
+
+    fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
+        if self.found.is_none() && !finite() {
+            self.found = Some(Found::Pole(piece));
+        }
+    }
+}

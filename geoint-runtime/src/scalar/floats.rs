@@ -1,0 +1,75 @@
+//! `f64` and `f32` as scalars: by the standard library, or by libm where there is none.
+
+use super::real::Real;
+
+/// The floating-point types of Rust: each function once for the standard library, once for libm.
+macro_rules! floats {
+    ($($real:ident, $magnitude:expr, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
+        impl Real for $real {
+            #[inline(always)]
+            fn from_f64(x: f64) -> Self {
+                x as $real
+            }
+            #[inline(always)]
+            fn magnitude(self) -> f64 {
+                $magnitude(self)
+            }
+            #[inline(always)]
+            fn any_below(self, bound: f64) -> bool {
+                self < bound as $real
+            }
+            #[inline(always)]
+            fn epsilon() -> f64 {
+                $real::EPSILON as f64
+            }
+            #[inline(always)]
+            fn time(t0: Self, n: u64, h: Self) -> Self {
+                $time(t0, n, h)
+            }
+            #[inline(always)]
+            fn multiply_add(self, a: Self, b: Self) -> Self {
+                #[cfg(all(feature = "std", target_feature = "fma", not(feature = "strict-math")))]
+                return $real::mul_add(self, a, b);
+                #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
+                return self * a + b;
+            }
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                #[cfg(feature = "std")]
+                return $real::sin_cos(self);
+                #[cfg(not(feature = "std"))]
+                return libm::$sincos(self);
+            }
+            #[inline(always)]
+            fn signum(self) -> Self {
+                $real::signum(self)
+            }
+            $(
+                #[inline(always)]
+                fn $method(self $(, $y: Self)?) -> Self {
+                    #[cfg(feature = "std")]
+                    return $real::$method(self $(, $y)?);
+                    #[cfg(not(feature = "std"))]
+                    return libm::$libm(self $(, $y)?);
+                }
+            )*
+        }
+    )* };
+}
+
+floats! {
+    f64, f64::abs, |t0: f64, n: u64, h: f64| t0 + n as i64 as f64 * h, {
+        sqrt() = sqrt, cbrt() = cbrt, hypot(y) = hypot,
+        sin() = sin, cos() = cos, tan() = tan, asin() = asin, acos() = acos, atan() = atan, atan2(x) = atan2,
+        sinh() = sinh, cosh() = cosh, tanh() = tanh, asinh() = asinh, acosh() = acosh, atanh() = atanh,
+        exp() = exp, exp2() = exp2, exp_m1() = expm1, ln() = log, ln_1p() = log1p, log2() = log2, log10() = log10,
+        powf(y) = pow, abs() = fabs, min(y) = fmin, max(y) = fmax,
+    }, sincos;
+    f32, |x: f32| f64::from(x.abs()), |t0: f32, n: u64, h: f32| (f64::from(t0) + n as f64 * f64::from(h)) as f32, {
+        sqrt() = sqrtf, cbrt() = cbrtf, hypot(y) = hypotf,
+        sin() = sinf, cos() = cosf, tan() = tanf, asin() = asinf, acos() = acosf, atan() = atanf, atan2(x) = atan2f,
+        sinh() = sinhf, cosh() = coshf, tanh() = tanhf, asinh() = asinhf, acosh() = acoshf, atanh() = atanhf,
+        exp() = expf, exp2() = exp2f, exp_m1() = expm1f, ln() = logf, ln_1p() = log1pf, log2() = log2f,
+        log10() = log10f, powf(y) = powf, abs() = fabsf, min(y) = fminf, max(y) = fmaxf,
+    }, sincosf;
+}

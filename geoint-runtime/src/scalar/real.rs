@@ -1,0 +1,123 @@
+//! `Real`: the scalar of every kernel.
+//!
+//! Kernels never compare numbers, so that a scalar may stand for many trajectories side by side, or carry derivatives
+//! along. Decisions of the drivers (pivots, convergence, "is this still a number") go through [`Real::magnitude`] and
+//! [`Real::any_below`], which speak for all components at once. Kernels of an energy with `if` ask for `PartialOrd`
+//! on top.
+
+use core::fmt::Debug;
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// The scalar of kernels: `f64`, `f32`, and whatever behaves like them.
+pub trait Real:
+    Copy
+    + Debug
+    + PartialEq
+    + 'static
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
+    + SubAssign
+    + MulAssign
+    + DivAssign
+{
+    /// The scalar nearest to `x`.
+    fn from_f64(x: f64) -> Self;
+
+    /// |x| as a plain number (the largest of all components); NaN if any of them is.
+    fn magnitude(self) -> f64;
+
+    /// Whether any component lies below `bound`.
+    fn any_below(self, bound: f64) -> bool;
+
+    /// Whether any component lies above `bound`.
+    fn any_above(self, bound: f64) -> bool {
+        (-self).any_below(-bound)
+    }
+
+    /// The distance from 1 to the next larger number.
+    fn epsilon() -> f64;
+
+    /// `t0 + n·h`. Time is never a running sum; a short type may evaluate this in a longer one.
+    fn time(t0: Self, n: u64, h: Self) -> Self {
+        t0 + Self::from_f64(n as f64) * h
+    }
+
+    /// `self·a + b`, fused where the processor of this build does that in one instruction.
+    ///
+    /// Without such hardware a fused multiply-add is a slow library call, so a product and a sum are used; the feature
+    /// `strict-math` asks for that everywhere.
+    fn multiply_add(self, a: Self, b: Self) -> Self {
+        self * a + b
+    }
+
+    /// Square root.
+    fn sqrt(self) -> Self;
+    /// Cube root, of negative numbers too.
+    fn cbrt(self) -> Self;
+    /// √(x² + y²) without overflow on the way.
+    fn hypot(self, y: Self) -> Self;
+    /// Sine.
+    fn sin(self) -> Self;
+    /// Cosine.
+    fn cos(self) -> Self;
+    /// Sine and cosine of one argument.
+    fn sin_cos(self) -> (Self, Self) {
+        (self.sin(), self.cos())
+    }
+    /// Tangent.
+    fn tan(self) -> Self;
+    /// Inverse sine.
+    fn asin(self) -> Self;
+    /// Inverse cosine.
+    fn acos(self) -> Self;
+    /// Inverse tangent.
+    fn atan(self) -> Self;
+    /// The angle of the point (`x`, `self`).
+    fn atan2(self, x: Self) -> Self;
+    /// Hyperbolic sine.
+    fn sinh(self) -> Self;
+    /// Hyperbolic cosine.
+    fn cosh(self) -> Self;
+    /// Hyperbolic tangent.
+    fn tanh(self) -> Self;
+    /// Inverse hyperbolic sine.
+    fn asinh(self) -> Self;
+    /// Inverse hyperbolic cosine.
+    fn acosh(self) -> Self;
+    /// Inverse hyperbolic tangent.
+    fn atanh(self) -> Self;
+    /// eˣ.
+    fn exp(self) -> Self;
+    /// 2ˣ.
+    fn exp2(self) -> Self;
+    /// eˣ − 1, exact near 0.
+    fn exp_m1(self) -> Self;
+    /// Natural logarithm.
+    fn ln(self) -> Self;
+    /// ln(1 + x), exact near 0.
+    fn ln_1p(self) -> Self;
+    /// Logarithm to base 2.
+    fn log2(self) -> Self;
+    /// Logarithm to base 10.
+    fn log10(self) -> Self;
+    /// xʸ for a real exponent.
+    fn powf(self, y: Self) -> Self;
+    /// |x|.
+    fn abs(self) -> Self;
+    /// The smaller of two.
+    fn min(self, y: Self) -> Self;
+    /// The larger of two.
+    fn max(self, y: Self) -> Self;
+    /// ±1, the sign of x.
+    fn signum(self) -> Self;
+}
+
+/// Zero.
+#[inline(always)]
+pub(crate) fn zero<R: Real>() -> R {
+    R::from_f64(0.0)
+}

@@ -1,0 +1,68 @@
+//! The way to a solution from far: corrections are halved until the residual falls.
+//!
+//! Only where an iteration with whole corrections has failed. From steep walls and in stiff wells an explicit guess may lie beyond the
+//! domain of the energy, or so far off that corrections run away, although a solution that is continuous in h exists.
+
+use crate::scalar::Real;
+use crate::solving::Refusal;
+use crate::solving::linear;
+use crate::space::{Array, Square};
+
+/// A correction of less than this, relative to the state, is small enough for the iteration that follows.
+const NEAR: f64 = 1e-3;
+
+/// Corrections that would have to be shortened more than this lead nowhere.
+const SHORTEST: f64 = 1e-6;
+
+const MAX_ITERATIONS: u32 = 100;
+
+/// Something near a solution of `residual(x) = 0` for an increment of `origin`, if there is one on the way down from
+/// `still` times `origin`.
+///
+/// At that increment nothing moves, so that the energy is defined there if it is at the start of the step.
+#[cold]
+#[inline(never)]
+pub(crate) fn approach<A: Array>(
+    origin: &A,
+    still: f64,
+    mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+) -> A {
+    let scaled = |x: &A, w: f64, d: &A| {
+        let mut sum = *x;
+        sum.add_scaled(A::Real::from_f64(w), d);
+        sum
+    };
+    let mut matrix = A::fill(A::zero());
+    let mut look = |x: &A, matrix: &mut Square<A>| {
+        let mut left = A::zero();
+        residual(x, &mut left, matrix).map(|()| left)
+    };
+    let mut x = scaled(&A::zero(), still, origin);
+    let Ok(mut left) = look(&x, &mut matrix) else { return x };
+    for _ in 0..MAX_ITERATIONS {
+        let mut delta = left;
+        if linear::solve(&mut matrix, &mut delta).is_none() {
+            break;
+        }
+        let mut w = 1.0;
+        // Not a number is not less.
+        let falls = |w: f64, next: &A| square(next) < (1.0 - 0.5 * w) * square(&left);
+        let (next, less) = loop {
+            let next = scaled(&x, -w, &delta);
+            match look(&next, &mut matrix) {
+                Ok(less) if falls(w, &less) => break (next, less),
+                _ if w < SHORTEST => return x,
+                _ => w *= 0.5,
+            }
+        };
+        (x, left) = (next, less);
+        if w == 1.0 && square(&delta) <= NEAR * NEAR * (square(origin) + square(&x)) {
+            break;
+        }
+    }
+    x
+}
+
+fn square<A: Array>(x: &A) -> f64 {
+    x.as_slice().iter().map(|x| x.magnitude() * x.magnitude()).sum()
+}

@@ -1,0 +1,65 @@
+//! Small linear systems, of a size known to the compiler.
+
+use crate::scalar::Real;
+use crate::space::{Array, Square};
+
+/// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
+///
+/// Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
+#[inline(always)]
+pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<bool> {
+    let n = A::LEN;
+    let rows = A::entries::<A>(matrix);
+    let b = rhs.as_mut_slice();
+    if n == 2 {
+        // Cramer's rule: one division in place of two that wait for each other.
+        let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
+        let determinant = a * d - b0 * c;
+        let size = determinant.magnitude();
+        if size == 0.0 || !size.is_finite() {
+            return None;
+        }
+        let reciprocal = A::Real::from_f64(1.0) / determinant;
+        (b[0], b[1]) = ((d * b[0] - b0 * b[1]) * reciprocal, (a * b[1] - c * b[0]) * reciprocal);
+        return Some(!determinant.any_below(0.0));
+    }
+    let mut positive = true;
+    for k in 0..n {
+        // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so that
+        // a small matrix stays in registers.
+        for i in k + 1..n {
+            if rows[i].as_slice()[k].magnitude() > rows[k].as_slice()[k].magnitude() {
+                rows.swap(k, i);
+                b.swap(k, i);
+                positive = !positive;
+            }
+        }
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        let top = upper[k].as_mut_slice();
+        let pivot = top[k].magnitude();
+        if pivot == 0.0 || !pivot.is_finite() {
+            return None;
+        }
+        positive ^= top[k].any_below(0.0);
+        // One division a row.
+        let reciprocal = A::Real::from_f64(1.0) / top[k];
+        top[k] = reciprocal;
+        for (i, row) in lower.iter_mut().enumerate() {
+            let row = row.as_mut_slice();
+            let factor = -(row[k] * reciprocal);
+            for j in k + 1..n {
+                row[j] = factor.multiply_add(top[j], row[j]);
+            }
+            b[k + 1 + i] = factor.multiply_add(b[k], b[k + 1 + i]);
+        }
+    }
+    for k in (0..n).rev() {
+        let row = rows[k].as_slice();
+        let mut x = b[k];
+        for j in k + 1..n {
+            x = (-row[j]).multiply_add(b[j], x);
+        }
+        b[k] = x * row[k];
+    }
+    Some(positive)
+}

@@ -1,0 +1,13 @@
+//! Equations of implicit steps: how they are solved, and when a solution is one.
+
+mod damped;
+pub(crate) mod linear;
+pub(crate) mod newton;
+mod predictor;
+pub(crate) mod quasi_newton;
+mod refusal;
+mod semidefinite;
+pub(crate) mod stagnation;
+
+pub use refusal::Refusal;
+pub use semidefinite::is_positive_semidefinite;

@@ -1,0 +1,31 @@
+//! Why a step has no result.
+
+/// Why a step has no result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Refusal {
+    /// The iteration gave up.
+    NotConverged {
+        /// Iterations spent.
+        iterations: u32,
+        /// The last correction relative to what it corrects.
+        correction: f64,
+    },
+    /// The equation of the step has no solution that is continuous in h from h = 0 on: its matrix is singular, or changed its
+    /// orientation on the way.
+    Singular,
+    /// An increment is orthogonal to the direction along which it is to change the energy.
+    SingularDirection,
+    /// The energy is not defined, or has a pole, on the way.
+    OutsideDomain {
+        /// The function and the term.
+        what: &'static str,
+    },
+}
+
+impl Refusal {
+    /// Nothing wrong if nothing was found.
+    #[inline(always)]
+    pub(crate) fn outside(found: Option<&'static str>) -> Result<(), Refusal> {
+        found.map_or(Ok(()), |what| Err(Refusal::OutsideDomain { what }))
+    }
+}

@@ -1,0 +1,59 @@
+//! Is a matrix of damping one that takes energy away?
+
+use crate::scalar::Real;
+
+/// Whether vᵀCv ≥ 0 for all v, to rounding, by elimination; C is symmetric.
+///
+/// The diagonal is enlarged by more than what rounding takes away on the way (J. Demmel 1989: LAPACK Working Note 14), so
+/// that a matrix that is singular on paper passes.
+pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> bool {
+    let margin = R::from_f64(1.0 + 8.0 * (N * N) as f64 * R::epsilon());
+    for (k, row) in c.iter_mut().enumerate() {
+        row[k] *= margin;
+    }
+    for k in 0..N {
+        if c[k][k].any_below(0.0) {
+            return false;
+        }
+        // Below a pivot of zero there are zeros, or the next pivot becomes negative.
+        let pivot = c[k][k].max(R::from_f64(1e-37));
+        for i in k + 1..N {
+            let factor = c[i][k] / pivot;
+            for j in k + 1..=i {
+                c[i][j] -= factor * c[j][k];
+            }
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_positive_semidefinite;
+
+    #[test]
+    fn definite_singular_and_neither() {
+        assert!(is_positive_semidefinite([[2.0, -1.0], [-1.0, 3.0]]));
+        assert!(is_positive_semidefinite([[0.0_f64; 3]; 3]));
+        assert!(is_positive_semidefinite([[0.0, 0.0, 0.0], [0.0, 1.0, 2.0], [0.0, 2.0, 4.0]]));
+        assert!(!is_positive_semidefinite([[1.0, 2.0], [2.0, 3.9]]));
+        assert!(!is_positive_semidefinite([[0.0, 1e-9], [1e-9, 1.0]]));
+        assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
+        assert!(!is_positive_semidefinite([[-1e-30]]));
+        // Every block of two is positive, the whole is not: the eigenvalue of (1, 1, 1) is 1 − 2·0.6.
+        let c = [[1.0, -0.6, -0.6], [-0.6, 1.0, -0.6], [-0.6, -0.6, 1.0]];
+        assert!(!is_positive_semidefinite(c));
+    }
+
+    /// v vᵀ + w wᵀ of irrational v and w: positive semidefinite of rank 2 on paper, rounded here.
+    #[test]
+    fn rounding_is_no_reason() {
+        let [v, w]: [[f64; 5]; 2] =
+            [core::array::from_fn(|i| libm::sin(1.7 * i as f64)), core::array::from_fn(|i| libm::cos(0.3 * i as f64))];
+        let c = core::array::from_fn(|i| core::array::from_fn(|j| v[i] * v[j] + w[i] * w[j]));
+        assert!(is_positive_semidefinite(c));
+        let mut d = c;
+        d[4][4] -= 1e-12;
+        assert!(!is_positive_semidefinite::<f64, 5>(d));
+    }
+}

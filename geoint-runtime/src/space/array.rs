@@ -1,0 +1,167 @@
+//! Nested arrays of scalars: the shape in which kernels and drivers see phase space.
+//!
+//! Lengths are part of the type, so every loop over them has a bound known to the compiler and nothing is allocated.
+
+use crate::scalar::{Real, zero};
+use core::fmt::Debug;
+
+/// A scalar, an array of scalars, an array of arrays …
+pub trait Array: Copy + Debug + PartialEq + 'static {
+    /// The scalar at the leaves.
+    type Real: Real;
+    /// The same shape with another content.
+    type Map<T: Copy + Debug>: Copy + Debug;
+    /// The number of scalars.
+    const LEN: usize;
+
+    /// All scalars in order.
+    fn as_slice(&self) -> &[Self::Real];
+    /// All scalars in order.
+    fn as_mut_slice(&mut self) -> &mut [Self::Real];
+    /// Every entry `x`.
+    fn fill<T: Copy + Debug>(x: T) -> Self::Map<T>;
+    /// The entries of a mapped shape, in order.
+    fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T];
+    /// The entries of a mapped shape, in order, to be read.
+    fn entries_of<T: Copy + Debug>(map: &Self::Map<T>) -> &[T];
+    /// All zeros.
+    fn zero() -> Self;
+
+    #[doc(hidden)]
+    fn flatten(nested: &[Self]) -> &[Self::Real];
+    #[doc(hidden)]
+    fn flatten_mut(nested: &mut [Self]) -> &mut [Self::Real];
+    #[doc(hidden)]
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T];
+    #[doc(hidden)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[Self::Map<T>]) -> &[T];
+
+    /// self ← self + w·x.
+    #[inline(always)]
+    fn add_scaled(&mut self, w: Self::Real, x: &Self) {
+        for (y, x) in self.as_mut_slice().iter_mut().zip(x.as_slice()) {
+            *y = w.multiply_add(*x, *y);
+        }
+    }
+
+    /// self ← x, entry by entry: `self` may then stay in registers although `x` is in memory.
+    #[inline(always)]
+    fn copy_from(&mut self, x: &Self) {
+        for (y, x) in self.as_mut_slice().iter_mut().zip(x.as_slice()) {
+            *y = *x;
+        }
+    }
+
+    /// Zeros to which something is to be added: −0 + x is x, which the optimiser cannot say of 0 + x.
+    #[inline(always)]
+    fn nothing() -> Self {
+        let mut nothing = Self::zero();
+        for x in nothing.as_mut_slice() {
+            *x = -*x;
+        }
+        nothing
+    }
+
+    /// Whether every entry is a finite number.
+    #[inline(always)]
+    fn is_finite(&self) -> bool {
+        self.as_slice().iter().all(|x| x.magnitude() < f64::INFINITY)
+    }
+}
+
+/// A square matrix: one row of shape `A` for each entry of `A`.
+pub type Square<A> = <A as Array>::Map<A>;
+
+impl<R: Real> Array for R {
+    type Real = R;
+    type Map<T: Copy + Debug> = T;
+    const LEN: usize = 1;
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[R] {
+        core::slice::from_ref(self)
+    }
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [R] {
+        core::slice::from_mut(self)
+    }
+    #[inline(always)]
+    fn fill<T: Copy + Debug>(x: T) -> T {
+        x
+    }
+    #[inline(always)]
+    fn entries<T: Copy + Debug>(map: &mut T) -> &mut [T] {
+        core::slice::from_mut(map)
+    }
+    #[inline(always)]
+    fn entries_of<T: Copy + Debug>(map: &T) -> &[T] {
+        core::slice::from_ref(map)
+    }
+    #[inline(always)]
+    fn zero() -> Self {
+        zero()
+    }
+    #[inline(always)]
+    fn flatten(nested: &[Self]) -> &[R] {
+        nested
+    }
+    #[inline(always)]
+    fn flatten_mut(nested: &mut [Self]) -> &mut [R] {
+        nested
+    }
+    #[inline(always)]
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [T]) -> &mut [T] {
+        nested
+    }
+    #[inline(always)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[T]) -> &[T] {
+        nested
+    }
+}
+
+impl<A: Array, const N: usize> Array for [A; N] {
+    type Real = A::Real;
+    type Map<T: Copy + Debug> = [A::Map<T>; N];
+    const LEN: usize = N * A::LEN;
+
+    #[inline(always)]
+    fn as_slice(&self) -> &[A::Real] {
+        A::flatten(self)
+    }
+    #[inline(always)]
+    fn as_mut_slice(&mut self) -> &mut [A::Real] {
+        A::flatten_mut(self)
+    }
+    #[inline(always)]
+    fn fill<T: Copy + Debug>(x: T) -> Self::Map<T> {
+        [A::fill(x); N]
+    }
+    #[inline(always)]
+    fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T] {
+        A::flatten_entries(map)
+    }
+    #[inline(always)]
+    fn entries_of<T: Copy + Debug>(map: &Self::Map<T>) -> &[T] {
+        A::flatten_entries_of(map)
+    }
+    #[inline(always)]
+    fn zero() -> Self {
+        [A::zero(); N]
+    }
+    #[inline(always)]
+    fn flatten(nested: &[Self]) -> &[A::Real] {
+        A::flatten(nested.as_flattened())
+    }
+    #[inline(always)]
+    fn flatten_mut(nested: &mut [Self]) -> &mut [A::Real] {
+        A::flatten_mut(nested.as_flattened_mut())
+    }
+    #[inline(always)]
+    fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T] {
+        A::flatten_entries(nested.as_flattened_mut())
+    }
+    #[inline(always)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[Self::Map<T>]) -> &[T] {
+        A::flatten_entries_of(nested.as_flattened())
+    }
+}

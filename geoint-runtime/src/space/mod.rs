@@ -1,0 +1,12 @@
+//! Points of phase space: as users write them, as kernels see them, and while they move.
+
+mod array;
+mod point;
+mod state;
+mod summation;
+
+pub use array::{Array, Square};
+pub use point::Point;
+pub use state::{Action, ContactState, Coordinates, State};
+pub(crate) use summation::exact_sum;
+pub use summation::{Compensated, Plain, Summation, WithoutAction};

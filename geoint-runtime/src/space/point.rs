@@ -1,0 +1,66 @@
+//! A point of phase space while it moves: q, p, and how increments are added to them.
+
+use super::array::Array;
+use super::state::Action;
+use super::summation::Summation;
+use crate::scalar::{Real, zero};
+
+/// A point with sums of kind `C`, and an action if its space has one.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<A: Array, C, Z = ()> {
+    /// Positions.
+    pub q: A,
+    /// Momenta.
+    pub p: A,
+    /// The action of a contact system.
+    pub s: Z,
+    pub(crate) sums: [C; 2],
+    /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
+    pub ahead: A::Real,
+}
+
+impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
+    /// A point at which nothing has been rounded off yet.
+    pub fn with_action(q: A, p: A, s: Z) -> Self {
+        Point { q, p, s, sums: [C::new(), C::new()], ahead: zero() }
+    }
+
+    /// The same point with sums of another kind, of which nothing has been rounded off yet.
+    pub(crate) fn with_sums<D: Summation<A>>(self) -> Point<A, D, Z> {
+        Point { q: self.q, p: self.p, s: self.s, sums: [D::new(), D::new()], ahead: self.ahead }
+    }
+
+    /// Whether every coordinate is a finite number.
+    #[inline(always)]
+    pub fn is_finite(&self) -> bool {
+        self.q.is_finite() && self.p.is_finite() && self.s.is_finite()
+    }
+
+    /// q ← q + dq, p ← p + dp.
+    #[inline(always)]
+    pub fn add(&mut self, dq: &A, dp: &A) {
+        self.sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
+        self.sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
+    }
+
+    /// The same with sums of the method's own, unless those of the point carry: they outlive a change of the step size. And with digits that dq and dp have lost.
+    #[inline(always)]
+    pub fn add_with<D: Summation<A>>(&mut self, sums: &mut [D; 2], [dq, dp]: [&A; 2], lost: [&A; 2]) {
+        if !C::PLAIN {
+            self.add(dq, dp);
+            self.sums[0].owe(lost[0]);
+            return self.sums[1].owe(lost[1]);
+        }
+        sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
+        sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
+        sums[0].owe(lost[0]);
+        sums[1].owe(lost[1]);
+    }
+}
+
+impl<A: Array, C: Summation<A>> Point<A, C> {
+    /// A point at which nothing has been rounded off yet.
+    pub fn new(q: A, p: A) -> Self {
+        Self::with_action(q, p, ())
+    }
+}

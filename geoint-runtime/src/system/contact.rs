@@ -1,0 +1,123 @@
+//! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
+
+use super::{PhaseSpace, Separable};
+use crate::scalar::Real;
+use crate::space::{Array, Square};
+
+/// A system with a contact Hamiltonian H(q, p, s, t).
+pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+    /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
+    #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
+    fn gradient(
+        &self,
+        t: R,
+        q: &Self::Array,
+        p: &Self::Array,
+        s: &R,
+        dq: &mut Self::Array,
+        dp: &mut Self::Array,
+        ds: &mut R,
+    );
+}
+
+/// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
+#[diagnostic::on_unimplemented(
+    message = "positions and momenta of `{Self}` do not move without the action",
+    label = "s acts back on q or p, and has to be followed"
+)]
+pub trait Conformal<R: Real = f64>: Contact<R> {}
+
+/// H = T(p, t) + g(t)·s + V(q, t).
+#[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
+pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// What a drift of given length needs from the parameters.
+    type FreeDrift: Copy;
+
+    /// Coefficients of a drift of length `h`.
+    fn prepare_free_drift(&self, h: R) -> Self::FreeDrift;
+    /// The flow of T alone.
+    fn free_drift(&self, drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
+    /// g at time `t`.
+    fn damping(&self, t: R) -> R;
+}
+
+/// How a flow deals with time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Clock {
+    /// Exactly, from the time on at which it begins.
+    Own,
+    /// It is frozen at the middle of the step.
+    Stage,
+}
+
+/// A part of H.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece {
+    /// Its formula.
+    pub name: &'static str,
+    /// Its time.
+    pub clock: Clock,
+}
+
+/// H is a sum of pieces whose flows are known in closed form.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no contact Hamiltonian that was split into pieces",
+    label = "this method is for those",
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
+)]
+pub trait Pieces<R: Real = f64>: Contact<R> {
+    /// The pieces; the last one is in the middle of a step.
+    const PIECES: &'static [Piece];
+    /// What flows of given lengths need from the parameters.
+    type Flows: Copy + core::fmt::Debug;
+    /// What they need from the time at which it is frozen.
+    type Frozen: Copy + core::fmt::Debug;
+
+    /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
+    fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
+    /// Freezes time at `t`.
+    fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
+    /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
+    fn flow(
+        &self,
+        piece: usize,
+        flows: &Self::Flows,
+        frozen: &Self::Frozen,
+        t: R,
+        q: &mut Self::Array,
+        p: &mut Self::Array,
+        s: &mut R,
+    );
+}
+
+/// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no implicit steps of `{M}`",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
+    /// q, p and s in a row.
+    type Unknown: Array<Real = R>;
+    /// What depends on parameters and h.
+    type Constants: Copy + core::fmt::Debug;
+    /// What depends on x and t.
+    type Start: Copy + core::fmt::Debug;
+
+    /// What depends on parameters and h.
+    fn constants(&self, h: R) -> Self::Constants;
+    /// What all evaluations of a step from `x` have in common; `t` is the time of its middle.
+    fn begin(&self, constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
+    /// Φ and 1 − ∂Φ/∂d.
+    fn image(
+        &self,
+        constants: &Self::Constants,
+        start: &Self::Start,
+        d: &Self::Unknown,
+        f: &mut Self::Unknown,
+        matrix: &mut Square<Self::Unknown>,
+    );
+    /// What a solution adds to x. Not a number if the step has none.
+    fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
+}

@@ -1,0 +1,63 @@
+//! H = T + V: kick and drift.
+
+use super::PhaseSpace;
+use crate::scalar::Real;
+
+/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems T + g·s is one part, with quadratic T.
+#[diagnostic::on_unimplemented(
+    message = "kick and drift do not exist for `{Self}`",
+    label = "H was not proven to be T(p) + V(q)",
+    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
+)]
+pub trait Separable<R: Real = f64>: PhaseSpace<R> {
+    /// What a kick of given length needs from the parameters.
+    type Kick: Clone;
+    /// What a drift of given length needs from the parameters.
+    type Drift: Clone;
+    /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
+    const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
+
+    /// Coefficients of a kick of length `h`.
+    fn prepare_kick(&self, h: R) -> Self::Kick;
+    /// Coefficients of a drift of length `h`.
+    fn prepare_drift(&self, h: R) -> Self::Drift;
+    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV.
+    fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
+    fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+}
+
+/// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.
+///
+/// Runge–Kutta–Nyström tables need this; on any other T they would silently fall to order 3 or 4.
+#[diagnostic::on_unimplemented(
+    message = "the kinetic energy of `{Self}` is not quadratic in `p` with a constant mass matrix",
+    label = "Runge–Kutta–Nyström tables lose their order on such a T",
+    note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
+)]
+pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
+
+/// T is a quadratic polynomial in p: \[V, \[T, V\]\] is a function of q alone, and has an exact flow together with V.
+///
+/// With the force F = −∂V/∂q and the mass matrix M that function is F·M⁻¹F.
+#[diagnostic::on_unimplemented(
+    message = "the kinetic energy of `{Self}` is not quadratic in `p` with a constant mass matrix",
+    label = "on such a T force gradients are no kicks",
+    note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
+)]
+pub trait ForceGradient<R: Real = f64>: QuadraticKinetic<R> {
+    /// What a kick of given weights needs from the parameters.
+    type GradientKick: Clone;
+
+    /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
+    fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
+    /// The flow of U = hV − g F·M⁻¹F at frozen time: p ← p + hF + g ∇(F·M⁻¹F), s ← s − U.
+    fn gradient_kick(
+        &self,
+        kick: &Self::GradientKick,
+        t: R,
+        q: &mut Self::Array,
+        p: &mut Self::Array,
+        s: &mut Self::Action,
+    );
+}
