@@ -115,7 +115,7 @@ impl Lowering {
     }
 
     pub(super) fn integer_power(&mut self, base: Id, n: i64) -> Id {
-        self.graph.pow(base, Ratio::integer(n))
+        self.graph.pow(base, Ratio::integer(n.into()))
     }
 
     pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {

@@ -24,6 +24,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Hamiltonian",
     "ImplicitStep",
     "Integrator",
+    "Inverted",
     "Mean",
     "MechanicalContact",
     "Method",

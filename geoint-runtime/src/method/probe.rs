@@ -4,23 +4,14 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::system::PhaseSpace;
 
-/// Sees every point at which a step looks at the energy.
+/// Is shown every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
     /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
     /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
     const PATIENT: bool = true;
 
-    /// The energy is about to be looked at here.
-    fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
-
-    /// The same, where there is no action.
-    #[inline(always)]
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array)
-    where
-        S: PhaseSpace<R, Action = ()>,
-    {
-        self.look(t, q, p, &());
-    }
+    /// The energy is about to be evaluated here.
+    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
 
     /// An exact flow of a piece of the energy has been applied, with a result that is finite or not.
     #[inline(always)]
@@ -37,7 +28,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     const PATIENT: bool = false;
 
     #[inline(always)]
-    fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
+    fn visit(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
 /// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at

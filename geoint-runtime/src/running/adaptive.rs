@@ -5,7 +5,7 @@
 
 use super::watch::{Found, Watch};
 use crate::method::corrected::invariants::{plus, size};
-use crate::method::{Method, Probe, Unwatched};
+use crate::method::{Method, Probe, Step, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::integrator::real;
 use crate::running::step_size::{Bounds, Controller};
@@ -27,7 +27,7 @@ type Carried<A> = Point<A, Compensated<A>>;
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
     method: M,
@@ -35,6 +35,8 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     bounds: Bounds,
     controller: Controller,
     prepared: Prepared<M::Prepared>,
+    /// Of steps as a whole, and of their halves.
+    memory: [M::Memory; 2],
     t: R,
     t_sum: Compensated<R>,
     x: Carried<S::Array>,
@@ -45,7 +47,7 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
 }
 
 /// Coefficients of a step as a whole, and of its halves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Prepared<P> {
     h: f64,
     whole: P,
@@ -66,6 +68,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             bounds: Bounds::default(),
             controller,
             prepared: prepare(&system, &method, 1.0),
+            memory: [M::memory(), M::memory()],
             t: state.t,
             t_sum: Compensated::new(),
             x,
@@ -144,7 +147,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     fn left(&self, t: R) -> f64 {
         let mut left = t - self.t;
-        left += -self.t_sum.carry();
+        left += -self.t_sum.compensation();
         real(left)
     }
 
@@ -157,9 +160,18 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             let h = if regular.abs() < left { regular } else { left.copysign(regular) };
             if h == regular && h != self.prepared.h {
                 self.prepared = prepare(&self.system, &self.method, h);
+                self.memory = [M::memory(), M::memory()];
             }
-            let mut prepared = if h == regular { self.prepared } else { prepare(&self.system, &self.method, h) };
-            let (x, error) = match self.attempt(&mut prepared, &mut Unwatched) {
+            let (mut memory, shorter);
+            let prepared = if h == regular {
+                memory = self.memory.clone();
+                &self.prepared
+            } else {
+                memory = [M::memory(), M::memory()];
+                shorter = prepare(&self.system, &self.method, h);
+                &shorter
+            };
+            let (x, error) = match self.attempt(prepared, &mut memory, &mut Unwatched) {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
@@ -172,7 +184,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 }
             };
             if h == regular {
-                self.prepared = prepared;
+                self.memory = memory;
                 self.controller.accept(h, error);
             }
             self.t_sum.add(&mut self.t, |t| *t += R::from_f64(h) + x.ahead);
@@ -187,15 +199,17 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// A step in two halves, and its estimated error in units of what is tolerated.
     fn attempt<P: Probe<S, R>>(
         &self,
-        prepared: &mut Prepared<M::Prepared>,
+        prepared: &Prepared<M::Prepared>,
+        [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
     ) -> Result<(Carried<S::Array>, f64), Reason> {
         let half = R::from_f64(0.5 * prepared.h);
         let (mut x, mut whole) = (self.x, self.x);
-        M::step(&mut prepared.whole, self.t, &mut whole, probe)?;
+        let system = &self.system;
+        M::step(&prepared.whole, memory_of_whole, Step { system, t: self.t, x: &mut whole, probe })?;
         for end in [half, half + half] {
             let start = self.t + (end - half) + x.ahead;
-            M::step(&mut prepared.half, start, &mut x, probe)?;
+            M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
@@ -229,7 +243,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     #[cold]
     fn reason(&self, h: f64) -> Reason {
         let mut watch = Watch::new(&self.system, self.t, &self.x);
-        let outcome = self.attempt(&mut prepare(&self.system, &self.method, h), &mut watch);
+        let outcome =
+            self.attempt(&prepare(&self.system, &self.method, h), &mut [M::memory(), M::memory()], &mut watch);
         match outcome {
             Ok((_, error)) => Reason::Inaccurate { error },
             Err(reason @ Reason::OutsideDomain { .. }) => reason,

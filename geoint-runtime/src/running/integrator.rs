@@ -1,7 +1,7 @@
 //! A system under a method: the object that users step.
 
 use super::watch::{Found, Watch};
-use crate::method::{Clock, Method, Probe, Refusal};
+use crate::method::{Clock, Method, Probe, Refusal, Step};
 use crate::running::error::StepError;
 use crate::scalar::{Real, zero};
 use crate::space::{Action, Coordinates};
@@ -16,11 +16,12 @@ const STEPS_BETWEEN_LOOKS: u64 = 1024;
 ///
 /// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
 /// on, with a smaller step if [`Integrator::set_step_size`] was called.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     system: S,
     method: M,
     prepared: M::Prepared,
+    memory: M::Memory,
     t0: R,
     h: R,
     /// Steps since `t0`.
@@ -40,6 +41,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
             system,
             method,
             prepared: method.prepare(&system, h),
+            memory: M::memory(),
             t0,
             h,
             n: 0,
@@ -68,10 +70,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         let mut left = n;
         while left > 0 {
             let steps = left.min(STEPS_BETWEEN_LOOKS);
-            let (mut prepared, mut x) = (self.prepared, self.x);
-            let outcome = M::advance(&mut prepared, &self.clock(), steps, &mut x);
+            let (mut memory, mut x) = (self.memory.clone(), self.x);
+            let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock(), steps, &mut x);
             if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps, &x).is_none() {
-                self.accept(steps, prepared, x);
+                self.accept(steps, memory, x);
             } else {
                 self.creep(steps)?;
             }
@@ -84,18 +86,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     #[cold]
     fn creep(&mut self, steps: u64) -> Result<(), StepError> {
         for _ in 0..steps {
-            let (mut prepared, mut x) = (self.prepared, self.x);
+            let (mut memory, mut x) = (self.memory.clone(), self.x);
             let mut watch = Watch::new(&self.system, self.time(), &self.x);
-            let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
+            let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
+            let outcome = M::step(&self.prepared, &mut memory, step);
             let (t, singular) = (real(self.time()), self.singular_time(1, &x));
             if outcome.is_ok() && self.is_good(1, &x) {
                 if let Some(what) = singular {
                     return Err(StepError::OutsideDomain { t, what });
                 }
-                self.accept(1, prepared, x);
+                self.accept(1, memory, x);
                 continue;
             }
-            watch.look(self.clock().at(1), &x.q, &x.p, &x.s);
+            watch.visit(self.clock().at(1), &x.q, &x.p, &x.s);
             return Err(match (outcome, watch.reason(outcome.err())) {
                 (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
                 (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
@@ -141,8 +144,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     }
 
     #[inline(always)]
-    fn accept(&mut self, steps: u64, prepared: M::Prepared, x: Point<S::Array, C, S::Action>) {
-        (self.prepared, self.x) = (prepared, x);
+    fn accept(&mut self, steps: u64, memory: M::Memory, x: Point<S::Array, C, S::Action>) {
+        (self.memory, self.x) = (memory, x);
         self.n += steps;
         self.steps += steps;
     }
@@ -158,6 +161,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         self.n = 0;
         self.h = h;
         self.prepared = self.method.prepare(&self.system, h);
+        self.memory = M::memory();
     }
 
     /// The step size.
@@ -222,8 +226,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
-        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
-        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+        let Integrator { system, method, prepared, memory, t0, h, n, steps, x } = self;
+        Integrator { system, method, prepared, memory, t0, h, n, steps, x: x.with_sums() }
     }
 }
 
@@ -231,8 +235,8 @@ impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The same without the action, which does not act back on positions and momenta: splittings do not compute it, nor what only
     /// it needs, such as the value of the potential. In states it is not a number.
     pub fn without_action(self) -> Integrator<S, M, R, WithoutAction> {
-        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
-        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+        let Integrator { system, method, prepared, memory, t0, h, n, steps, x } = self;
+        Integrator { system, method, prepared, memory, t0, h, n, steps, x: x.with_sums() }
     }
 }
 

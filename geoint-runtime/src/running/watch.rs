@@ -43,7 +43,7 @@ impl<S, X> Watch<'_, S, X> {
 }
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
-    fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
+    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
         if self.found.is_none() {
             let (t0, q0, p0, s0) = &self.start;
             let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p], [s0, s]);

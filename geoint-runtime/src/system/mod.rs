@@ -13,6 +13,8 @@ pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
 pub use modified::ModifiedEnergy;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
+pub use crate::solving::{Inverse, Inverted};
+
 use crate::scalar::Real;
 use crate::space::{Action, Array, Coordinates};
 

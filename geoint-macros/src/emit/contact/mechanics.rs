@@ -78,7 +78,7 @@ fn flow(context: &Context<'_>, graph: &mut Graph, name: &str, flow: &Flow) -> (T
     };
     let flow = quote! {
         #[inline(always)]
-        fn #name(prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+        fn #name(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut R) {
             #body
         }
     };
@@ -117,7 +117,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
             fn #prepare(&self, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn #name(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn #name(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
                 match *never {}
             }
         }

@@ -65,9 +65,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -196,7 +196,14 @@ const _: () = {
             [h]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let k0 = R::from_f64(0.0);
             let q0 = q[0];
             let k2 = R::from_f64(4.0);
@@ -217,7 +224,14 @@ const _: () = {
             p[0] = v7;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let prepared_0 = prepared[0];
@@ -245,6 +259,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn gradient_kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 1],
@@ -323,14 +338,14 @@ const _: () = {
     impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
         type Parameters = [R; 0];
         type Start = [R; 11];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 0] {
             []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
             let p0 = y[1][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -362,6 +377,7 @@ const _: () = {
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 0],
             start: &[R; 11],
             d: &[[R; 1]; 2],
@@ -461,7 +477,7 @@ const _: () = {
             jacobian[1][0][1][0] = k5;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn drift(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
         }
@@ -479,12 +495,13 @@ const _: () = {
             ([*q, *p], [*q, *p])
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn velocity(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut velocity = <[[R; 1]; 2] as Array>::zero();
             velocity
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 0],
             t: R,
             y: &[[R; 1]; 2],
@@ -529,7 +546,7 @@ const _: () = {
             jacobian[1][0][1][0] = k2;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
+        fn add(&self, prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
             y[0][0] = w.multiply_add(f[0][0], y[0][0]);
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);
         }

@@ -1,11 +1,11 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product, size};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::stagnation::Stagnation;
 use crate::space::Array;
-use crate::space::{Point, Summation};
+use crate::space::Summation;
 use crate::system::{Autonomous, DiscreteField};
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
@@ -21,16 +21,16 @@ const FARTHEST: f64 = 0.5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Relaxation<M>(pub M);
 
-/// What the method prepared, and what the energy is computed from.
+/// What the method prepared, and h.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, S, R> {
+pub struct Prepared<P, R> {
     method: P,
-    system: S,
     h: R,
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
-    type Prepared = Prepared<M::Prepared, S, R>;
+    type Prepared = Prepared<M::Prepared, R>;
+    type Memory = M::Memory;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
@@ -38,19 +38,23 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), system: *system, h }
+        Prepared { method: self.0.prepare(system, h), h }
+    }
+
+    fn memory() -> M::Memory {
+        M::memory()
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { method, system, h }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        Prepared { method, h }: &Self::Prepared,
+        memory: &mut M::Memory,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let before = [x.q, x.p];
-        M::step(method, t, x, probe)?;
-        probe.visit(t, &x.q, &x.p);
+        let before = [step.x.q, step.x.p];
+        M::step(method, memory, step.part(step.t))?;
+        let Step { system, t, x, probe } = step;
+        probe.visit(t, &x.q, &x.p, &());
         let moved = plus([x.q, x.p], -1.0, &before);
         let gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
