@@ -112,6 +112,7 @@ use proc_macro::TokenStream;
 /// let mut sim = LotkaVolterra { a: 1.5, b: 0.8 }.integrator(Gauss::<3>, 0.01, State::new([x, y], [0.0; 2]));
 /// sim.advance(1000)?;
 /// assert!((kept(sim.state().q) - kept([x, y])).abs() < 1e-11);
+/// assert!(LotkaVolterra::<f64>::REPORT.contains("q follows the field ∂H/∂p by itself"));
 /// # Ok::<(), StepError>(())
 /// ```
 ///
