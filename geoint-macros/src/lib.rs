@@ -86,7 +86,7 @@ use proc_macro::TokenStream;
 /// constant indices, `const` items and constants from outside, nested `fn`s, closures and functions under
 /// [`macro@energy_function`] (inlined), `for` over ranges,
 /// `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled), assignments to variables and their elements (`x = …`,
-/// `x[i] += …`; not from inside a branch on data), the methods of `f64` that have a derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
+/// `x[i] += …`), `continue` and `break` (neither from inside a branch on data), the methods of `f64` that have a derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
 /// stands, which says what is accepted.
 ///
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
