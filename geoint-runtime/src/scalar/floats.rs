@@ -6,6 +6,27 @@ use super::real::Real;
 macro_rules! floats {
     ($($real:ident, $magnitude:expr, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
         impl Real for $real {
+            type Mask = bool;
+            #[inline(always)]
+            fn less(self, y: Self) -> bool {
+                self < y
+            }
+            #[inline(always)]
+            fn less_equal(self, y: Self) -> bool {
+                self <= y
+            }
+            #[inline(always)]
+            fn equal(self, y: Self) -> bool {
+                self == y
+            }
+            #[inline(always)]
+            fn choose<const N: usize>(
+                mask: bool,
+                first: impl FnOnce() -> [Self; N],
+                second: impl FnOnce() -> [Self; N],
+            ) -> [Self; N] {
+                if mask { first() } else { second() }
+            }
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $real
