@@ -101,6 +101,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     type Prepared = [(M::Prepared, R); K];
     /// That of each substep.
     type Memory = [M::Memory; K];
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         Claims { order: self.composition.order, ..self.map.claims() }
