@@ -105,6 +105,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     /// substeps, whose lengths and signs differ, Kahan & Li's composition of discrete gradients takes 4.3 times as long
     /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
     type Memory = [M::Memory; K];
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         Claims { order: self.composition.order, ..self.map.claims() }

@@ -56,9 +56,10 @@ pub trait Real:
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 
-    /// `t0 + n·h`. Time is never a running sum; a short type may evaluate this in a longer one.
-    fn time(t0: Self, n: u64, h: Self) -> Self {
-        t0 + Self::from_f64(n as f64) * h
+    /// `t0 + n·h` for a t₀ of two words, the larger one first. Time is never a running sum; a short type may evaluate this in a
+    /// longer one.
+    fn time(t0: [Self; 2], n: u64, h: Self) -> Self {
+        t0[0] + (t0[1] + Self::from_f64(n as f64) * h)
     }
 
     /// `self·a + b`, fused where the processor of this build does that in one instruction.
@@ -135,4 +136,10 @@ pub trait Real:
 #[inline(always)]
 pub(crate) fn zero<R: Real>() -> R {
     R::from_f64(0.0)
+}
+
+/// A scalar as a plain number, with its sign.
+#[inline(always)]
+pub(crate) fn signed<R: Real>(x: R) -> f64 {
+    if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }
