@@ -60,7 +60,7 @@ pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, hamiltonian};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -108,6 +108,7 @@ pub mod prelude {
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
         PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, hamiltonian,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
+        hamiltonian,
     };
 }
