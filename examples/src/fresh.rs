@@ -37,7 +37,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{} figures, {equal} of them equal to the last bit", names.len());
     match (update, stale.is_empty()) {
         (true, _) | (_, true) => Ok(()),
-        _ => Err(format!("not what the examples draw (`.ci/examples update` replaces them): {}", stale.join("; ")).into()),
+        _ => {
+            Err(format!("not what the examples draw (`.ci/examples update` replaces them): {}", stale.join("; "))
+                .into())
+        }
     }
 }
 

@@ -167,7 +167,10 @@ fn draw_path() -> Result<(), Box<dyn Error>> {
         vec![
             Curve::line("lower bob", palette::BLUE, path(1)).width(0.9),
             Curve::line("upper bob", palette::VERMILION, path(0)).width(1.4).solid(),
-            Curve::line("arms at the end", palette::BLACK, vec![(0.0, 0.0), upper, lower]).width(2.0).solid().marked(4.0),
+            Curve::line("arms at the end", palette::BLACK, vec![(0.0, 0.0), upper, lower])
+                .width(2.0)
+                .solid()
+                .marked(4.0),
         ],
     );
     figure("double_pendulum_path.svg", (460, 420), &[panel.equal().named_above()])

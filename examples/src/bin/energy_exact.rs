@@ -29,7 +29,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pendulum = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
     let motions = [
         Motion::new("Pendulum", "s; a swing takes 3 s", pendulum, 0.02, State::new(2.0, 0.0)),
-        Motion::new("Hénon–Heiles", "(dimensionless); an oscillation takes 6", HenonHeiles, 0.1, State::new([0.1, -0.2], [0.3, 0.25])),
+        Motion::new(
+            "Hénon–Heiles",
+            "(dimensionless); an oscillation takes 6",
+            HenonHeiles,
+            0.1,
+            State::new([0.1, -0.2], [0.3, 0.25]),
+        ),
     ];
     for Motion { name, h, runs, .. } in &motions {
         println!("{name}, steps of {h}: largest relative error of the energy so far\n");
@@ -129,7 +135,10 @@ fn draw(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
         if *name == "DiscreteGradient" { line.rounding() } else { line }
     };
     let panel = |motion: &Motion| {
-        let axes = [Axis::decades("steps", 0.0..6.0), Axis::decades("relative error of the energy, largest so far", -16.5..2.0)];
+        let axes = [
+            Axis::decades("steps", 0.0..6.0),
+            Axis::decades("relative error of the energy, largest so far", -16.5..2.0),
+        ];
         let note = format!("h = {} {}", motion.h, motion.units);
         Panel::new(motion.name, note, axes, motion.runs.iter().zip(colours).map(curve).collect())
     };

@@ -201,7 +201,10 @@ fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
     let panel = Panel::new(
         "Hénon–Heiles up to t = 2",
         "h = 0.4, 0.2, …, 0.0125; all but BlanesMoan4 keep the energy; each kick and each drift of it counts; dimensionless",
-        [Axis::decades("points at which H or its gradient is evaluated", 1.0..4.0), Axis::decades("distance from the true end", -12.0..0.0)],
+        [
+            Axis::decades("points at which H or its gradient is evaluated", 1.0..4.0),
+            Axis::decades("distance from the true end", -12.0..0.0),
+        ],
         curves,
     );
     figure("which_discrete_gradient.svg", (480, 420), &[panel])

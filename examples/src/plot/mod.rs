@@ -132,7 +132,10 @@ mod tests {
         let line = || vec![Curve::line("name", palette::BLUE, vec![(0.0, 1.0), (1.0, 0.1)])];
         assert_eq!(panel(line()).unsaid(), None);
         assert_eq!(Panel { note: String::new(), ..panel(line()) }.unsaid(), Some("a note with method, step and units"));
-        assert_eq!(panel(vec![Curve { name: String::new(), ..line().remove(0) }]).unsaid(), Some("the name of a curve"));
+        assert_eq!(
+            panel(vec![Curve { name: String::new(), ..line().remove(0) }]).unsaid(),
+            Some("the name of a curve")
+        );
     }
 
     /// A logarithm of zero has no place, least of all that of the smallest number on the axis.

@@ -24,19 +24,40 @@ impl Marker {
             Marker::Up => &[(0.0, -1.3), (1.2, 0.9), (-1.2, 0.9)],
             Marker::Down => &[(0.0, 1.3), (1.2, -0.9), (-1.2, -0.9)],
             Marker::Plus => &[
-                (-0.4, -1.3), (0.4, -1.3), (0.4, -0.4), (1.3, -0.4), (1.3, 0.4), (0.4, 0.4),
-                (0.4, 1.3), (-0.4, 1.3), (-0.4, 0.4), (-1.3, 0.4), (-1.3, -0.4), (-0.4, -0.4),
+                (-0.4, -1.3),
+                (0.4, -1.3),
+                (0.4, -0.4),
+                (1.3, -0.4),
+                (1.3, 0.4),
+                (0.4, 0.4),
+                (0.4, 1.3),
+                (-0.4, 1.3),
+                (-0.4, 0.4),
+                (-1.3, 0.4),
+                (-1.3, -0.4),
+                (-0.4, -0.4),
             ],
             Marker::Cross => &[
-                (0.0, -0.55), (0.75, -1.3), (1.3, -0.75), (0.55, 0.0), (1.3, 0.75), (0.75, 1.3),
-                (0.0, 0.55), (-0.75, 1.3), (-1.3, 0.75), (-0.55, 0.0), (-1.3, -0.75), (-0.75, -1.3),
+                (0.0, -0.55),
+                (0.75, -1.3),
+                (1.3, -0.75),
+                (0.55, 0.0),
+                (1.3, 0.75),
+                (0.75, 1.3),
+                (0.0, 0.55),
+                (-0.75, 1.3),
+                (-1.3, 0.75),
+                (-0.55, 0.0),
+                (-1.3, -0.75),
+                (-0.75, -1.3),
             ],
         }
     }
 
     /// A closed path around a centre.
     fn around(self, (x, y): Place, r: i32) -> String {
-        let scaled = |(a, b): &(f64, f64)| (x + (a * f64::from(r)).round() as i32, y + (b * f64::from(r)).round() as i32);
+        let scaled =
+            |(a, b): &(f64, f64)| (x + (a * f64::from(r)).round() as i32, y + (b * f64::from(r)).round() as i32);
         match self.corners() {
             [] => format!("M{} {y}a{r} {r} 0 1 0 {} 0a{r} {r} 0 1 0 {} 0z", x - r, 2 * r, -2 * r),
             corners => through(&corners.iter().map(scaled).collect::<Vec<_>>()) + "z",
@@ -124,7 +145,11 @@ impl Document {
         };
         let bold = if bold { " font-weight=\"bold\" font-size=\"140\"" } else { "" };
         // Letters without ascenders are half as high as wide capitals; a third of the size lies above their middle.
-        self.line(format_args!("<text x=\"{x}\" y=\"{}\"{anchor}{bold} fill=\"#333\">{}</text>", y + 42, escaped(text)));
+        self.line(format_args!(
+            "<text x=\"{x}\" y=\"{}\"{anchor}{bold} fill=\"#333\">{}</text>",
+            y + 42,
+            escaped(text)
+        ));
     }
 
     /// Lines through places; each of the parts begins anew.
