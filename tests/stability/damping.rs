@@ -211,9 +211,9 @@ fn relative_damping_keeps_total_momentum() {
 /// Without a Newton iteration: the step of a linear system is that of the implicit midpoint rule.
 #[test]
 fn linear_systems_are_solved_at_once() {
-    const { assert!(<<Oscillator as DiscreteField>::Inverse as Inverse<_>>::EXISTS) };
-    const { assert!(!<<VanDerPol as DiscreteField>::Inverse as Inverse<_>>::EXISTS) };
-    const { assert!(!<<Duffing as DiscreteField>::Inverse as Inverse<_>>::EXISTS) };
+    const { assert!(<<Oscillator as DiscreteField>::Inverse as Inverse<[[f64; 2]; 2]>>::EXISTS) };
+    const { assert!(!<<VanDerPol as DiscreteField>::Inverse as Inverse<[[f64; 1]; 2]>>::EXISTS) };
+    const { assert!(!<<Duffing as DiscreteField>::Inverse as Inverse<[[f64; 1]; 2]>>::EXISTS) };
     let system = Oscillator { m: [1.3, 0.7], k: [0.9, 1.6], c: [0.2, 0.0] };
     let start = State::new([0.4, -0.6], [0.3, 0.8]);
     let mut sim = system.integrator(DiscreteGradient, 0.7, start);

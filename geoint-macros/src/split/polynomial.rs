@@ -11,7 +11,7 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
 
 /// A monomial in an order of its own.
-type Key = Vec<(Symbol, (i64, i64))>;
+type Key = Vec<(Symbol, (i128, i128))>;
 
 /// Products of sums have this many terms at most.
 const MAX_TERMS: usize = 64;
@@ -112,7 +112,7 @@ impl Polynomial {
     }
 
     /// The coefficient of a product of powers; zero if there is no such term.
-    pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i64)]) -> Id {
+    pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i128)]) -> Id {
         let monomial: Monomial = powers.iter().map(|(symbol, power)| (*symbol, Ratio::integer(*power))).collect();
         self.0.get(&key(&monomial)).map_or_else(|| graph.zero(), |(_, coefficient)| *coefficient)
     }

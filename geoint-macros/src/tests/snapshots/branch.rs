@@ -51,6 +51,7 @@ struct Spring;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,

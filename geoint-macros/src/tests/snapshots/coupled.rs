@@ -48,6 +48,7 @@ struct Coupled;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,

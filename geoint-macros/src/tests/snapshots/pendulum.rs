@@ -61,6 +61,7 @@ pub struct Pendulum<R = f64> {
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,

@@ -1,10 +1,14 @@
 use geoint_runtime::prelude::*;
 
+mod math {
+    pub fn sqrt(x: f64) -> f64 {
+        x.sqrt()
+    }
+}
+
 #[hamiltonian]
 fn energy(q: f64, p: f64) -> f64 {
-    let mut x = [q, p];
-    x[0] = 2.0 * q;
-    x[0] * x[1]
+    p * p / 2.0 + math::sqrt(1.0 + q * q)
 }
 
 fn main() {

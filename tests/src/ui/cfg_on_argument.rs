@@ -1,10 +1,8 @@
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]
-fn energy(q: f64, p: f64) -> f64 {
-    let mut e = p * p;
-    e = e + q;
-    e
+fn energy(q: f64, p: f64, #[cfg(any())] k: f64) -> f64 {
+    p * p + q * q
 }
 
 fn main() {
