@@ -28,6 +28,23 @@ type Carried<A> = Point<A, Compensated<A>>;
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Planar pendulum; q in rad, p in kg m²/s.
+/// #[hamiltonian]
+/// fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+///     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+/// }
+///
+/// let system = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
+/// let mut sim = system.adaptive(DOP853, 1e-10, State::new(3.1, 0.0));
+/// // Almost upside down it takes long steps, and short ones on the way down.
+/// sim.advance_to(10.0)?;
+/// assert_eq!(sim.time(), 10.0);
+/// # Ok::<(), StepError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
