@@ -50,8 +50,8 @@
 pub mod scalar;
 pub mod space;
 pub mod slope;
-pub mod system;
 mod solving;
+pub mod system;
 pub mod method;
 pub mod running;
 #[doc(hidden)]

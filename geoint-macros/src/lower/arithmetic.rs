@@ -7,7 +7,7 @@ use crate::ir::{Id, Number, Ratio, Relation};
 use quote::{ToTokens, quote};
 use syn::BinOp;
 
-impl Lowering {
+impl Lowering<'_> {
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
         use Value::{Integer, Iterator, List, Opaque, Poison, Real, Truth, Tuple, Vector};
         match (left, right) {
@@ -123,7 +123,7 @@ impl Lowering {
         if matches!(value, Value::Poison) {
             return Value::Poison;
         }
-        let target = match &*cast.ty {
+        let target = match &self.outside.resolve(&cast.ty) {
             syn::Type::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
@@ -165,7 +165,8 @@ impl Lowering {
             Value::Integer(n) => return Some(n),
             Value::Poison => {}
             Value::Opaque(_) => {
-                self.refuse(syntax, "this bound is not known to the macro: write the number, or a `const` in the body");
+                self.refuse(syntax, "this number is not known to the macro: make it a `const` in the body, or repeat the one outside in the \
+                     attribute: `const N = 3`");
             }
             Value::Real(_) => {
                 self.refuse(

@@ -1,15 +1,15 @@
 //! Calls: of closures and nested functions, which are inlined, and of the few others that are known.
 
-use super::Lowering;
 use super::scope::{Around, Scopes};
 use super::statement::simple_name;
 use super::value::{Callable, Value};
+use super::{Lowering, method};
 use crate::ir::Number;
 use quote::ToTokens;
 use std::rc::Rc;
 use syn::Expr;
 
-impl Lowering {
+impl Lowering<'_> {
     /// Calls a closure or nested function.
     pub(super) fn apply(
         &mut self,
@@ -54,11 +54,18 @@ impl Lowering {
         let Expr::Path(path) = &*call.func else {
             return self.refuse(&call.func, "only nested functions and closures can be called");
         };
-        let segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        let mut segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let [owner, _] = &mut segments[..]
+            && let Some(syn::Type::Path(path)) = self.outside.alias(owner)
+            && let Some(last) = path.path.segments.last()
+        {
+            *owner = last.ident.to_string();
+        }
         let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
         let (owner, function) = match &segments[..] {
             [.., owner, function] => (owner.as_str(), function.as_str()),
-            _ => ("", ""),
+            [function] => ("", function.as_str()),
+            [] => ("", ""),
         };
         match (owner, function) {
             ("f64" | "f32", _) if segments.len() == 2 && owner != self.float => {
@@ -92,12 +99,27 @@ impl Lowering {
                 };
                 Value::Vector(items.iter().map(|value| self.real(call, value.clone())).collect())
             }
-            _ => self.refuse(
+            (owner, _) if is_matrix(owner) => self.refuse(
                 &call.func,
-                "the macro cannot see into functions outside of the energy: make this a nested `fn` or a closure",
+                "an energy has vectors, but no matrices: write one as an array of arrays, `[[a, b], [c, d]]`, and its products \
+                 as sums",
             ),
+            (_, function) if method::is_of_numbers(function) => {
+                self.refuse(&call.func, format!("this is a method of numbers: `x.{function}()`"))
+            }
+            _ => self.refuse(&call.func, OUTSIDE),
         }
     }
+}
+
+const OUTSIDE: &str = "the macro cannot see into functions outside of the energy: make this a nested `fn` or a closure, by \
+                       its formula or an approximation";
+
+/// Whether a name is that of a type of nalgebra with rows and columns, or of what turns vectors.
+fn is_matrix(name: &str) -> bool {
+    ["Matrix", "SMatrix", "Rotation", "Quaternion", "UnitQuaternion", "Isometry"]
+        .iter()
+        .any(|start| name.starts_with(start))
 }
 
 /// The length of a vector type of nalgebra that has its length in its name.

@@ -4,6 +4,7 @@
 //! This is the last stage that sees syntax: it hands on a table from nodes to the places at which they were written.
 
 mod arithmetic;
+mod assign;
 mod branch;
 mod call;
 mod constants;
@@ -17,7 +18,7 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol};
-use crate::parse::{Argument, Energy};
+use crate::parse::{Argument, Energy, Outside};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
@@ -84,7 +85,11 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         partial: vec![],
         calls: vec![],
         float: energy.float.to_string(),
+        outside: &energy.outside,
     };
+    for (name, value) in energy.outside.constants() {
+        lowering.scopes.declare(name, scope::Item::Import(Value::Integer(value)));
+    }
     for (role, argument) in &energy.arguments {
         let symbols = energy.symbols(*role, argument);
         let value = lowering.argument(argument, &symbols);
@@ -96,7 +101,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     // Damping and pieces see the arguments as they were given.
     lowering.scopes = arguments;
     let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
-    let group = |lowering: &mut Lowering, expr: &syn::Expr| {
+    let group = |lowering: &mut Lowering<'_>, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
     };
@@ -106,7 +111,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
 }
 
 /// The evaluator.
-struct Lowering {
+struct Lowering<'a> {
     graph: Graph,
     errors: Diagnostics,
     scopes: Scopes,
@@ -126,9 +131,11 @@ struct Lowering {
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
     float: String,
+    /// Aliases of the file.
+    outside: &'a Outside,
 }
 
-impl Lowering {
+impl Lowering<'_> {
     /// Says what is wrong; the value that comes of it silences what would follow.
     fn refuse(&mut self, syntax: &impl ToTokens, message: impl Display) -> Value {
         self.errors.at(syntax, message);
@@ -171,6 +178,11 @@ impl Lowering {
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
     fn written(&mut self, id: Id, syntax: &impl ToTokens, place: impl FnOnce() -> Place) -> Value {
         self.places.entry(id).or_insert_with(place);
+        self.noted(syntax, Value::Real(id))
+    }
+
+    /// The same for a value that is not a number, but may be made of some.
+    fn noted(&mut self, syntax: &impl ToTokens, value: Value) -> Value {
         let new: Vec<Id> = self.graph.ids().skip(self.heights.len()).collect();
         for id in &new {
             let below = self.graph.node(*id).children().iter().map(|child| self.heights[child.index()]).max();
@@ -186,7 +198,7 @@ impl Lowering {
         if !new.iter().all(|id| self.is_finite(*id)) {
             return self.refuse(syntax, "this is not a finite number, whatever the state is");
         }
-        Value::Real(id)
+        value
     }
 
     /// Enters a side of a branch; returns what [`Self::leave_branch`] needs.

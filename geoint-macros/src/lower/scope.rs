@@ -1,7 +1,7 @@
 //! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
 
 use super::value::{Callable, Constant, Value};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure
@@ -11,8 +11,6 @@ pub(super) struct Scopes {
     levels: Vec<Rc<Level>>,
     /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
     closed_below: (usize, Around),
-    /// Accumulators of the loops around, with the level above which the loop's own variables live.
-    accumulators: Vec<(Rc<HashSet<String>>, usize)>,
 }
 
 /// A block: variables are visible from their `let` on, items from its first line on.
@@ -40,7 +38,7 @@ pub(super) enum Found {
 
 impl Default for Scopes {
     fn default() -> Self {
-        Scopes { levels: vec![Rc::default()], closed_below: (0, Around::Function), accumulators: vec![] }
+        Scopes { levels: vec![Rc::default()], closed_below: (0, Around::Function) }
     }
 }
 
@@ -51,7 +49,7 @@ pub(super) enum Around {
     Function,
 }
 
-/// Why a variable cannot be added to.
+/// Why a variable cannot be assigned to.
 pub(super) enum Refused {
     Unknown,
     Outside(Around),
@@ -101,14 +99,8 @@ impl Scopes {
         self.levels[level].variables.contains_key(name).then_some(level)
     }
 
-    /// Whether a name is being accumulated by a loop around, so that its value is not known before the loop ends.
-    pub(super) fn is_accumulating(&self, name: &str) -> bool {
-        let Some(level) = self.level_of_variable(name) else { return false };
-        self.accumulators.iter().any(|(names, outside)| level < *outside && names.contains(name))
-    }
-
-    /// A variable to add to.
-    pub(super) fn accumulator(&mut self, name: &str) -> Result<&mut Value, Refused> {
+    /// A variable to assign to.
+    pub(super) fn assignable(&mut self, name: &str) -> Result<&mut Value, Refused> {
         let level = self.level_of_variable(name).ok_or(Refused::Unknown)?;
         let (outside, around) = self.closed_below;
         if level < outside {
@@ -124,14 +116,6 @@ impl Scopes {
 
     pub(super) fn open(&mut self, before: (usize, Around)) {
         self.closed_below = before;
-    }
-
-    pub(super) fn enter_loop(&mut self, accumulators: HashSet<String>) {
-        self.accumulators.push((Rc::new(accumulators), self.levels.len()));
-    }
-
-    pub(super) fn leave_loop(&mut self) {
-        self.accumulators.pop();
     }
 }
 

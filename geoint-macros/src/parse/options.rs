@@ -1,5 +1,6 @@
 //! The arguments of the attribute.
 
+use super::outside::Outside;
 use super::{Form, Role};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
@@ -17,13 +18,18 @@ pub(super) struct Options {
     pub(super) damping: Option<syn::Expr>,
     pub(super) split: Option<Vec<syn::Expr>>,
     pub(super) lift: Option<Span>,
+    pub(super) outside: Outside,
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `crate = path` and `require(separable, quadratic_kinetic)`";
+                           `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `crate = path` and \
+                           `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
-                       `t = argument`, `split = \"terms | terms\"`, `lift` and `crate = path`";
+                       `t = argument`, `split = \"terms | terms\"`, `lift`, `const N = 3`, `type P = [f64; 3]` and `crate = path`";
+
+/// What may be given several times.
+const REPEATABLE: [&str; 3] = ["require", "const", "type"];
 
 impl Options {
     pub(super) fn parse(form: Form, input: ParseStream<'_>) -> syn::Result<Self> {
@@ -31,7 +37,7 @@ impl Options {
         let mut given: Vec<Ident> = vec![];
         while !input.is_empty() {
             let key = input.call(Ident::parse_any)?;
-            if key != "require" && given.contains(&key) {
+            if !REPEATABLE.iter().any(|name| key == name) && given.contains(&key) {
                 return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
             }
             given.push(key.clone());
@@ -52,6 +58,8 @@ impl Options {
                         options.requirements.push((requirement, name.span()));
                     }
                 }
+                "const" => options.outside.parse_constant(input)?,
+                "type" => options.outside.parse_alias(input)?,
                 "crate" => {
                     input.parse::<Token![=]>()?;
                     options.runtime = Some(input.parse()?);

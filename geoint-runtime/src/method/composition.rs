@@ -1,6 +1,7 @@
 //! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
 
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
+use crate::method::total::adds_up;
 use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
@@ -23,6 +24,7 @@ impl<const K: usize> Composition<K> {
             gamma[i] = half[if i < HALF { i } else { K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(&gamma, 1.0), "the weights add up to 1");
         Composition { order, gamma }
     }
 
@@ -99,7 +101,9 @@ pub struct Composed<M, const K: usize> {
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
-    /// That of each substep.
+    /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all
+    /// substeps, whose lengths and signs differ, Kahan & Li's composition of discrete gradients takes 4.3 times as long
+    /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
     type Memory = [M::Memory; K];
 
     fn claims(&self) -> Claims {

@@ -12,6 +12,7 @@ mod probe;
 pub mod splitting;
 pub mod tableau;
 pub mod tables;
+mod total;
 
 pub use field::{gradient_kick, modified_verlet};
 pub(crate) use probe::check_end;

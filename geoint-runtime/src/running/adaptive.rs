@@ -147,7 +147,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     fn left(&self, t: R) -> f64 {
         let mut left = t - self.t;
-        left += -self.t_sum.carry();
+        left += -self.t_sum.compensation();
         real(left)
     }
 

@@ -51,6 +51,7 @@ struct Spring;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -64,9 +65,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -337,7 +338,7 @@ const _: () = {
     impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
         type Parameters = [R; 0];
         type Start = [R; 11];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 0] {

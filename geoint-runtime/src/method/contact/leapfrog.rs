@@ -56,7 +56,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         }
         probe.visit(t, &x.q, &x.p, &x.s);
         scale(before, x);
-        // An action that nobody reads ends here, and with it what it is computed from.
+        // An action that is not followed is dropped here, and with it what it is computed from.
         let unread = x.s;
         system.free_kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
         system.free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
