@@ -156,10 +156,10 @@ impl Lowering {
     fn path(&mut self, path: &Path) -> Value {
         let Some(last) = path.segments.last() else { return Value::Poison };
         let name = last.ident.to_string();
-        if path.get_ident().is_some() {
-            if let Some(value) = self.named(path, &name) {
-                return value;
-            }
+        if path.get_ident().is_some()
+            && let Some(value) = self.named(path, &name)
+        {
+            return value;
         }
         if let Some(value) = constants::of_path(path) {
             return Value::Real(self.graph.number(Number::float(value)));
