@@ -1,6 +1,13 @@
 fn half_spring(q: f64, p: f64, t: f64) -> f64 {
     (1.0 + p * p).sqrt() + if q > 0.0 { q.powi(4) * t.cos() } else { 0.0 }
 }
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
 /**
 # What was derived
 
@@ -39,12 +46,6 @@ Skipped
 - recomputing what depends on parameters and the step size: prepared once
 - Runge–Kutta–Nyström tables: they need a quadratic T
 ```*/
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 struct Spring;
 #[allow(
     clippy::all,

@@ -1,6 +1,13 @@
 fn coupled(q: [f64; 2], p: [f64; 2]) -> f64 {
     (1.0 + q[0] * q[0]) * p[0] * p[0] + p[1] * q[1]
 }
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
 /**
 # What was derived
 
@@ -36,12 +43,6 @@ Skipped
 - recomputing what depends on parameters and the step size: prepared once
 - kick and drift: they do not exist for this H
 ```*/
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 struct Coupled;
 #[allow(
     clippy::all,

@@ -2,6 +2,13 @@
 pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
 }
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
 /// Planar pendulum.
 /**
 # What was derived
@@ -42,12 +49,6 @@ Skipped
 - the clock: H does not depend on time
 - recomputing what depends on parameters and the step size: prepared once
 ```*/
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 pub struct Pendulum<R = f64> {
     ///The parameter `m` of the energy.
     pub m: R,
