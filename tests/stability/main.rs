@@ -7,4 +7,5 @@ mod refusals;
 mod poles;
 mod long_steps;
 mod rounding;
+mod same_bits;
 mod trajectories;
