@@ -119,6 +119,9 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod scalar;
 pub mod space;
 pub mod slope;
@@ -129,7 +132,7 @@ pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, hamiltonian};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -158,7 +161,7 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError};
+pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
@@ -177,6 +180,7 @@ pub mod prelude {
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
         PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
+        hamiltonian,
     };
 }

@@ -9,3 +9,4 @@ mod long_steps;
 mod rounding;
 mod same_bits;
 mod trajectories;
+mod time;

@@ -4,7 +4,7 @@ use super::kernel::{Context, write};
 use super::{attributes, damping, domain};
 use crate::analyze::Structure;
 use crate::diff::Derivatives;
-use crate::ir::{Function, Graph, Id, Node};
+use crate::ir::{Graph, Id};
 use crate::parse::{Energy, Form, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -97,11 +97,9 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
 }
 
-/// What kernels ask of their scalar: comparisons only if the energy, or damping, has branches.
-pub(super) fn bounds(graph: &Graph, roots: &[Id]) -> TokenStream {
-    let compares =
-        |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
+/// What kernels ask of their scalar.
+pub(super) fn bounds(_: &Graph, _: &[Id]) -> TokenStream {
+    quote!(Real)
 }
 
 pub(super) fn hamiltonian(

@@ -19,7 +19,7 @@ struct Target {
     text: String,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// `target = value`.
     pub(super) fn assign(&mut self, assignment: &ExprAssign) -> Value {
         let value = self.expr(&assignment.right);

@@ -13,7 +13,7 @@ use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
 pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - * /`, methods of `f64`, `if … else`, \
                            closures, `for` over ranges, and sums over iterators";
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
         if self.depth >= super::MAX_DEPTH {
@@ -161,6 +161,18 @@ impl Lowering<'_> {
         }
         // A constant outside: the generated code can name it, and rustc knows its value.
         if name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_') {
+            let first = path.segments[0].ident.to_string();
+            let everywhere = path.leading_colon.is_some()
+                || path.segments.len() > 1 && ["crate", "core", "std", "f64", "f32"].contains(&first.as_str());
+            if self.scopes.are_foreign() && !everywhere {
+                return self.refuse(
+                    path,
+                    format!(
+                        "where this function is inlined `{name}` may be another constant: make it an argument or a `const` \
+                         inside, or name it from the root, `crate::…` or `std::f64::consts::…`"
+                    ),
+                );
+            }
             return Value::Opaque(path.to_token_stream());
         }
         self.refuse(
@@ -174,6 +186,7 @@ impl Lowering<'_> {
         Some(match self.scopes.get(name)? {
             Found::Variable(value) | Found::Item(Item::Import(value), _) => value,
             Found::Item(Item::Function(callable), sees) => Value::Callable(callable, Rc::new(sees)),
+            Found::Item(Item::Outside(callable, sees), _) => Value::Callable(callable, sees),
             Found::Item(Item::Constant(constant), sees) => self.constant_item(syntax, &constant, sees),
         })
     }

@@ -16,7 +16,7 @@ const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, 
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn block(&mut self, block: &Block) -> Value {
         self.scopes.enter();
         self.items(block);
@@ -45,15 +45,7 @@ impl Lowering<'_> {
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
-                    let parameters = item.sig.inputs.iter().filter_map(|input| match input {
-                        syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
-                        syn::FnArg::Receiver(_) => None,
-                    });
-                    let callable = Callable {
-                        name: Some(item.sig.ident.to_string()),
-                        parameters: parameters.collect(),
-                        body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
-                    };
+                    let callable = Callable::of(item);
                     self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
@@ -154,8 +146,8 @@ impl Lowering<'_> {
 
     /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
     fn poison_names(&mut self, pattern: &Pat) {
-        struct Names<'a, 'b>(&'a mut Lowering<'b>);
-        impl Visit<'_> for Names<'_, '_> {
+        struct Names<'a>(&'a mut Lowering);
+        impl Visit<'_> for Names<'_> {
             fn visit_pat_ident(&mut self, pattern: &syn::PatIdent) {
                 self.0.scopes.bind(&pattern.ident, Value::Poison);
             }

@@ -127,8 +127,11 @@ pub struct Composed<M, const K: usize> {
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
-    /// That of each substep.
+    /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all
+    /// substeps, whose lengths and signs differ, Kahan & Li's composition of discrete gradients takes 4.3 times as long
+    /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
     type Memory = [M::Memory; K];
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         Claims { order: self.composition.order, ..self.map.claims() }

@@ -120,6 +120,7 @@ impl Slopes {
             | Function::AbsSlopeDerivative
             | Function::NotNegative
             | Function::AtMost
+            | Function::DecayMean
             | Function::Grown
             | Function::Phi1
             | Function::Phi1Derivative

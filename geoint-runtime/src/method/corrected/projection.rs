@@ -27,6 +27,7 @@ pub struct Prepared<P, I> {
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = M::Memory;
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();

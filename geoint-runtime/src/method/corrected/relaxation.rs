@@ -31,6 +31,7 @@ pub struct Prepared<P, R> {
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = M::Memory;
+    const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
@@ -65,7 +66,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         };
         let [dq, dp] = moved.map(|d| scaled(excess, &d));
         x.add(&dq, &dp);
-        x.ahead += excess * *h;
+        x.ahead.add(excess * *h);
         Ok(())
     }
 }

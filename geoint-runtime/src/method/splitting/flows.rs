@@ -8,11 +8,11 @@ use core::marker::PhantomData;
 
 /// The outer flows are kicks, of the kind `F`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct KickFirst<F = Plain>(PhantomData<F>);
+pub struct KickFirst<F = WithoutGradient>(PhantomData<F>);
 
 /// The outer flows are drifts; kicks are of the kind `F`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriftFirst<F = Plain>(PhantomData<F>);
+pub struct DriftFirst<F = WithoutGradient>(PhantomData<F>);
 
 /// How long a flow is: a part of h, and for kicks with a force gradient a part of h³.
 #[derive(Clone, Copy, Debug)]
@@ -33,9 +33,9 @@ pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
 
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plain;
+pub struct WithoutGradient;
 
-impl<S: Separable<R>, R: Real> Kicks<S, R> for Plain {
+impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
     type Kick = S::Kick;
     fn prepare(system: &S, weight: Weight<R>) -> S::Kick {
         system.prepare_kick(weight.h)
@@ -54,7 +54,7 @@ pub struct WithGradient;
 #[derive(Clone, Copy, Debug)]
 pub enum SomeKick<A, B> {
     /// The flow of V.
-    Plain(A),
+    WithoutGradient(A),
     /// With a force gradient.
     WithGradient(B),
 }
@@ -63,14 +63,14 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
     type Kick = SomeKick<S::Kick, S::GradientKick>;
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick {
         match weight.gradient {
-            None => SomeKick::Plain(system.prepare_kick(weight.h)),
+            None => SomeKick::WithoutGradient(system.prepare_kick(weight.h)),
             Some(gradient) => SomeKick::WithGradient(system.prepare_gradient_kick(weight.h, gradient)),
         }
     }
     #[inline(always)]
     fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
         match kick {
-            SomeKick::Plain(kick) => system.kick(kick, t, q, p, s),
+            SomeKick::WithoutGradient(kick) => system.kick(kick, t, q, p, s),
             SomeKick::WithGradient(kick) => system.gradient_kick(kick, t, q, p, s),
         }
     }

@@ -37,7 +37,7 @@ mod table;
 mod verlet;
 
 pub use driver::Sequence;
-pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, Plain, SomeKick, Times, Weight, WithGradient};
+pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use nystrom::Nystrom;
 pub use table::{Flow, Splitting};
 pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};

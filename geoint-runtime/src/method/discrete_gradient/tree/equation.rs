@@ -86,7 +86,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     ) -> Self {
         let (y, changed) = S::start(&x.q, &x.p);
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
-        let (of_y, of_changed) = S::start(&x.sums[0].carry(), &x.sums[1].carry());
+        let (of_y, of_changed) = S::start(&x.sums[0].compensation(), &x.sums[1].compensation());
         let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
         Equation { system, coefficients, t, q: x.q, p: x.p, y, changed, compensation, start }
     }
