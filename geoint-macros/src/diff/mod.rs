@@ -9,10 +9,8 @@ mod rules;
 mod slope;
 mod sweep;
 
-use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
-pub(crate) use field::{Field, SecondOrder};
 pub(crate) use force_gradient::gradient_kick;
 pub(crate) use forward::{along, jacobian};
 
@@ -41,23 +39,6 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
     let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
     let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
     Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
-}
-
-/// Everything that is derived from an energy.
-pub(crate) struct Derivatives {
-    pub(crate) gradient: Gradient,
-    pub(crate) field: Field,
-    pub(crate) discrete: Field,
-    pub(crate) second_order: Option<SecondOrder>,
-}
-
-/// Derives everything that some method needs.
-pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32) -> Derivatives {
-    let gradient = gradient(graph, structure.energy, degrees);
-    let field = field::field(graph, &gradient, structure, degrees);
-    let discrete = field::discrete(graph, structure, degrees);
-    let second_order = field::second_order(graph, &gradient, structure, degrees);
-    Derivatives { gradient, field, discrete, second_order }
 }
 
 /// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.

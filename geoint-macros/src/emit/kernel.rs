@@ -3,7 +3,7 @@
 use super::straight_line;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{self, Block};
+use crate::schedule::{self, Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
@@ -180,6 +180,16 @@ impl<'a> Context<'a> {
         finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
     ) -> TokenStream {
         straight_line::routine(&schedule::routine(graph, roots), &|symbol| self.input(symbol), finish)
+    }
+
+    /// The values of a plan's only routine, or of its first.
+    pub(crate) fn values(&self, plan: &Plan, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
+        self.planned(&plan.last[0], (&[], ""), finish)
+    }
+
+    /// What the routine of a level stores for later ones, as an array.
+    pub(crate) fn stored(&self, plan: &Plan, level: usize) -> TokenStream {
+        self.planned(&plan.stores[level], (&[], ""), |values| quote!([#(#values),*]))
     }
 
     /// A routine of a plan, in which `unknowns` are in the array `array`.
