@@ -1,6 +1,7 @@
 //! What is derived from H(q, p, t).
 
-use super::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, implicit};
+use super::implicit;
+use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Symbol};

@@ -1,8 +1,7 @@
 //! What is derived from H(q, p, s, t).
 
-use super::{
-    FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped, implicit,
-};
+use super::implicit;
+use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id};

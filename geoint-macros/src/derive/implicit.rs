@@ -1,6 +1,6 @@
 //! The equations of implicit methods.
 
-use super::{FieldKernels, StepKernel};
+use super::system::{FieldKernels, StepKernel};
 use crate::analyze::Structure;
 use crate::diff::Gradient;
 use crate::diff::contact::{self, Equation};

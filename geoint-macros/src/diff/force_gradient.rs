@@ -3,7 +3,7 @@
 //! ∇(F·M⁻¹F) is twice the derivative of F along M⁻¹F, because that of F is symmetric: one forward derivative, in place of a sweep
 //! over all that F·M⁻¹F is made of.
 
-use super::along;
+use super::forward::along;
 use crate::ir::{Graph, Id, Number, Symbol};
 
 /// What a kick with a force gradient does.

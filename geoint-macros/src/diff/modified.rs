@@ -4,7 +4,8 @@
 //! commutator; for more pieces the same applies to what is inside, again and again. Flows that advance a clock have a conjugate
 //! of that clock added to their energy, which is linear in it: {F + e_c, G} has ∂G/∂c more than {F, G}.
 
-use super::{Gradient, along, gradient, partial, rename};
+use super::forward::along;
+use super::gradient::{Gradient, gradient, partial, rename};
 use crate::analyze::Parts;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 

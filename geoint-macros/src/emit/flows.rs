@@ -1,6 +1,6 @@
 //! Kick and drift; or implementations that no scalar satisfies, whose message names the term that couples, or damps.
 
-use super::kernel::{Context, place};
+use super::kernel::{Context, element};
 use super::system::self_type;
 use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
 use crate::ir::{Graph, Symbol, print::Printer};
@@ -97,8 +97,8 @@ fn flow(context: &Context<'_>, name: &str, flow: &FlowKernel<Plan>) -> (TokenStr
 /// `q[i] = …; p[i] = …; *s = …;`
 pub(super) fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
     let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) => place(quote!(q), &context.coordinate(*i)),
-        Symbol::P(i) => place(quote!(p), &context.coordinate(*i)),
+        Symbol::Q(i) => element(quote!(q), &context.coordinate(*i)),
+        Symbol::P(i) => element(quote!(p), &context.coordinate(*i)),
         _ => quote!(*s),
     });
     context.values(&flow.kernel, |values| quote!(#(#places = #values;)*))

@@ -1,6 +1,6 @@
 //! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
 
-use super::kernel::{Context, place, write};
+use super::kernel::{Context, element, write};
 use super::system::self_type;
 use crate::analyze::MeanValue;
 use crate::derive::FieldKernels;
@@ -116,13 +116,13 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>, bou
         context.planned(&plan.last[0], (coordinates, "y"), |values| write_field(["f", "jacobian"], &places, &values));
     let momenta = momenta(context.energy.degrees());
     let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
-    let y: Vec<_> = places.iter().map(|indices| place(quote!(y), indices)).collect();
+    let y: Vec<_> = places.iter().map(|indices| element(quote!(y), indices)).collect();
     let [derivative, start, add, increments] = if field.second_order {
         let add =
             context.planned(&plan.last[2], (&momenta, "f"), |values| quote!(#(#y = w.multiply_add(#values, #y);)*));
         [quote!(2), quote!((*q, *p)), add, quote!([*change, *impulse])]
     } else {
-        let f = places.iter().map(|indices| place(quote!(f), indices));
+        let f = places.iter().map(|indices| element(quote!(f), indices));
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
         [quote!(1), quote!(([*q, *p], [*q, *p])), add, quote!(*change)]
     };

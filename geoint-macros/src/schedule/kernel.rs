@@ -1,6 +1,8 @@
 //! Kernels: the routines of one piece of work, and when the symbols that they read are known.
 
-use super::{Block, Operations, plan};
+use super::block::{Block, Operations};
+use super::levels::KnownLevels;
+use super::lowering::Lowering;
 use crate::ir::{Graph, Id, Symbol};
 
 /// When symbols are known: each level is a routine that stores what later ones need, the last one excepted.
@@ -78,4 +80,25 @@ impl Plan {
     pub(crate) fn operations(&self) -> Operations {
         self.last[0].operations()
     }
+}
+
+/// Plans the routines of a kernel: `stores` are the own roots of the storing routines, a level each, `last` the roots of
+/// the routines of the last level.
+pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
+    let mut levels = KnownLevels::new(level);
+    let mut slots: Vec<Vec<Id>> = vec![vec![]; stores.len()];
+    let last = last.iter().map(|roots| Lowering::run(graph, &mut levels, &mut slots, stores.len(), roots)).collect();
+    let mut store_blocks = vec![];
+    for (level, own) in stores.iter().enumerate().rev() {
+        // Slots of this level are complete: only later levels ask for them.
+        let roots = [own, &slots[level][..]].concat();
+        store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
+    }
+    store_blocks.reverse();
+    Plan { stores: store_blocks, last, slots: slots.iter().map(Vec::len).collect() }
+}
+
+/// One routine without earlier ones.
+pub(crate) fn routine(graph: &mut Graph, roots: &[Id]) -> Block {
+    plan(graph, |_| 0, &[], &[roots]).last.remove(0)
 }

@@ -1,10 +1,11 @@
-//! Which pieces have a flow in closed form: one rule a family. What can be added is added here.
+//! Which pieces have a flow in closed form: one entry a family. What can be added is added here.
 //!
 //! H in terms of q, p, s gives q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
-use super::flow::{Family, Flow, Group};
+use super::flow::{Family, Flow, Group, Piece};
+use super::time::Clock;
 use super::{conjugate, damped, geodesic, kinetic, prolongation, quadratic};
-use crate::ir::Graph;
+use crate::ir::{Graph, Id};
 
 /// In order of preference, where an energy belongs to several.
 pub(crate) static FAMILIES: &[Family] = &[
@@ -54,4 +55,15 @@ const SEPARATION: &str = "separation of variables";
 fn conjugate(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (_, others) = FAMILIES.split_last()?;
     conjugate::solve(graph, group, |graph, group| others.iter().find_map(|family| (family.solve)(graph, group)))
+}
+
+/// A piece with this energy, if some rule knows its flow: exactly in time, or else at frozen time.
+pub(crate) fn piece(graph: &mut Graph, energy: Id, degrees: u32) -> Option<Piece> {
+    [Clock::Own, Clock::Stage].into_iter().find_map(|clock| {
+        let group = Group { energy, degrees, clock };
+        FAMILIES.iter().find_map(|family| {
+            let flow = (family.solve)(graph, &group)?;
+            Some(Piece { energy, family, flow, clock })
+        })
+    })
 }

@@ -1,7 +1,7 @@
 //! Which terms go together.
 
-use super::families::FAMILIES;
-use super::{Piece, piece};
+use super::families::{FAMILIES, piece};
+use super::flow::Piece;
 use crate::analyze::{self, Reads};
 use crate::ir::{Graph, Id, Node, Ratio};
 use crate::lower::Place;
