@@ -1,6 +1,6 @@
 //! What conserved functions of the state are made of, and what people call these.
 
-use super::form::{UNIT, Variable};
+use super::quadratic::{UNIT, Variable};
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use crate::parse::Shape;
 

@@ -6,7 +6,7 @@ mod dependence;
 mod terms;
 mod separable;
 mod leaves;
-mod form;
+mod quadratic;
 mod equations;
 mod generators;
 mod momenta;

@@ -6,9 +6,9 @@
 use super::degree::Degrees;
 use super::dependence::Dependence;
 use super::equations::{Equations, Row, add_multiple};
-use super::form::{Expansion, Form, Variable};
 use super::generators::{Generator, generators, name};
 use super::leaves::leaves;
+use super::quadratic::{Expansion, Quadratic, Variable};
 use crate::ir::{Graph, Id, Ratio};
 use crate::parse::Shape;
 
@@ -46,7 +46,7 @@ pub(super) fn momenta(
 }
 
 /// The parts that the tree ends at.
-fn forms(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> Option<Vec<Form>> {
+fn forms(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
     let leaves = leaves(graph, dependence, degrees, energy, 2)?;
     let mut expansion = Expansion::new(graph, degrees);
     leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
@@ -72,7 +72,7 @@ fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Moves {
 }
 
 /// The combinations of generators whose brackets with all forms vanish, as weights of generators.
-fn commuting(moves: &Moves, generators: &[Generator], forms: &[Form]) -> Option<Vec<Row>> {
+fn commuting(moves: &Moves, generators: &[Generator], forms: &[Quadratic]) -> Option<Vec<Row>> {
     let mut equations = Equations::new(generators.len());
     for form in forms {
         let mut bracket = vec![];
