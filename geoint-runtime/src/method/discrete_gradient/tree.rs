@@ -7,6 +7,7 @@ use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
 use crate::solving::newton::Newton;
+use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 use crate::space::{Compensated, Plain, Point, Summation, exact_sum};
 use crate::system::{Conservative, DiscreteField};
@@ -102,10 +103,11 @@ impl<S: DiscreteField<R>, R: Real> Equation<'_, S, R> {
         let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
         self.evaluate(&start, &origin, &mut f, &mut matrix);
         let mut inverse = S::Unknown::fill(origin);
+        let sizes = Sizes::<S::Unknown>::of_blocks(&matrix);
         for j in 0..S::Unknown::LEN {
             let (mut lu, mut column) = (matrix, origin);
             column.as_mut_slice()[j] = R::from_f64(1.0);
-            let solved = linear::solve::<S::Unknown>(&mut lu, &mut column) == Some(true);
+            let solved = linear::solve(&mut lu, &mut column, &sizes) == Some(true);
             for (row, x) in S::Unknown::entries::<S::Unknown>(&mut inverse).iter_mut().zip(column.as_slice()) {
                 row.as_mut_slice()[j] = if solved { *x } else { R::from_f64(f64::NAN) };
             }
@@ -169,7 +171,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     }
 
     fn memory() -> Memory<S, R> {
-        Memory { newton: Newton::new(), sums: [Compensated::new(); 2] }
+        Memory { newton: Newton::new(S::Array::LEN, 2), sums: [Compensated::new(); 2] }
     }
 
     #[inline(always)]
