@@ -94,7 +94,7 @@ impl Collocation for RigidBody {
 impl DiscreteField for RigidBody {
     type Parameters = ();
     type Start = [f64; 3];
-    const LINEAR: bool = false;
+    type Inverse = ();
 
     fn parameters(&self, _: f64) {}
     fn drift(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {

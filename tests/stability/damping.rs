@@ -1,7 +1,7 @@
 //! Damped systems: the energy falls by exactly what is dissipated, whatever the step size; damping that is none is refused.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, DiscreteField};
+use geoint_runtime::system::{Collocation, DiscreteField, Inverse};
 use geoint_runtime::{Conservative, Separable};
 use geoint_tests::measure::{distance, extrapolated, observed_order};
 use geoint_tests::problems::{flat, state};
@@ -211,8 +211,9 @@ fn relative_damping_keeps_total_momentum() {
 /// Without a Newton iteration: the step of a linear system is that of the implicit midpoint rule.
 #[test]
 fn linear_systems_are_solved_at_once() {
-    const { assert!(<Oscillator as DiscreteField>::LINEAR) };
-    const { assert!(!<VanDerPol as DiscreteField>::LINEAR && !<Duffing as DiscreteField>::LINEAR) };
+    const { assert!(<<Oscillator as DiscreteField>::Inverse as Inverse<[[f64; 2]; 2]>>::EXISTS) };
+    const { assert!(!<<VanDerPol as DiscreteField>::Inverse as Inverse<[[f64; 1]; 2]>>::EXISTS) };
+    const { assert!(!<<Duffing as DiscreteField>::Inverse as Inverse<[[f64; 1]; 2]>>::EXISTS) };
     let system = Oscillator { m: [1.3, 0.7], k: [0.9, 1.6], c: [0.2, 0.0] };
     let start = State::new([0.4, -0.6], [0.3, 0.8]);
     let mut sim = system.integrator(DiscreteGradient, 0.7, start);

@@ -8,3 +8,4 @@ mod poles;
 mod long_steps;
 mod rounding;
 mod trajectories;
+mod time;

@@ -12,12 +12,14 @@ mod generators;
 mod momenta;
 mod mean_value;
 mod poles;
+mod identity;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
+pub(crate) use identity::{Identity, Remainder, identity};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 pub(crate) use poles::{Pole, poles};

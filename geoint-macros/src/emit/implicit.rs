@@ -135,7 +135,7 @@ pub(super) fn discrete_field(
     });
     let mean: Vec<Symbol> = (0..drift.len() as u32).map(Symbol::Dp).collect();
     let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
-    let linear = structure.linear();
+    let inverse = if structure.linear() { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match structure.mean_value {
         MeanValue::Gauss(points) => {
             let points = Literal::u32_unsuffixed(points);
@@ -151,7 +151,7 @@ pub(super) fn discrete_field(
         impl<R: #bounds> DiscreteField<R> for #name {
             type Parameters = [R; #prepared];
             type Start = [R; #started];
-            const LINEAR: bool = #linear;
+            type Inverse = #inverse;
             const MEAN: Mean = Mean::#mean;
 
             #[inline]

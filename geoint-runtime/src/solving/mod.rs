@@ -1,6 +1,7 @@
 //! Equations of implicit steps: how they are solved, and when a solution is one.
 
 mod damped;
+mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
 mod predictor;
@@ -11,5 +12,6 @@ mod semidefinite;
 pub(crate) mod size;
 mod terms;
 
+pub use inverse::{Inverse, Inverted};
 pub use refusal::Refusal;
 pub use semidefinite::is_positive_semidefinite;

@@ -27,12 +27,18 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
 )]
 pub trait Conformal<R: Real = f64>: Contact<R> {}
 
-/// H = T(p, t) + g(t)·s + V(q, t).
+/// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
 pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// What a kick of given length needs from the parameters.
+    type FreeKick: Clone;
     /// What a drift of given length needs from the parameters.
-    type FreeDrift: Copy;
+    type FreeDrift: Clone;
 
+    /// Coefficients of a kick of length `h`.
+    fn prepare_free_kick(&self, h: R) -> Self::FreeKick;
+    /// The flow of V alone.
+    fn free_kick(&self, kick: &Self::FreeKick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
     /// Coefficients of a drift of length `h`.
     fn prepare_free_drift(&self, h: R) -> Self::FreeDrift;
     /// The flow of T alone.

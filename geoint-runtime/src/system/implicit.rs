@@ -2,6 +2,7 @@
 
 use super::Hamiltonian;
 use crate::scalar::Real;
+use crate::solving::Inverse;
 use crate::space::{Array, Square};
 
 /// H is a polynomial of degree 3 at most in (q, p).
@@ -73,8 +74,9 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.
     type Start: Copy + core::fmt::Debug;
-    /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
-    const LINEAR: bool;
+    /// [`Inverted`](crate::system::Inverted) where f̄ is affine in d, so that the matrix of a step is constant: H is a polynomial of
+    /// degree 2 that does not depend on time, and damping is constant. Elsewhere `()`.
+    type Inverse: Inverse<Self::Unknown>;
     /// How the mean of ∇H along the line from y to y + d is had.
     const MEAN: Mean = Mean::NotClosed;
 

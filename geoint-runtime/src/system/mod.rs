@@ -13,6 +13,8 @@ pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
 pub use modified::ModifiedEnergy;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
+pub use crate::solving::{Inverse, Inverted};
+
 use crate::scalar::Real;
 use crate::space::{Action, Array, Coordinates};
 
@@ -70,6 +72,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S as PhaseSpace<R>>::Coordinates>;
 
 /// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]`",
+    label = "this is for those alone",
+    note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
+            `ContactDiscreteGradient`"
+)]
 pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);

@@ -3,7 +3,8 @@
 use super::PhaseSpace;
 use crate::scalar::Real;
 
-/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems T + g·s is one part, with quadratic T.
+/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
+/// quadratic, and T and V + g·s where it is not.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
     label = "H was not proven to be T(p) + V(q)",
@@ -21,7 +22,7 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     fn prepare_kick(&self, h: R) -> Self::Kick;
     /// Coefficients of a drift of length `h`.
     fn prepare_drift(&self, h: R) -> Self::Drift;
-    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV.
+    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV; of V + g·s: p ← e^(−gh)·p − …
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);

@@ -48,6 +48,7 @@ struct Coupled;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -61,9 +62,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -213,7 +214,7 @@ const _: () = {
     impl<R: Real> DiscreteField<R> for Coupled {
         type Parameters = [R; 0];
         type Start = [R; 8];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Gauss(2);
         #[inline]
         fn parameters(&self, h: R) -> [R; 0] {

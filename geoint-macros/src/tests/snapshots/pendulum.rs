@@ -61,6 +61,7 @@ pub struct Pendulum<R = f64> {
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -74,9 +75,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -280,7 +281,7 @@ const _: () = {
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Parameters = [R; 4];
         type Start = [R; 1];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 4] {

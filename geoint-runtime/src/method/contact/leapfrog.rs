@@ -19,10 +19,10 @@ use crate::system::Mechanical;
 pub struct ContactLeapfrog;
 
 /// What a step needs.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Prepared<S: Mechanical<R>, R: Real> {
     h: R,
-    half_kick: S::Kick,
+    half_kick: S::FreeKick,
     drift: S::FreeDrift,
 }
 
@@ -35,7 +35,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     }
 
     fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
-        let half_kick = system.prepare_kick(R::from_f64(0.5) * h);
+        let half_kick = system.prepare_free_kick(R::from_f64(0.5) * h);
         Prepared { h, half_kick, drift: system.prepare_free_drift(h) }
     }
 
@@ -56,12 +56,12 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         }
         probe.visit(t, &x.q, &x.p, &x.s);
         scale(before, x);
-        // An action that nobody reads ends here, and with it what it is computed from.
+        // An action that is not followed is dropped here, and with it what it is computed from.
         let unread = x.s;
-        system.kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
+        system.free_kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
         system.free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
         probe.visit(end, &x.q, &x.p, &x.s);
-        system.kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
+        system.free_kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
         scale(one / after, x);
         if !C::ACTION {
             x.s = unread;

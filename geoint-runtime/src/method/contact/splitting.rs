@@ -2,16 +2,17 @@
 //!
 //! With Φ(h) for all flows in order and Φ*(h) for them in reverse, every table here is Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h). The last
 //! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
-//! before all flows of Φ and after all flows of Φ*: at the turn between both it is the same for all.
+//! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
 use crate::method::composition::substeps;
+use crate::method::total::adds_up;
 use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{Clock as PieceClock, Pieces};
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H, with a kick or else the most
-/// expensive flow in the middle. Order 2, symmetric, a contact map; every piece but the last is looked at twice a step.
+/// expensive flow in the middle. Order 2, symmetric, a contact map; the flow of every piece but the last is applied twice a step.
 ///
 /// Where the flow of a piece ends within a step, as that of H = s² does, the step is refused with the name of the piece.
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7.
@@ -95,7 +96,7 @@ fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) {
     for piece in pieces {
-        // An action that nobody reads ends here, and with it what it is computed from.
+        // An action that is not followed is dropped here, and with it what it is computed from.
         let mut unread = x.s;
         let s = if C::ACTION { &mut x.s } else { &mut unread };
         system.flow(piece, flows, frozen, t, &mut x.q, &mut x.p, s);
@@ -105,7 +106,7 @@ fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
 
 substeps!([] ContactSplitting);
 
-/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K looks at the last piece a step.
+/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
 ///
 /// For three pieces and more these are better than compositions of [`ContactSplitting`]. S. Blanes, F. Casas & A. Murua,
 /// arXiv:2006.06317; that tables for two pieces serve for any number: R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
@@ -125,6 +126,7 @@ impl<const K: usize> PieceComposition<K> {
             weights[i / 2][i % 2] = half[if i < K { i } else { 2 * K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(weights.as_flattened(), 1.0), "the weights add up to 1");
         PieceComposition { order, weights }
     }
 
@@ -144,7 +146,7 @@ impl<const K: usize> PieceComposition<K> {
 pub struct Pair<F, R> {
     forth: F,
     back: F,
-    /// Where Φ begins, and the turn, after the start of the step.
+    /// Where Φ begins, and where it meets Φ*, after the start of the step.
     at: [R; 2],
 }
 
@@ -178,12 +180,12 @@ impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K>
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let all = S::PIECES.len();
-        for Pair { forth, back, at: [start, turn] } in prepared {
-            let (start, turn) = (step.t + *start, step.t + *turn);
-            let frozen = [forth, back].map(|flows| step.system.freeze(flows, turn));
+        for Pair { forth, back, at: [start, middle] } in prepared {
+            let (start, middle) = (step.t + *start, step.t + *middle);
+            let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
             step.probe.visit(start, &step.x.q, &step.x.p, &step.x.s);
             pass(0..all, (forth, &frozen[0]), step.part(start));
-            pass((0..all - 1).rev(), (back, &frozen[1]), step.part(turn));
+            pass((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
         }
         Ok(())
     }

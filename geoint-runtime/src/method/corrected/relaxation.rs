@@ -41,6 +41,7 @@ pub struct Memory<M, A: Array> {
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Array>;
+    const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
@@ -100,7 +101,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         };
         let [dq, dp] = moved.map(|d| scaled(excess, &d));
         x.add(&dq, &dp);
-        x.ahead += excess * *h;
+        x.ahead.add(excess * *h);
         Ok(())
     }
 }

@@ -7,6 +7,7 @@
 #![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
 
 use crate::method::tableau::Tableau;
+use crate::method::total::adds_up;
 use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
@@ -14,6 +15,20 @@ use crate::space::Summation;
 use crate::system::Hamiltonian;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
+///
+/// ```
+/// use geoint_runtime::RungeKutta;
+///
+/// /// The explicit midpoint rule.
+/// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.5]], [0.0, 1.0]);
+/// ```
+///
+/// A row that does not add up to its node, or weights that do not add up to 1, do not compile:
+///
+/// ```compile_fail,E0080
+/// # use geoint_runtime::RungeKutta;
+/// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.4]], [0.0, 1.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKutta<const K: usize> {
     order: u32,
@@ -137,12 +152,16 @@ impl<const K: usize> RungeKutta<K> {
     /// A method of order `order` with nodes `c`, weights `b` and, in row i, the i coefficients aᵢⱼ of stage i.
     ///
     /// # Panics
-    /// If a row is longer than the stages before it.
+    /// When the program is compiled, if the table is a constant: if K is 0, if a row is longer than the stages before it, if a row
+    /// does not add up to its node, or if the weights do not add up to 1.
     pub const fn new(order: u32, c: [f64; K], rows: [&[f64]; K], b: [f64; K]) -> Self {
+        assert!(K >= 1, "a method has at least one stage");
+        assert!(adds_up(&b, 1.0), "the weights add up to 1");
         let mut a = [[0.0; K]; K];
         let mut i = 0;
         while i < K {
             assert!(rows[i].len() <= i, "stage i of an explicit method knows those before it");
+            assert!(adds_up(rows[i], c[i]), "a row adds up to its node");
             let mut j = 0;
             while j < rows[i].len() {
                 a[i][j] = rows[i][j];
