@@ -15,10 +15,11 @@ use crate::system::{Conservative, DiscreteField};
 /// Order 2, symmetric, for every H. H(x₁) − H(x₀) is taken from the tree discrete gradient, not from a difference, so that short
 /// steps lose nothing. O. Gonzalez, J. Nonlinear Sci. 6 (1996) 449, with W = 1.
 ///
-/// The metric W is a choice. Lengths of d need one, because positions and momenta, or lengths and angles, have different units; with
-/// W = 1 the step, and how well it is solved, would depend on them. Here W is diagonal, wᵢ = ε|Hᵢᵢ| + ω²(∂H/∂xᵢ)², taken at m
-/// with ε = Σ|ẋᵢHᵢⱼẋⱼ| and ω² = Σ|FᵢⱼFⱼᵢ|, F = J∇²H: energies in place of lengths. For an oscillator it is stiffness and
-/// reciprocal mass, up to a factor. A cyclic coordinate has none, so that its momentum is kept.
+/// The metric W is a choice. Lengths of d need one, because positions and momenta, or lengths and angles, have different units: with
+/// W = 1, as published, the step depends on them. Here W is diagonal, wᵢ² = (ε Hᵢᵢ)² + (ω ∂H/∂xᵢ)⁴, taken at m with
+/// ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)², F = J∇²H: energies in place of lengths. For an oscillator wᵢ is the stiffness or the
+/// reciprocal mass, up to a factor. It is zero for a cyclic coordinate, so that its momentum is kept; it is not the same in rotated
+/// axes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gonzalez;
 
@@ -64,13 +65,16 @@ fn metric<A: Array>(middle: &mut Slope<A>) -> [A; 2] {
     let (mut energy, mut frequency) = (zero::<A::Real>(), zero::<A::Real>());
     for i in 0..2 * n {
         for j in 0..2 * n {
-            energy += (rate[i] * hessian(i, j) * rate[j]).abs();
-            frequency += (hessian(partner(i), j) * hessian(partner(j), i)).abs();
+            let (term, cycle) = (rate[i] * hessian(i, j) * rate[j], hessian(partner(i), j) * hessian(partner(j), i));
+            energy += term * term;
+            frequency += cycle * cycle;
         }
     }
+    let (energy, frequency) = (energy.sqrt(), frequency.sqrt());
     let mut metric = <[A; 2]>::zero();
     for (i, w) in entries(&mut metric).iter_mut().enumerate() {
-        *w = energy * hessian(i, i).abs() + frequency * g[i] * g[i];
+        let (bend, slope) = (energy * hessian(i, i), frequency * g[i] * g[i]);
+        *w = (bend * bend + slope * slope).sqrt();
     }
     metric
 }
