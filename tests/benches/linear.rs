@@ -6,10 +6,9 @@
 mod paired;
 // The elimination is private to the runtime; its files are compiled here once more, with the modules that they name.
 #[allow(dead_code, reason = "sizes have more uses than elimination")]
+#[path = "../../geoint-runtime/src/solving"]
 mod solving {
-    #[path = "../../../geoint-runtime/src/solving/linear.rs"]
     pub(crate) mod linear;
-    #[path = "../../../geoint-runtime/src/solving/size.rs"]
     pub(crate) mod size;
 }
 
