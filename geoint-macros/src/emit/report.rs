@@ -1,7 +1,7 @@
 //! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
 
 use super::kernel::Context;
-use crate::analyze::{MeanValue, Split, Structure};
+use crate::analyze::{self, MeanValue, Split, Structure};
 use crate::diff::Derivatives;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -70,6 +70,11 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         Split::Coupled(term) => {
             writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
         }
+    }
+    let velocities = &derivatives.gradient.p;
+    let moves = structure.resting.len() < velocities.len();
+    if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
+        writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
     }
     match structure.degree {
         Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,

@@ -25,12 +25,15 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
-    let derives =
-        quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    // Numbers are equal to numbers, but not all of them to themselves.
+    let derives = quote! {
+        #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+    };
     if fields.is_empty() {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name;)
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
     } else {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* })
     }
 }
 
