@@ -2,8 +2,8 @@
 //!
 //! The energy is a polynomial: elementary functions come from the platform and may round otherwise.
 
-use geoint_runtime::prelude::*;
 use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
 
 #[hamiltonian]
 fn henon_heiles(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
