@@ -15,6 +15,7 @@ mod split;
 mod derive;
 mod check;
 mod emit;
+mod link;
 mod expand;
 #[cfg(test)]
 mod tests;
@@ -76,6 +77,7 @@ use proc_macro::TokenStream;
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `t = time`: other names for positions, momenta and time.
 /// - `const N = 8`, `type P = [f64; 3]`: what constants and names of types outside of the function are, each as often as needed.
+/// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
@@ -83,10 +85,14 @@ use proc_macro::TokenStream;
 /// # The body
 ///
 /// Ordinary Rust on numbers: literals, `let` with patterns and shadowing, blocks, `+ - * /`, `if … else` as an expression,
-/// constant indices, `const` items and constants from outside, nested `fn`s and closures (inlined), `for` over ranges,
-/// `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled), assignments to variables and their elements (`x = …`,
-/// `x[i] += …`; not from inside a branch on data), the methods of `f64` that have a derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
-/// stands, which says what is accepted.
+/// constant indices, `const` items and constants from outside, nested `fn`s, closures and functions under
+/// [`macro@energy_function`] (inlined), `for` over ranges, `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled),
+/// assignments to variables and their elements (`x = …`, `x[i] += …`), `continue` and `break`, the methods of `f64` that have a
+/// derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it stands,
+/// which says what is accepted.
+///
+/// Loops have a number of rounds that is known, and inside of a branch on data nothing outside of it is assigned to: there the
+/// branch is a value, `x += if … { … } else { 0.0 }`.
 ///
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
 /// smoothly no method has the order that it claims.
@@ -111,6 +117,7 @@ use proc_macro::TokenStream;
 /// let mut sim = LotkaVolterra { a: 1.5, b: 0.8 }.integrator(Gauss::<3>, 0.01, State::new([x, y], [0.0; 2]));
 /// sim.advance(1000)?;
 /// assert!((kept(sim.state().q) - kept([x, y])).abs() < 1e-11);
+/// assert!(LotkaVolterra::<f64>::REPORT.contains("q follows the field ∂H/∂p by itself"));
 /// # Ok::<(), StepError>(())
 /// ```
 ///
@@ -197,10 +204,69 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
 ///   which would blow up in finite time: they stay what they are, and the energy is not a number. A field of q alone has the
 ///   argument `_s`.
+/// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()
+}
+
+/// Makes a function one that energies may call: it is inlined, and differentiated with them.
+///
+/// An attribute sees the item under it alone. So the function is named in the energy's attribute, `with(…)`, and has this one above
+/// itself. It is an ordinary function for everybody else.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// mod forces {
+///     use geoint_runtime::prelude::*;
+///
+///     /// 4ε((σ/r)¹² − (σ/r)⁶) as a function of r².
+///     #[energy_function]
+///     pub fn lennard_jones(square: f64, epsilon: f64, sigma: f64) -> f64 {
+///         let x = (sigma * sigma / square).powi(3);
+///         4.0 * epsilon * (x * x - x)
+///     }
+/// }
+/// use forces::lennard_jones;
+///
+/// /// Two atoms on a line.
+/// #[hamiltonian(with(lennard_jones))]
+/// fn dimer(q: f64, p: f64, m: f64, epsilon: f64, sigma: f64) -> f64 {
+///     p * p / (2.0 * m) + lennard_jones(q * q, epsilon, sigma)
+/// }
+///
+/// let mut sim = Dimer { m: 1.3, epsilon: 1.0, sigma: 1.0 }.integrator(DiscreteGradient, 0.01, State::new(1.2, 0.0));
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - lennard_jones(1.44, 1.0, 1.0)).abs() < 1e-14);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The body is in the language of energies. Where the energy calls the function, it sees what is inside of it, and other functions
+/// under this attribute that it names itself: `#[energy_function(with(g))]`. A constant from outside is named from the root of the
+/// crate, `crate::forces::CUTOFF`, or repeated if it is an integer: `const N = 3`.
+///
+/// `with(module::f)` takes a path, and the body calls the function by the same. It can be named in its own crate only, and
+/// where it is visible; and where a function without the attribute does not hide it. Functions that call each other, or
+/// themselves, cannot be inlined.
+#[proc_macro_attribute]
+pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::energy_function(args.into(), item.into()).into()
+}
+
+/// What asks for a function, by a name that says what to do if it is none under `#[energy_function]`.
+#[doc(hidden)]
+#[proc_macro]
+pub fn put_energy_function_above_it(input: TokenStream) -> TokenStream {
+    link::put(input.into()).into()
+}
+
+/// Where macros of functions under `#[energy_function]` call back.
+#[doc(hidden)]
+#[proc_macro]
+pub fn resume(input: TokenStream) -> TokenStream {
+    expand::resume(input.into()).into()
 }
 
 /// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.

@@ -14,3 +14,4 @@ pub use crate::system::{
     Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
     QuadraticKinetic, Separable,
 };
+pub use geoint_macros::{put_energy_function_above_it, resume};

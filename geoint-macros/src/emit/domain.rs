@@ -85,7 +85,7 @@ fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole], end: End) -> 
     let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(poles.len()));
     let values = context.routine(graph, &roots, |values| quote!([#(#values),*]));
     let tests = (0..poles.len()).map(Literal::usize_unsuffixed).map(|i| {
-        let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_below(f64::MIN_POSITIVE)));
+        let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_not_positive()));
         quote!((start[#i] * end[#i]).any_below(0.0) #reached)
     });
     Some(quote! {
@@ -132,8 +132,8 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping:
 fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // The smallest positive number: below it is zero or negative.
-    let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
-    let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));
+    let not_positive = quote!(.any_not_positive());
+    let zero = quote!(.abs().any_not_positive());
     let mut checks = vec![];
     for id in unconditional(graph, energy, context.partial) {
         match graph.node(id) {

@@ -1,4 +1,7 @@
-//! Statements to tokens: one `let` an operation.
+//! Statements to tokens: one assignment an operation.
+//!
+//! All variables of a routine are declared by one `let`. A `let` each would nest as many scopes, and thousands of those overflow the
+//! stack of rustc where it writes debug information.
 //!
 //! Most of what the macro emits comes from here, so tokens are pushed one by one: in an unoptimised build, as proc macros
 //! are, that is several times faster than quoting.
@@ -20,13 +23,15 @@ pub(crate) fn routine(
     let mut writer = Writer {
         input,
         names: HashMap::default(),
+        declared: vec![],
         given: vec![],
         words: HashMap::default(),
         registers: vec![],
         tokens: vec![],
     };
     let results = writer.block(block);
-    let mut tokens: TokenStream = writer.given.into_iter().chain(writer.tokens).collect();
+    let declared = writer.declaration(&block.registers());
+    let mut tokens: TokenStream = declared.into_iter().chain(writer.given).chain(writer.tokens).collect();
     tokens.extend(finish(results));
     tokens
 }
@@ -35,6 +40,8 @@ struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
     /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
     names: HashMap<Operand, Ident>,
+    /// The same names in order.
+    declared: Vec<Ident>,
     given: Vec<TokenTree>,
     /// Names are made once.
     words: HashMap<&'static str, Ident>,
@@ -51,8 +58,30 @@ impl Writer<'_> {
         block.results.iter().map(|operand| self.inside(|writer| writer.operand(operand))).collect()
     }
 
+    /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.
+    fn declaration(&mut self, registers: &[Register]) -> TokenStream {
+        let names = std::mem::take(&mut self.declared);
+        if names.is_empty() && registers.is_empty() {
+            return TokenStream::new();
+        }
+        self.inside(|writer| {
+            writer.word("let");
+            let list = writer.inside(|writer| {
+                for name in names {
+                    writer.tokens.push(name.into());
+                    writer.punct(",");
+                }
+                for register in registers {
+                    writer.register(*register);
+                    writer.punct(",");
+                }
+            });
+            writer.group(Delimiter::Parenthesis, list);
+            writer.punct(";");
+        })
+    }
+
     fn statement(&mut self, statement: &Statement) {
-        self.word("let");
         match statement {
             Statement::Let(register, instruction) => {
                 self.register(*register);
@@ -60,35 +89,46 @@ impl Writer<'_> {
                 self.instruction(instruction);
             }
             Statement::SinCos(sin, cos, x) => {
-                self.tuple(&[*sin, *cos]);
+                self.list(Delimiter::Parenthesis, &[*sin, *cos]);
                 self.punct("=");
                 self.method("sin_cos", x, &[]);
             }
             Statement::If { registers, condition, first, second } => {
-                self.tuple(registers);
+                self.list(Delimiter::Bracket, registers);
                 self.punct("=");
-                self.word("if");
-                self.operand(condition);
-                self.branch(first);
-                self.word("else");
-                self.branch(second);
+                self.word("R");
+                self.punct("::");
+                self.word("choose");
+                let arguments = self.inside(|writer| {
+                    writer.operand(condition);
+                    writer.punct(",");
+                    writer.branch(first);
+                    writer.punct(",");
+                    writer.branch(second);
+                });
+                self.group(Delimiter::Parenthesis, arguments);
             }
         }
         self.punct(";");
     }
 
-    /// `{ statements (results,) }`
+    /// `|| { statements [results,] }`
     fn branch(&mut self, block: &Block) {
         let body = self.inside(|writer| {
+            let names = std::mem::take(&mut writer.declared);
+            let declaration = writer.declaration(&block.registers());
+            writer.declared = names;
+            writer.tokens.extend(declaration);
             let results = writer.block(block);
-            let tuple = writer.inside(|writer| {
+            let list = writer.inside(|writer| {
                 for result in results {
                     writer.tokens.extend(result);
                     writer.punct(",");
                 }
             });
-            writer.group(Delimiter::Parenthesis, tuple);
+            writer.group(Delimiter::Bracket, list);
         });
+        self.punct("||");
         self.group(Delimiter::Brace, body);
     }
 
@@ -100,11 +140,11 @@ impl Writer<'_> {
             Instruction::Sub(a, b) => self.infix(a, "-", b),
             Instruction::Mul(a, b) => self.infix(a, "*", b),
             Instruction::Div(a, b) => self.infix(a, "/", b),
-            Instruction::And(a, b) => self.infix(a, "&&", b),
-            Instruction::Or(a, b) => self.infix(a, "||", b),
-            Instruction::Compare(Relation::Less, a, b) => self.infix(a, "<", b),
-            Instruction::Compare(Relation::LessEqual, a, b) => self.infix(a, "<=", b),
-            Instruction::Compare(Relation::Equal, a, b) => self.infix(a, "==", b),
+            Instruction::And(a, b) => self.infix(a, "&", b),
+            Instruction::Or(a, b) => self.infix(a, "|", b),
+            Instruction::Compare(Relation::Less, a, b) => self.method("less", a, &[*b]),
+            Instruction::Compare(Relation::LessEqual, a, b) => self.method("less_equal", a, &[*b]),
+            Instruction::Compare(Relation::Equal, a, b) => self.method("equal", a, &[*b]),
             Instruction::MulAdd(a, b, c) => self.method("multiply_add", a, &[*b, *c]),
             Instruction::Sqrt(a) => self.method("sqrt", a, &[]),
             Instruction::Call(function, args) => self.call(*function, args),
@@ -169,7 +209,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Names something that the routine is given: `let name = value;` before all statements.
+    /// Names something that the routine is given: `name = value;` before all statements.
     fn give(&mut self, operand: Operand) {
         let name = match operand {
             Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
@@ -184,8 +224,8 @@ impl Writer<'_> {
             _ => format_ident!("k{}", self.names.len()),
         };
         self.names.insert(operand, name.clone());
+        self.declared.push(name.clone());
         let outside = std::mem::take(&mut self.tokens);
-        self.word("let");
         self.tokens.push(name.into());
         self.punct("=");
         match operand {
@@ -246,14 +286,15 @@ impl Writer<'_> {
         }
     }
 
-    fn tuple(&mut self, registers: &[Register]) {
+    /// `(a, b,)` or `[a, b,]`.
+    fn list(&mut self, delimiter: Delimiter, registers: &[Register]) {
         let names = self.inside(|writer| {
             for register in registers {
                 writer.register(*register);
                 writer.punct(",");
             }
         });
-        self.group(Delimiter::Parenthesis, names);
+        self.group(delimiter, names);
     }
 
     fn group(&mut self, delimiter: Delimiter, tokens: TokenStream) {

@@ -4,7 +4,7 @@ use super::attributes;
 use super::domain::DomainTests;
 use super::kernel::{Context, write};
 use crate::derive::{Modified, System};
-use crate::ir::{Function, Graph, Id, Node};
+use crate::ir::{Graph, Id};
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
@@ -26,12 +26,15 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
-    let derives =
-        quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    // Numbers are equal to numbers, but not all of them to themselves.
+    let derives = quote! {
+        #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+    };
     if fields.is_empty() {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name;)
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
     } else {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* })
     }
 }
 
@@ -98,11 +101,9 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
 }
 
-/// What kernels ask of their scalar: comparisons only if the energy, or damping, has branches.
-pub(super) fn bounds(graph: &Graph, roots: &[Id]) -> TokenStream {
-    let compares =
-        |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
+/// What kernels ask of their scalar.
+pub(super) fn bounds(_: &Graph, _: &[Id]) -> TokenStream {
+    quote!(Real)
 }
 
 /// The energy with its gradient and where it is defined, and the traits of what was proven.

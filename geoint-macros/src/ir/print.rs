@@ -34,6 +34,11 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
         Printer { graph, name, left: Cell::new(0) }
     }
 
+    /// What is printed.
+    pub(crate) fn graph(&self) -> &'a Graph {
+        self.graph
+    }
+
     /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
         self.left.set(MOST_NODES);

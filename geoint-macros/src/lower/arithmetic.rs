@@ -7,7 +7,7 @@ use crate::ir::{Id, Number, Ratio, Relation};
 use quote::{ToTokens, quote};
 use syn::BinOp;
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
         use Value::{Integer, Iterator, List, Opaque, Poison, Real, Truth, Tuple, Vector};
         match (left, right) {
@@ -123,7 +123,7 @@ impl Lowering<'_> {
         if matches!(value, Value::Poison) {
             return Value::Poison;
         }
-        let target = match &self.outside.resolve(&cast.ty) {
+        let target = match &self.scopes.outside().resolve(&cast.ty) {
             syn::Type::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };

@@ -19,10 +19,14 @@ struct Target {
     text: String,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// `target = value`.
     pub(super) fn assign(&mut self, assignment: &ExprAssign) -> Value {
         let value = self.expr(&assignment.right);
+        // The value may be on its way out of a loop: `x += if … { continue } else { … }`.
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         self.assign_to(assignment, &assignment.left, value)
     }
 
@@ -30,6 +34,9 @@ impl Lowering<'_> {
     pub(super) fn assign_with(&mut self, assignment: &ExprBinary, op: &BinOp) -> Value {
         // rustc, too, looks at the value before it looks at what a number is added to.
         let value = self.expr(&assignment.right);
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         let Some(target) = self.target(&assignment.left) else { return Value::Poison };
         let Some(variable) = self.variable(assignment, &target, additive(op)) else { return Value::Poison };
         let Some(before) = part(variable, &target.indices) else { return self.no_part(&assignment.left) };

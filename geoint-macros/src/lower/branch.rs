@@ -5,7 +5,7 @@ use super::value::Value;
 use crate::ir::Id;
 use syn::{BinOp, ExprBinary, ExprIf};
 
-impl Lowering<'_> {
+impl Lowering {
     /// `a && b` and `a || b`: what is on the right exists only if the left does not decide.
     pub(super) fn connective(&mut self, binary: &ExprBinary) -> Value {
         let left = self.expr(&binary.left);

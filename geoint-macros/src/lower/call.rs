@@ -5,11 +5,12 @@ use super::statement::simple_name;
 use super::value::{Callable, Value};
 use super::{Lowering, method};
 use crate::ir::Number;
+use crate::parse::plain_path;
 use quote::ToTokens;
 use std::rc::Rc;
 use syn::Expr;
 
-impl Lowering<'_> {
+impl Lowering {
     /// Calls a closure or nested function.
     pub(super) fn apply(
         &mut self,
@@ -54,9 +55,13 @@ impl Lowering<'_> {
         let Expr::Path(path) = &*call.func else {
             return self.refuse(&call.func, "only nested functions and closures can be called");
         };
+        if let Some(Value::Callable(callable, sees)) = self.named(&call.func, &plain_path(&path.path)) {
+            let arguments = call.args.iter().map(|argument| self.expr(argument)).collect();
+            return self.apply(&call.func, (&callable, &sees), arguments);
+        }
         let mut segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
         if let [owner, _] = &mut segments[..]
-            && let Some(syn::Type::Path(path)) = self.outside.alias(owner)
+            && let Some(syn::Type::Path(path)) = self.scopes.outside().alias(owner)
             && let Some(last) = path.path.segments.last()
         {
             *owner = last.ident.to_string();
@@ -107,13 +112,30 @@ impl Lowering<'_> {
             (_, function) if method::is_of_numbers(function) => {
                 self.refuse(&call.func, format!("this is a method of numbers: `x.{function}()`"))
             }
-            _ => self.refuse(&call.func, OUTSIDE),
+            _ => self.outside_function(call, &plain_path(&path.path)),
         }
     }
-}
 
-const OUTSIDE: &str = "the macro cannot see into functions outside of the energy: make this a nested `fn` or a closure, by \
-                       its formula or an approximation";
+    /// A function that is not known.
+    fn outside_function(&mut self, call: &syn::ExprCall, name: &str) -> Value {
+        if self.calls.iter().any(|callable| callable.name.as_deref() == Some(name)) {
+            return self.refuse(&call.func, format!("`{name}` calls itself: functions are inlined and cannot recur"));
+        }
+        let whose =
+            self.calls.iter().rev().find_map(|callable| callable.name.as_deref()).filter(|_| self.scopes.are_foreign());
+        let message = match whose {
+            Some(whose) => format!(
+                "where `{whose}` is inlined nothing is known of `{name}`: put `#[energy_function]` above it, and \
+                 `#[energy_function(with({name}))]` above `{whose}`"
+            ),
+            None => format!(
+                "the macro cannot see into functions outside of the energy: put `#[energy_function]` above this one and name \
+                 it in the attribute, `with({name})`; or make it a nested `fn`, by its formula or an approximation"
+            ),
+        };
+        self.refuse(&call.func, message)
+    }
+}
 
 /// Whether a name is that of a type of nalgebra with rows and columns, or of what turns vectors.
 fn is_matrix(name: &str) -> bool {

@@ -6,7 +6,7 @@ use crate::ir::Id;
 use crate::parse::Shape;
 use syn::Expr;
 
-impl Lowering<'_> {
+impl Lowering {
     /// The square matrix that `damping = expr` stands for; none if something is wrong with it.
     pub(super) fn damping(&mut self, expr: &Expr, coordinates: &Shape) -> Vec<Vec<Id>> {
         let n = coordinates.len();

@@ -13,9 +13,12 @@ use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
 pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - * /`, methods of `f64`, `if … else`, \
                            closures, `for` over ranges, and sums over iterators";
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         if self.depth >= super::MAX_DEPTH {
             return self.refuse(expr, "this is nested too deeply: bind parts of it with `let`");
         }
@@ -95,6 +98,8 @@ impl Lowering<'_> {
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Macro(call) => self.refuse(call, other_macro(&call.mac)),
             Expr::Return(e) => self.refuse(e, "an energy has one exit: make the value the last expression"),
+            Expr::Continue(e) => self.leave(e, e.label.as_ref(), false),
+            Expr::Break(e) if e.expr.is_none() => self.leave(e, e.label.as_ref(), true),
             Expr::While(e) => self.refuse(&e.while_token, "`while` has no derivative; use `for` over a range"),
             Expr::Loop(e) => self.refuse(&e.loop_token, "`loop` has no derivative; use `for` over a range"),
             Expr::Match(e) => self.refuse(&e.match_token, "`match` is not supported; use `if … else if … else`"),
@@ -151,16 +156,28 @@ impl Lowering<'_> {
     fn path(&mut self, path: &Path) -> Value {
         let Some(last) = path.segments.last() else { return Value::Poison };
         let name = last.ident.to_string();
-        if path.get_ident().is_some() {
-            if let Some(value) = self.named(path, &name) {
-                return value;
-            }
+        if path.get_ident().is_some()
+            && let Some(value) = self.named(path, &name)
+        {
+            return value;
         }
         if let Some(value) = constants::of_path(path) {
             return Value::Real(self.graph.number(Number::float(value)));
         }
         // A constant outside: the generated code can name it, and rustc knows its value.
         if name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_') {
+            let first = path.segments[0].ident.to_string();
+            let everywhere = path.leading_colon.is_some()
+                || path.segments.len() > 1 && ["crate", "core", "std", "f64", "f32"].contains(&first.as_str());
+            if self.scopes.are_foreign() && !everywhere {
+                return self.refuse(
+                    path,
+                    format!(
+                        "where this function is inlined `{name}` may be another constant: make it an argument or a `const` \
+                         inside, or name it from the root, `crate::…` or `std::f64::consts::…`"
+                    ),
+                );
+            }
             return Value::Opaque(path.to_token_stream());
         }
         self.refuse(
@@ -174,6 +191,7 @@ impl Lowering<'_> {
         Some(match self.scopes.get(name)? {
             Found::Variable(value) | Found::Item(Item::Import(value), _) => value,
             Found::Item(Item::Function(callable), sees) => Value::Callable(callable, Rc::new(sees)),
+            Found::Item(Item::Outside(callable, sees), _) => Value::Callable(callable, sees),
             Found::Item(Item::Constant(constant), sees) => self.constant_item(syntax, &constant, sees),
         })
     }

@@ -9,7 +9,7 @@ use quote::{ToTokens, quote};
 use std::rc::Rc;
 use syn::{Expr, ExprMethodCall};
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
         let receiver = self.expr(&call.receiver);
         let name = call.method.to_string();

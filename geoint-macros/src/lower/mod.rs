@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod loops;
 mod method;
 mod scope;
 mod statement;
@@ -18,7 +19,8 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol};
-use crate::parse::{Argument, Energy, Outside};
+use crate::parse::{Argument, Energy};
+use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
@@ -74,7 +76,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut lowering = Lowering {
         graph: Graph::default(),
         errors: Diagnostics::default(),
-        scopes: Scopes::default(),
+        scopes: Scopes::of_file(&energy.outside, &energy.functions),
         places: HashMap::new(),
         constants: vec![],
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
@@ -82,14 +84,12 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         depth: 0,
         heights: vec![],
         branches: 0,
+        loops: vec![],
+        leaving: None,
         partial: vec![],
         calls: vec![],
         float: energy.float.to_string(),
-        outside: &energy.outside,
     };
-    for (name, value) in energy.outside.constants() {
-        lowering.scopes.declare(name, scope::Item::Import(Value::Integer(value)));
-    }
     for (role, argument) in &energy.arguments {
         let symbols = energy.symbols(*role, argument);
         let value = lowering.argument(argument, &symbols);
@@ -101,7 +101,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     // Damping and pieces see the arguments as they were given.
     lowering.scopes = arguments;
     let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
-    let group = |lowering: &mut Lowering<'_>, expr: &syn::Expr| {
+    let group = |lowering: &mut Lowering, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
     };
@@ -111,7 +111,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
 }
 
 /// The evaluator.
-struct Lowering<'a> {
+struct Lowering {
     graph: Graph,
     errors: Diagnostics,
     scopes: Scopes,
@@ -126,16 +126,18 @@ struct Lowering<'a> {
     heights: Vec<u32>,
     /// Branches around what is being evaluated.
     branches: usize,
+    /// Loops around it.
+    loops: Vec<Loop>,
+    /// Set while nothing is reached.
+    leaving: Option<Leaving>,
     partial: Vec<Id>,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
     float: String,
-    /// Aliases of the file.
-    outside: &'a Outside,
 }
 
-impl Lowering<'_> {
+impl Lowering {
     /// Says what is wrong; the value that comes of it silences what would follow.
     fn refuse(&mut self, syntax: &impl ToTokens, message: impl Display) -> Value {
         self.errors.at(syntax, message);

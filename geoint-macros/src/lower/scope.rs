@@ -1,6 +1,7 @@
 //! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
 
 use super::value::{Callable, Constant, Value};
+use crate::parse::{Function, Outside};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -11,6 +12,10 @@ pub(super) struct Scopes {
     levels: Vec<Rc<Level>>,
     /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
     closed_below: (usize, Around),
+    /// What is known of the file around the function.
+    outside: Rc<Outside>,
+    /// Whether that is another file, or module, than the energy's.
+    foreign: bool,
 }
 
 /// A block: variables are visible from their `let` on, items from its first line on.
@@ -24,6 +29,8 @@ struct Level {
 #[derive(Clone)]
 pub(super) enum Item {
     Function(Rc<Callable>),
+    /// A function from outside of the energy, and what it sees.
+    Outside(Rc<Callable>, Rc<Scopes>),
     Constant(Rc<Constant>),
     /// A constant of the standard library under the name that `use` gives it.
     Import(Value),
@@ -38,7 +45,8 @@ pub(super) enum Found {
 
 impl Default for Scopes {
     fn default() -> Self {
-        Scopes { levels: vec![Rc::default()], closed_below: (0, Around::Function) }
+        let levels = vec![Rc::default()];
+        Scopes { levels, closed_below: (0, Around::Function), outside: Rc::default(), foreign: false }
     }
 }
 
@@ -56,6 +64,28 @@ pub(super) enum Refused {
 }
 
 impl Scopes {
+    /// What a function sees that stands in a file by itself.
+    pub(super) fn of_file(outside: &Rc<Outside>, functions: &[Function]) -> Self {
+        let mut scopes = Scopes { outside: outside.clone(), ..Scopes::default() };
+        for (name, value) in outside.constants() {
+            scopes.declare(name, Item::Import(Value::Integer(value)));
+        }
+        for function in functions {
+            let sees = Scopes { foreign: true, ..Scopes::of_file(&function.outside, &function.used) };
+            scopes.declare(&function.path, Item::Outside(Rc::new(Callable::of(&function.item)), Rc::new(sees)));
+        }
+        scopes
+    }
+
+    pub(super) fn outside(&self) -> &Outside {
+        &self.outside
+    }
+
+    /// Whether names that are not known mean something else than they do beside the energy.
+    pub(super) fn are_foreign(&self) -> bool {
+        self.foreign
+    }
+
     pub(super) fn enter(&mut self) {
         self.levels.push(Rc::default());
     }
@@ -91,7 +121,8 @@ impl Scopes {
     /// What an item of a level sees.
     fn items_only(&self, level: usize) -> Scopes {
         let items = |level: &Rc<Level>| Rc::new(Level { items: level.items.clone(), ..Level::default() });
-        Scopes { levels: self.levels[..=level].iter().map(items).collect(), ..Scopes::default() }
+        let levels = self.levels[..=level].iter().map(items).collect();
+        Scopes { levels, closed_below: (0, Around::Function), outside: self.outside.clone(), foreign: self.foreign }
     }
 
     fn level_of_variable(&self, name: &str) -> Option<usize> {

@@ -1,28 +1,31 @@
-//! Blocks, `let`, items and loops.
+//! Blocks, `let` and items.
 
+use super::Lowering;
 use super::constants::imported;
 use super::scope::{self, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
-use super::{Lowering, MAX_NODES};
 use crate::ir::Number;
 use quote::ToTokens;
 use std::cell::RefCell;
 use std::rc::Rc;
 use syn::visit::Visit;
-use syn::{Block, Expr, ExprForLoop, Item, Pat, PatIdent, Stmt};
+use syn::{Block, Expr, Item, Pat, PatIdent, Stmt};
 
 const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, assignments, and a last expression";
 
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
 
-impl Lowering<'_> {
+impl Lowering {
     pub(super) fn block(&mut self, block: &Block) -> Value {
         self.scopes.enter();
         self.items(block);
         let mut last = Value::unit();
         for statement in &block.stmts {
             last = self.statement(statement);
+            if self.is_leaving() {
+                break;
+            }
         }
         self.scopes.leave();
         last
@@ -45,15 +48,7 @@ impl Lowering<'_> {
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
-                    let parameters = item.sig.inputs.iter().filter_map(|input| match input {
-                        syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
-                        syn::FnArg::Receiver(_) => None,
-                    });
-                    let callable = Callable {
-                        name: Some(item.sig.ident.to_string()),
-                        parameters: parameters.collect(),
-                        body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
-                    };
+                    let callable = Callable::of(item);
                     self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
@@ -154,42 +149,13 @@ impl Lowering<'_> {
 
     /// Binds every name of a pattern to nothing, so that its uses are not reported as well.
     fn poison_names(&mut self, pattern: &Pat) {
-        struct Names<'a, 'b>(&'a mut Lowering<'b>);
-        impl Visit<'_> for Names<'_, '_> {
+        struct Names<'a>(&'a mut Lowering);
+        impl Visit<'_> for Names<'_> {
             fn visit_pat_ident(&mut self, pattern: &syn::PatIdent) {
                 self.0.scopes.bind(&pattern.ident, Value::Poison);
             }
         }
         Names(self).visit_pat(pattern);
-    }
-
-    pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
-        let domain = self.expr(&for_loop.expr);
-        let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
-        let said = self.errors.len();
-        for item in items.iter() {
-            // The other rounds would say the same.
-            if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
-                break;
-            }
-            self.scopes.enter();
-            self.bind(&for_loop.pat, item.clone());
-            self.block(&for_loop.body);
-            self.scopes.leave();
-        }
-        Value::unit()
-    }
-
-    /// Whether unrolling has gone too far; says so once.
-    pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
-        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > super::MAX_EVALUATIONS;
-        if exhausted {
-            self.refuse(
-                syntax,
-                format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),
-            );
-        }
-        exhausted
     }
 }
 

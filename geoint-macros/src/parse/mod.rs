@@ -1,6 +1,7 @@
 //! Arguments and signature: who is q, p and t, who is a parameter, in which shape.
 
 mod arguments;
+mod function;
 mod names;
 mod options;
 mod outside;
@@ -8,6 +9,7 @@ mod runtime;
 mod shape;
 mod signature;
 
+pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 pub(crate) use names::IMPORTED;
 pub(crate) use options::Requirement;
 pub(crate) use outside::Outside;
@@ -19,16 +21,26 @@ use arguments::{arguments, coordinates};
 use names::{camel_case, is_taken};
 use options::Options;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use quote::ToTokens;
 use signature::{plain_function, returned_float};
+use std::rc::Rc;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, ItemFn, Type};
+use syn::{Attribute, ItemFn, Path, Type};
 
 /// What kind of system an attribute makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
     Hamiltonian,
     Contact,
+}
+
+impl Form {
+    /// The name of the attribute.
+    pub(crate) fn attribute(self) -> &'static str {
+        match self {
+            Form::Hamiltonian => "hamiltonian",
+            Form::Contact => "contact_hamiltonian",
+        }
+    }
 }
 
 /// An annotated function, understood up to its body.
@@ -53,7 +65,11 @@ pub(crate) struct Energy {
     /// Whether momenta of a contact Hamiltonian are not followed.
     pub(crate) lift: Option<Span>,
     /// Constants and aliases of the file.
-    pub(crate) outside: Outside,
+    pub(crate) outside: Rc<Outside>,
+    /// Functions under `#[energy_function]` that the attribute names.
+    pub(crate) with: Vec<Path>,
+    /// Those of them that are there.
+    pub(crate) functions: Vec<Function>,
 }
 
 /// What an argument of the function is.
@@ -77,6 +93,11 @@ pub(crate) struct Argument {
 }
 
 impl Energy {
+    /// The same with the functions that it names, as far as they have been handed on.
+    pub(crate) fn with_functions(self, used: &[TokenStream]) -> Result<Energy> {
+        Ok(Energy { functions: function::functions(&self.with, used)?, ..self })
+    }
+
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &Argument> {
         self.arguments.iter().filter(|(role, _)| *role == Role::Parameter).map(|(_, argument)| argument)
     }
@@ -124,7 +145,7 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
 
 /// Reads the attribute's arguments and the signature.
 pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
-    let options = (|input: ParseStream<'_>| Options::parse(form, input)).parse2(args)?;
+    let options = (|input: ParseStream<'_>| Options::parse(Some(form), input)).parse2(args)?;
     let mut errors = Diagnostics::default();
     plain_function(&item, &options.outside, &mut errors);
     // What follows from a parameter of the signature is not a mistake of its own.
@@ -139,13 +160,13 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     if is_taken(&name) {
         errors.at(&name, format!("`{name}` is a name of generated code; give the struct another one: `name = …`"));
     }
-    let runtime = options.runtime.map_or_else(runtime::path, ToTokens::into_token_stream);
+    let runtime = runtime::path_or(options.runtime);
     if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");
     }
     match coordinates {
         Some(coordinates) => {
-            let Options { requirements, damping, split, lift, outside, .. } = options;
+            let Options { requirements, damping, split, lift, outside, with, .. } = options;
             errors.or(Energy {
                 form,
                 name,
@@ -157,7 +178,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 damping,
                 split,
                 lift,
-                outside,
+                outside: Rc::new(outside),
+                with,
+                functions: vec![],
                 item,
             })
         }

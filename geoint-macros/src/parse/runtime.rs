@@ -2,11 +2,14 @@
 
 use proc_macro_crate::FoundCrate;
 use proc_macro2::{Span, TokenStream};
-use quote::quote;
+use quote::{ToTokens, quote};
 use syn::Ident;
 
-/// The path of the runtime, under the name that Cargo.toml gives it.
-pub(super) fn path() -> TokenStream {
+/// The path of the runtime: the one that is given, or that of the name in Cargo.toml.
+pub(super) fn path_or(given: Option<syn::Path>) -> TokenStream {
+    if let Some(path) = given {
+        return path.into_token_stream();
+    }
     match proc_macro_crate::crate_name("geoint-runtime") {
         Ok(FoundCrate::Name(name)) => {
             let name = Ident::new(&name, Span::call_site());

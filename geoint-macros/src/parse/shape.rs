@@ -36,6 +36,9 @@ const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalge
 
 const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
+/// Names of types of the standard library, which are no aliases.
+const FAMILIAR: [&str; 4] = ["String", "bool", "char", "Self"];
+
 /// The shape of a type.
 pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
     let refuse =
@@ -66,7 +69,7 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                     "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
                         .into(),
                 ),
-                None => match path.path.get_ident().filter(|_| path.qself.is_none()) {
+                None => match path.path.get_ident().filter(|name| !FAMILIAR.iter().any(|known| name == known)) {
                     Some(name) => refuse(
                         ty,
                         format!(

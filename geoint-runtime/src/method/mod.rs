@@ -1,5 +1,6 @@
 //! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
 
+mod clock;
 pub mod composition;
 pub mod contact;
 pub mod corrected;
@@ -14,6 +15,7 @@ pub mod tableau;
 pub mod tables;
 mod total;
 
+pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
 pub(crate) use probe::check_end;
 pub use probe::{Probe, Unwatched};
@@ -52,6 +54,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
     /// compensations of sums. `()` for most explicit methods.
     type Memory: Clone;
+    /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
+    const SCALES_STEPS: bool = false;
 
     /// What the method promises.
     fn claims(&self) -> Claims;
@@ -86,7 +90,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         x: &mut Point<S::Array, C, S::Action>,
     ) -> Result<(), Refusal> {
         for i in 0..steps {
-            let t = clock.at(i) + x.ahead;
+            let t = clock.at(i) + x.ahead.value();
             Self::step(prepared, memory, Step { system, t, x, probe: &mut Unwatched })?;
         }
         Ok(())
@@ -111,21 +115,5 @@ impl<S: PhaseSpace<R>, R: Real, C, P> Step<'_, S, R, C, P> {
     #[inline(always)]
     pub fn part(&mut self, t: R) -> Step<'_, S, R, C, P> {
         Step { system: self.system, t, x: self.x, probe: self.probe }
-    }
-}
-
-/// The times at which steps start.
-#[derive(Clone, Copy, Debug)]
-pub struct Clock<R> {
-    pub(crate) t0: R,
-    pub(crate) h: R,
-    pub(crate) first: u64,
-}
-
-impl<R: Real> Clock<R> {
-    /// The time at which step `i` starts: t₀ + (n + i)·h.
-    #[inline(always)]
-    pub fn at(&self, i: u64) -> R {
-        R::time(self.t0, self.first + i, self.h)
     }
 }

@@ -5,13 +5,15 @@
 
 use super::watch::{Found, Watch};
 use crate::method::corrected::invariants::{plus, size};
-use crate::method::{Method, Probe, Step, Unwatched};
+use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{Reason, StepError};
-use crate::running::integrator::real;
+use crate::running::output::{Samples, Until};
 use crate::running::step_size::{Bounds, Controller};
-use crate::scalar::{Real, zero};
+use crate::running::tolerance::{Judged, Tolerance};
+use crate::running::trajectory::Trajectory;
+use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
-use crate::space::{Compensated, Point, Summation};
+use crate::space::{Compensated, DoubleWord, Point};
 use crate::space::{Coordinates, State};
 use crate::system::Hamiltonian;
 
@@ -20,28 +22,48 @@ type Carried<A> = Point<A, Compensated<A>>;
 
 /// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
 ///
-/// Every step is done in two halves, which are kept, and once as a whole. Their difference may be as large as `tolerance` times
-/// the largest position, and the largest momentum, met before. That is the error of the whole step; for a method of order p the
+/// Every step is done in two halves, which are kept, and once as a whole. Their difference in every coordinate may be as large as
+/// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
+/// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
+/// in any units. A coordinate at rest at zero is measured by what it becomes; and what the tolerated errors of other coordinates
+/// cause in a coordinate within the step is tolerated there, so that one that hardly moves does not hold up the others. The
+/// difference is the error of the whole step; for a method of order p the
 /// error of the halves is a 2ᵖ-th part of it, which is not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
 /// error the last good state is still there.
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Planar pendulum; q in rad, p in kg m²/s.
+/// #[hamiltonian]
+/// fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+///     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+/// }
+///
+/// let system = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
+/// let mut sim = system.adaptive(DOP853, 1e-10, State::new(3.1, 0.0));
+/// // Almost upside down it takes long steps, and short ones on the way down.
+/// sim.advance_to(10.0)?;
+/// assert_eq!(sim.time(), 10.0);
+/// # Ok::<(), StepError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
     method: M,
-    tolerance: f64,
+    tolerance: Tolerance<S::Array>,
+    /// Steps on the way to a time.
+    most_steps: u64,
     bounds: Bounds,
     controller: Controller,
     prepared: Prepared<M::Prepared>,
     /// Of steps as a whole, and of their halves.
     memory: [M::Memory; 2],
-    t: R,
-    t_sum: Compensated<R>,
+    clock: Clock<R>,
     x: Carried<S::Array>,
-    /// The largest position and the largest momentum so far.
-    largest: [f64; 2],
     steps: u64,
     rejections: u64,
 }
@@ -64,15 +86,14 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         let mut sim = Adaptive {
             system,
             method,
-            tolerance,
+            tolerance: Tolerance::new(tolerance, &[x.q, x.p]),
+            most_steps: u64::MAX,
             bounds: Bounds::default(),
             controller,
             prepared: prepare(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
-            t: state.t,
-            t_sum: Compensated::new(),
+            clock: Clock::new(state.t, zero()),
             x,
-            largest: [magnitude(&x.q), magnitude(&x.p)],
             steps: 0,
             rejections: 0,
         };
@@ -94,17 +115,30 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
+    /// Errors that are tolerated beside those relative to coordinates: one for each position and each momentum, in its unit. Without
+    /// this they are zero.
+    pub fn absolute(mut self, q: S::Coordinates, p: S::Coordinates) -> Self {
+        self.tolerance.absolute([q.into_array(), p.into_array()]);
+        self
+    }
+
+    /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    pub fn steps_at_most(mut self, steps: u64) -> Self {
+        self.most_steps = steps;
+        self
+    }
+
     /// In how long, roughly, the state changes by itself: the shortest of |q|/|q'|, |p|/|p'|.
     fn guess(&self) -> f64 {
         let [slope_q, slope_p] = self.gradient(&self.x);
         let time = |x: f64, rate: f64| if x > 0.0 && rate > 0.0 { x / rate } else { f64::INFINITY };
-        time(self.largest[0], magnitude(&slope_p)).min(time(self.largest[1], magnitude(&slope_q)))
+        time(magnitude(&self.x.q), magnitude(&slope_p)).min(time(magnitude(&self.x.p), magnitude(&slope_q)))
     }
 
     fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
         let mut slopes = [S::Array::zero(); 2];
         let [by_q, by_p] = &mut slopes;
-        self.system.gradient(self.t, &x.q, &x.p, by_q, by_p);
+        self.system.gradient(self.time(), &x.q, &x.p, by_q, by_p);
         slopes
     }
 
@@ -122,38 +156,63 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// # Errors
     /// See [`StepError`]; the state is then the last good one.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        self.until(t).try_for_each(|state| state.map(drop))
+        let left = self.clock.left(t);
+        if left.is_infinite() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        let last = self.steps.saturating_add(self.most_steps);
+        while self.time() != t {
+            if self.steps >= last {
+                return Err(StepError::TooManySteps { t: signed(self.time()), steps: self.most_steps });
+            }
+            self.step_towards(t)?;
+        }
+        Ok(())
     }
 
-    /// The state after every step to the time `t`, before or after now: the last one is there.
-    pub fn until(&mut self, t: R) -> Until<'_, S, M, R> {
-        Until { sim: self, t, failed: false }
-    }
-
-    fn step_towards(&mut self, t: R) -> Result<(), StepError> {
+    /// One step to the time `t`, before or after now, or towards it; `false` if that is now.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        if self.time() == t {
+            return Ok(false);
+        }
         self.check_start()?;
-        let left = self.left(t);
+        let left = self.clock.left(t);
         if left.is_nan() {
             return Err(StepError::InvalidStepSize { h: left });
         }
         self.controller.turn(left < 0.0);
         self.step_within(left.abs())?;
         // Methods that scale their steps end a little beside it, and take another one.
-        if self.left(t).abs() <= R::epsilon() * (real(t).abs() + self.step_size().abs()) {
-            (self.t, self.t_sum) = (t, Compensated::new());
+        if self.clock.left(t).abs() <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
+            self.clock = Clock::new(t, zero());
         }
-        Ok(())
+        Ok(true)
     }
 
-    fn left(&self, t: R) -> f64 {
-        let mut left = t - self.t;
-        left += -self.t_sum.compensation();
-        real(left)
+    /// The state after every step to the time `t`, before or after now: the last one is there.
+    pub fn until(&mut self, t: R) -> Until<'_, Self> {
+        Until::new(self, t)
+    }
+
+    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
+        Samples::new(self, k)
+    }
+
+    /// `n` steps, of whatever lengths the tolerance allows.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        (0..n).try_for_each(|_| self.step())
     }
 
     /// A step that is not longer than `left`.
     fn step_within(&mut self, left: f64) -> Result<(), StepError> {
-        let t = real(self.t);
+        let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon());
         loop {
             let regular = self.controller.step(&bounds);
@@ -162,16 +221,21 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.prepared = prepare(&self.system, &self.method, h);
                 self.memory = [M::memory(), M::memory()];
             }
-            let (mut memory, shorter);
-            let prepared = if h == regular {
-                memory = self.memory.clone();
-                &self.prepared
+            let shorter;
+            let (prepared, before) = if h == regular {
+                (&self.prepared, self.memory.clone())
             } else {
-                memory = [M::memory(), M::memory()];
                 shorter = prepare(&self.system, &self.method, h);
-                &shorter
+                (&shorter, [M::memory(), M::memory()])
             };
-            let (x, error) = match self.attempt(prepared, &mut memory, &mut Unwatched) {
+            let mut memory = before.clone();
+            let mut outcome = self.attempt(prepared, &mut memory, &mut Unwatched);
+            // Only a watched step searches for a solution that is hard to find.
+            if matches!(outcome, Err(Reason::NotConverged)) {
+                memory = before;
+                outcome = self.attempt(prepared, &mut memory, &mut Watch::new(&self.system, self.time(), &self.x));
+            }
+            let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
@@ -187,10 +251,10 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.memory = memory;
                 self.controller.accept(h, error);
             }
-            self.t_sum.add(&mut self.t, |t| *t += R::from_f64(h) + x.ahead);
-            self.largest = [self.largest[0].max(magnitude(&x.q)), self.largest[1].max(magnitude(&x.p))];
+            self.clock.pass_step(R::from_f64(h), x.ahead);
+            self.tolerance.include(&[x.q, x.p]);
             self.x = x;
-            self.x.ahead = zero();
+            self.x.ahead = DoubleWord::new(zero());
             self.steps += 1;
             return Ok(());
         }
@@ -206,20 +270,20 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         let half = R::from_f64(0.5 * prepared.h);
         let (mut x, mut whole) = (self.x, self.x);
         let system = &self.system;
-        M::step(&prepared.whole, memory_of_whole, Step { system, t: self.t, x: &mut whole, probe })?;
+        M::step(&prepared.whole, memory_of_whole, Step { system, t: self.time(), x: &mut whole, probe })?;
         for end in [half, half + half] {
-            let start = self.t + (end - half) + x.ahead;
+            let start = self.time() + (end - half) + x.ahead.value();
             M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
-            if let Some(what) = self.system.outside_domain(self.t + end + x.ahead, &x.q, &x.p, &()) {
+            if let Some(what) = self.system.outside_domain(self.time() + end + x.ahead.value(), &x.q, &x.p, &()) {
                 return Err(Reason::OutsideDomain { what });
             }
         }
         let mut gap = plus([x.q, x.p], -1.0, &[whole.q, whole.p]);
         // Where a method scales its steps, the two are at different times.
-        let late = x.ahead - whole.ahead;
+        let late = x.ahead.value() - whole.ahead.value();
         if late.magnitude() != 0.0 {
             let [slope_q, slope_p] = self.gradient(&x);
             gap[0].add_scaled(-late, &slope_p);
@@ -229,20 +293,18 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let later = [magnitude(&x.q), magnitude(&x.p)];
-        let [q, p] = [0, 1].map(|i| {
-            // What was zero so far is measured by what it becomes; else a wrong step could excuse itself by its size.
-            let largest = if self.largest[i] > 0.0 { self.largest[i] } else { later[i] };
-            let gap = magnitude(&gap[i]);
-            if gap == 0.0 { 0.0 } else { gap / (self.tolerance * largest) }
+        let step = Judged { h: prepared.h, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let error = self.tolerance.error(&step, |[q, p]| {
+            let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
+            [slope_p, slope_q]
         });
-        Ok((x, q.max(p)))
+        Ok((x, error))
     }
 
     /// Why a step is refused: once more, watched.
     #[cold]
     fn reason(&self, h: f64) -> Reason {
-        let mut watch = Watch::new(&self.system, self.t, &self.x);
+        let mut watch = Watch::new(&self.system, self.time(), &self.x);
         let outcome =
             self.attempt(&prepare(&self.system, &self.method, h), &mut [M::memory(), M::memory()], &mut watch);
         match outcome {
@@ -257,18 +319,18 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     }
 
     fn check_start(&self) -> Result<(), StepError> {
-        if !(self.tolerance > 0.0 && self.tolerance < f64::INFINITY) {
-            return Err(StepError::InvalidTolerance { tolerance: self.tolerance });
+        if let Some(tolerance) = self.tolerance.unusable() {
+            return Err(StepError::InvalidTolerance { tolerance });
         }
         if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
             return Err(StepError::InvalidStepSize { h });
         }
-        let t = real(self.t);
+        let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        match self.system.outside_domain(self.t, &self.x.q, &self.x.p, &()) {
+        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &()) {
             Some(what) if self.steps == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),
         }
@@ -276,22 +338,22 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// Time now.
     pub fn time(&self) -> R {
-        self.t
+        self.clock.now(zero())
     }
 
     /// The state now.
     pub fn state(&self) -> State<S::Coordinates> {
-        State::at(self.t, Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
+        State::at(self.time(), Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.t, &self.x.q, &self.x.p, &())
+        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &())
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
     pub fn step_size(&self) -> f64 {
-        self.controller.step(&self.bounds.at(real(self.t), R::epsilon()))
+        self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
     }
 
     /// The number of steps taken, each in two halves.
@@ -324,22 +386,31 @@ fn magnitude<A: Array>(x: &A) -> f64 {
     size(core::slice::from_ref(x))
 }
 
-/// States along a trajectory; ends at the given time, or after the first error.
-pub struct Until<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real> {
-    sim: &'a mut Adaptive<S, M, R>,
-    t: R,
-    failed: bool,
-}
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
+    type State = State<S::Coordinates>;
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Iterator for Until<'_, S, M, R> {
-    type Item = Result<State<S::Coordinates>, StepError>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        if self.failed || self.sim.t == self.t {
-            return None;
-        }
-        let outcome = self.sim.step_towards(self.t);
-        self.failed = outcome.is_err();
-        Some(outcome.map(|()| self.sim.state()))
+    fn step(&mut self) -> Result<(), StepError> {
+        self.step()
+    }
+    fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.advance(n)
+    }
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.step_towards(t)
+    }
+    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+    fn time(&self) -> R {
+        self.time()
+    }
+    fn state(&self) -> Self::State {
+        self.state()
+    }
+    fn energy(&self) -> R {
+        self.energy()
+    }
+    fn steps(&self) -> u64 {
+        self.steps
     }
 }

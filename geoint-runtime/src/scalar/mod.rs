@@ -4,4 +4,4 @@ mod floats;
 mod real;
 
 pub use real::Real;
-pub(crate) use real::zero;
+pub(crate) use real::{signed, zero};

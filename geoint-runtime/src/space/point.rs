@@ -1,6 +1,7 @@
 //! A point of phase space while it moves: q, p, and how increments are added to them.
 
 use super::array::Array;
+use super::double_word::DoubleWord;
 use super::state::Action;
 use super::summation::Summation;
 use crate::scalar::{Real, zero};
@@ -16,13 +17,13 @@ pub struct Point<A: Array, C, Z = ()> {
     pub s: Z,
     pub(crate) sums: [C; 2],
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
-    pub ahead: A::Real,
+    pub ahead: DoubleWord<A::Real>,
 }
 
 impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
     /// A point without rounding errors so far.
     pub fn with_action(q: A, p: A, s: Z) -> Self {
-        Point { q, p, s, sums: [C::new(), C::new()], ahead: zero() }
+        Point { q, p, s, sums: [C::new(), C::new()], ahead: DoubleWord::new(zero()) }
     }
 
     /// The same point with sums of another kind, without rounding errors so far.

@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::counted;
-use crate::analyze::{MeanValue, Split, Structure};
+use crate::analyze::{self, MeanValue, Split, Structure};
 use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -54,6 +54,11 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         Split::Coupled(term) => {
             writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
         }
+    }
+    let velocities = &system.gradient.p;
+    let moves = structure.resting.len() < velocities.len();
+    if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
+        writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
     }
     match structure.degree {
         Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,

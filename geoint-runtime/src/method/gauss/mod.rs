@@ -1,4 +1,25 @@
 //! Gauss collocation, the implicit midpoint rule among it, for every H.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A particle that is bound to a ring on a plane which turns: T depends on the position.
+//! #[hamiltonian]
+//! fn coupled(q: f64, p: f64, m: f64) -> f64 {
+//!     p * p / (2.0 * m * (1.0 + q * q)) + q.powi(4) / 4.0
+//! }
+//!
+//! let system = Coupled { m: 0.7 };
+//! let end = |steps: u64| -> Result<f64, StepError> {
+//!     let mut sim = system.integrator(Gauss::<3>, 4.0 / steps as f64, State::new(1.0, 0.3));
+//!     sim.advance(steps)?;
+//!     Ok(sim.state().q)
+//! };
+//! let [a, b, c] = [end(20)?, end(40)?, end(80)?];
+//! let order = ((a - b) / (b - c)).log2();
+//! assert!((order - 6.0).abs() < 0.3);
+//! # Ok::<(), StepError>(())
+//! ```
 
 mod tableau;
 
@@ -74,7 +95,7 @@ where
     }
 
     fn memory() -> Self::Memory {
-        Newton::new()
+        Newton::new(Y::Array::LEN, Y::Unknown::LEN / Y::Array::LEN)
     }
 
     #[inline(always)]

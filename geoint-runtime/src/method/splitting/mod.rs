@@ -4,6 +4,31 @@
 //! kick happens at the time that the drifts so far have reached, a drift at the time that the kicks so far have
 //! reached. In the space extended by both clocks T and V are still exact flows, so that no table loses its order when
 //! T or V depends on time.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// Two masses on springs that harden.
+//! #[hamiltonian]
+//! fn springs(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: f64) -> f64 {
+//!     let stretch = q[1] - q[0];
+//!     p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) + k * (stretch.powi(2) / 2.0 + stretch.powi(4) / 4.0)
+//! }
+//!
+//! let system = Springs { m: [0.5, 2.0], k: 3.0 };
+//! let start = State::new([0.0, 1.0], [0.2, -0.1]);
+//! // Energy errors stay what they are, for as long as one likes; those of order 4 are far smaller for the same forces.
+//! let mut verlet = system.integrator(StormerVerlet, 0.01, start);
+//! let mut fourth = system.integrator(BlanesMoan4, 0.06, start);
+//! let energy = verlet.energy();
+//! verlet.advance(60_000)?;
+//! fourth.advance(10_000)?;
+//! assert!((verlet.energy() / energy - 1.0).abs() < 1e-3);
+//! assert!((fourth.energy() / energy - 1.0).abs() < 1e-5);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
 
 mod driver;
 mod flows;
