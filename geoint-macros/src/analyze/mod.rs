@@ -9,6 +9,7 @@ mod leaves;
 mod quadratic;
 mod equations;
 mod generators;
+mod weights;
 mod momenta;
 mod mean_value;
 mod poles;

@@ -20,6 +20,17 @@ pub(super) enum Atom {
     Float(u64),
 }
 
+impl Atom {
+    /// What it stands for.
+    pub(super) fn node(self, graph: &mut Graph) -> Id {
+        match self {
+            Atom::Node(id) => id,
+            Atom::Long(numerator, denominator) => graph.number(Number::Exact(Ratio { numerator, denominator })),
+            Atom::Float(bits) => graph.number(Number::Float(bits)),
+        }
+    }
+}
+
 /// number · Π atomᵉ · the product of two variables; atoms and variables in order. Different products of atoms count as
 /// independent: what cancels does so whatever the parameters are.
 #[derive(Clone, Debug, PartialEq, Eq)]

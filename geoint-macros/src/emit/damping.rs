@@ -28,10 +28,8 @@ pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Dampi
 }
 
 /// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
-pub(super) fn open_matrix(graph: &Graph, damping: &Damping) -> Vec<Id> {
-    let entries: Vec<Id> = damping.matrix.iter().flatten().copied().collect();
-    let known = entries.iter().all(|entry| graph.as_number(*entry).is_some());
-    if known || damping.diagonal { vec![] } else { entries }
+pub(super) fn open_matrix(damping: &Damping) -> Vec<Id> {
+    if damping.open { damping.matrix.iter().flatten().copied().collect() } else { vec![] }
 }
 
 /// The statement that tests such a matrix.

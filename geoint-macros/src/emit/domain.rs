@@ -115,7 +115,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping:
         let coefficients = damping::coefficients(context, graph, damping).into_iter();
         let negative = quote!(.any_below(0.0));
         checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
-        matrix = damping::open_matrix(graph, damping);
+        matrix = damping::open_matrix(damping);
     }
     let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
     context.routine(graph, &roots, |mut values| {

@@ -152,7 +152,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
     let momenta = structure.momenta.iter();
     lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
-    writeln!(text, "\nConserved by the flow")?;
+    writeln!(text, "\nConserved by the flow, at least")?;
     for line in &lines {
         writeln!(text, "- {line}")?;
     }
@@ -160,32 +160,33 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- nothing that was found")?;
     }
 
-    writeln!(text, "\nDiscrete gradients")?;
+    let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
+        discrete.push("`DiscreteGradient` keeps all of that, to rounding".into());
     }
     if structure.switches {
-        writeln!(
-            text,
-            "- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
-        )?;
+        discrete.push(
+            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`".into(),
+        );
     }
-    match structure.mean_value {
-        // It is for systems that keep their energy.
-        _ if structure.damping.is_some() => Ok(()),
-        MeanValue::Parts(1) => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
-        MeanValue::Parts(parts) => {
-            writeln!(text, "- `MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
-        }
-        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
-        MeanValue::NotClosed(term) => {
-            let term = printer.excerpt(term);
-            writeln!(
-                text,
-                "- `MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}"
-            )
-        }
+    // It is for systems that keep their energy.
+    if structure.damping.is_none() {
+        discrete.push(match structure.mean_value {
+            MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
+            MeanValue::Parts(parts) => {
+                format!("`MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
+            }
+            MeanValue::Gauss(points) => format!("`MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
+            MeanValue::NotClosed(term) => {
+                let term = printer.excerpt(term);
+                format!("`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}")
+            }
+        });
     }
+    if !discrete.is_empty() {
+        writeln!(text, "\nDiscrete gradients")?;
+    }
+    discrete.iter().try_for_each(|line| writeln!(text, "- {line}"))
 }
 
 /// A derivative, written out unless it fills the screen.
