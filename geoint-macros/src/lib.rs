@@ -4,6 +4,7 @@
 
 // In reading order, which is the order of dependence too.
 mod diagnostics;
+mod messages;
 mod ir;
 mod parse;
 mod lower;
@@ -11,6 +12,7 @@ mod analyze;
 mod diff;
 mod schedule;
 mod split;
+mod derive;
 mod check;
 mod emit;
 mod link;
@@ -271,5 +273,5 @@ pub fn resume(input: TokenStream) -> TokenStream {
 #[doc(hidden)]
 #[proc_macro]
 pub fn most_unknowns(_: TokenStream) -> TokenStream {
-    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(emit::MOST_UNKNOWNS)).into()
+    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(derive::MOST_UNKNOWNS)).into()
 }

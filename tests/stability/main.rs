@@ -7,5 +7,6 @@ mod refusals;
 mod poles;
 mod long_steps;
 mod rounding;
+mod same_bits;
 mod trajectories;
 mod time;
