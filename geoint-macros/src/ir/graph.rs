@@ -5,8 +5,9 @@
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
 use super::hash::HashMap;
-use super::number::{Number, Ratio};
+use super::number::Number;
 use super::op::{Domain, Function, Relation, Symbol};
+use super::ratio::Ratio;
 use super::table::Table;
 use std::cell::RefCell;
 

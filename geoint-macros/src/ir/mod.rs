@@ -9,12 +9,14 @@ pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod print;
 mod product;
+mod ratio;
 pub(crate) mod substitute;
 mod sum;
 mod table;
 
 pub(crate) use graph::{Graph, Id, Node};
 pub(crate) use hash::HashMap;
-pub(crate) use number::{Number, Ratio};
+pub(crate) use number::Number;
 pub(crate) use op::{Function, Relation, Symbol};
+pub(crate) use ratio::Ratio;
 pub(crate) use table::Table;

@@ -1,8 +1,9 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
 use super::graph::{Graph, Id, Node};
-use super::number::{Number, Ratio};
+use super::number::Number;
 use super::op::{Relation, Symbol};
+use super::ratio::Ratio;
 use std::cell::Cell;
 
 /// Longer formulas are cut in messages.

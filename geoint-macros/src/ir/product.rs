@@ -1,7 +1,8 @@
 //! Products, quotients and powers: one node for every base, never expanded.
 
 use super::graph::{Graph, Id, Node};
-use super::number::{Number, Ratio};
+use super::number::Number;
+use super::ratio::Ratio;
 
 impl Graph {
     /// A node as coefficient·rest.
