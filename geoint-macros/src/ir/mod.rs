@@ -5,6 +5,7 @@ mod call;
 pub(crate) mod eval;
 pub(crate) mod graph;
 mod hash;
+mod id;
 pub(crate) mod number;
 pub(crate) mod op;
 pub(crate) mod print;
@@ -14,8 +15,9 @@ pub(crate) mod substitute;
 mod sum;
 mod table;
 
-pub(crate) use graph::{Graph, Id, Node};
+pub(crate) use graph::{Graph, Node};
 pub(crate) use hash::HashMap;
+pub(crate) use id::Id;
 pub(crate) use number::Number;
 pub(crate) use op::{Function, Relation, Symbol};
 pub(crate) use ratio::Ratio;

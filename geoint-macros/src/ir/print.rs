@@ -1,6 +1,7 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::number::Number;
 use super::op::{Relation, Symbol};
 use super::ratio::Ratio;

@@ -1,6 +1,7 @@
 //! Products, quotients and powers: one node for every base, never expanded.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::number::Number;
 use super::ratio::Ratio;
 
