@@ -62,21 +62,11 @@ pub(crate) fn energy_function(args: TokenStream, item: TokenStream) -> TokenStre
     }
     let Ok(function) = syn::parse2::<syn::ItemFn>(item.clone()) else { return no_function(item) };
     let source = Source { args, item: item.clone(), used: vec![] };
-    let offered = parse::energy_function(&function).and_then(|()| offered(&source));
+    let offered = parse::energy_function(&function).and_then(|()| link::offered(&source));
     let assertions = parse::function_options(source.args).map(|options| options.outside.assertions());
     let offered = offered.unwrap_or_else(|errors| errors.into_tokens());
     let assertions = assertions.unwrap_or_default();
     quote!(#item #assertions #offered)
-}
-
-/// The macro of a function, once the functions that it names are there.
-fn offered(source: &Source) -> Result<TokenStream> {
-    let options = parse::function_options(source.args.clone())?;
-    let function: syn::ItemFn = syn::parse2(source.item.clone())?;
-    Ok(match options.with.get(source.used.len()) {
-        Some(path) => link::ask(&options.runtime, "energy_function", path, source),
-        None => link::offer(&function.sig.ident, &function.vis, source),
-    })
 }
 
 /// Goes on where [`link::ask`] stopped.
@@ -86,7 +76,7 @@ pub(crate) fn resume(input: TokenStream) -> TokenStream {
         let form = match attribute.to_string().as_str() {
             "hamiltonian" => Form::Hamiltonian,
             "contact_hamiltonian" => Form::Contact,
-            _ => return offered(&source),
+            _ => return link::offered(&source),
         };
         derived(parse::energy(form, source.args.clone(), syn::parse2(source.item.clone())?)?, &source)
     });

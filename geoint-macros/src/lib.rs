@@ -249,8 +249,8 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// crate, `crate::forces::CUTOFF`, or repeated if it is an integer: `const N = 3`.
 ///
 /// `with(module::f)` takes a path, and the body calls the function by the same. It can be named in its own crate only, and
-/// where it is visible; and where a function without the attribute does not hide it. Functions that call each other, or
-/// themselves, cannot be inlined.
+/// where it is visible; and where a function without the attribute does not hide it. An energy may have this attribute beside its
+/// own, and be a part of another one. Functions that call each other, or themselves, cannot be inlined.
 #[proc_macro_attribute]
 pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::energy_function(args.into(), item.into()).into()

@@ -53,6 +53,8 @@ impl Lowering {
             (Expr::Paren(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Group(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Infer(_), _) => Value::unit(),
+            // What is assigned has been refused.
+            (Expr::Tuple(_) | Expr::Array(_), Value::Poison) => Value::Poison,
             (Expr::Tuple(targets), Value::Tuple(values)) if targets.elems.len() == values.len() => {
                 for (target, value) in targets.elems.iter().zip(values) {
                     self.assign_to(target, target, value);

@@ -199,4 +199,9 @@ fn assignments_in_order() {
         set(q[0]);
         x
     });
+    refuses!("no such operator", |q, p, t, a| {
+        let (mut x, mut y) = (a, q[0]);
+        (x, y) = (y % 2.0, x);
+        x + y
+    });
 }
