@@ -64,9 +64,12 @@ fn is_semidefinite(mut c: Vec<Vec<f64>>) -> bool {
         if c[k][k] < 0.0 {
             return false;
         }
-        let pivot = c[k][k].max(1e-37);
+        let pivot = c[k][k];
+        if pivot < f64::MIN_POSITIVE && (k + 1..n).any(|i| c[i][k] != 0.0) {
+            return false;
+        }
         for i in k + 1..n {
-            let factor = c[i][k] / pivot;
+            let factor = c[i][k] / pivot.max(f64::MIN_POSITIVE);
             for j in k + 1..=i {
                 c[i][j] -= factor * c[j][k];
             }
