@@ -42,7 +42,9 @@ pub(super) fn leaves(
             match graph.node(last) {
                 _ if at_most(last, degree) => leaf.push(term),
                 Node::Select(condition, ..) if reads_state(*condition) => return None,
-                Node::Call(Function::Hypot, _) if degree >= 2 && sides(graph, last).iter().all(|side| at_most(*side, 1)) => {
+                Node::Call(Function::Hypot, _)
+                    if degree >= 2 && sides(graph, last).iter().all(|side| at_most(*side, 1)) =>
+                {
                     leaves.push(Leaf::Squares(sides(graph, last)));
                 }
                 node => open.extend(node.children().into_iter().filter(|child| reads_state(*child))),

@@ -166,7 +166,8 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     }
     if structure.switches {
         discrete.push(
-            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`".into(),
+            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
+                .into(),
         );
     }
     // It is for systems that keep their energy.
