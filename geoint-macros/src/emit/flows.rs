@@ -8,7 +8,7 @@ use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::diff::{self, Derivatives, modified};
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
 use crate::schedule::{self, Operations};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The tokens, and what a kick and a drift cost.
@@ -70,7 +70,7 @@ fn separable(
         }
         Some(term) => {
             let (marker, tokens) = unsatisfied(context, graph, "QuadraticIn", term, NOT_QUADRATIC);
-            let never = not_quadratic(context, &quote!(#bounds + #marker));
+            let never = not_quadratic(context, (bounds, &marker));
             quote!(#tokens #never)
         }
     };
@@ -79,6 +79,7 @@ fn separable(
     let (kick_body, drift_body) = (&kick.body, &drift.body);
     let tokens = quote! {
         impl<R: #bounds> Separable<R> for #name {
+            type Proof = ();
             type Kick = [R; #kick_slots];
             type Drift = [R; #drift_slots];
 
@@ -159,7 +160,9 @@ pub(super) fn quadratic(
 ) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     quote! {
-        impl<R: #bounds> QuadraticKinetic<R> for #name {}
+        impl<R: #bounds> QuadraticKinetic<R> for #name {
+            type Proof = ();
+        }
         impl<R: #bounds> ForceGradient<R> for #name {
             type GradientKick = #prepared;
             #[inline]
@@ -175,12 +178,14 @@ pub(super) fn quadratic(
 }
 
 /// The same for no scalar.
-pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
+pub(super) fn not_quadratic(context: &Context<'_>, (bounds, marker): (&TokenStream, &Ident)) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let never = quote!(::core::convert::Infallible);
     quote! {
-        impl<R: #bounds> QuadraticKinetic<R> for #name {}
-        impl<R: #bounds> ForceGradient<R> for #name {
+        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {
+            type Proof = <R as #marker>::Proof;
+        }
+        impl<R: #bounds + #marker> ForceGradient<R> for #name {
             type GradientKick = #never;
             fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
@@ -202,10 +207,11 @@ fn none(
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, what, term, why);
     let never = quote!(::core::convert::Infallible);
-    let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
+    let not_quadratic = not_quadratic(context, (bounds, &marker));
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
+            type Proof = <R as #marker>::Proof;
             type Kick = #never;
             type Drift = #never;
             fn prepare_kick(&self, _: R) -> #never {
@@ -232,7 +238,7 @@ pub(super) fn unsatisfied(
     what: &str,
     term: Id,
     why: &str,
-) -> (proc_macro2::Ident, TokenStream) {
+) -> (Ident, TokenStream) {
     let name = &context.energy.name;
     let marker = format_ident!("{what}{name}");
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
@@ -242,7 +248,9 @@ pub(super) fn unsatisfied(
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
     let tokens = quote! {
         #[diagnostic::on_unimplemented(message = #message, label = #label)]
-        pub trait #marker {}
+        pub trait #marker {
+            type Proof;
+        }
     };
     (marker, tokens)
 }

@@ -149,6 +149,7 @@ pub(super) fn discrete_field(
     };
     let tokens = quote! {
         impl<R: #bounds> DiscreteField<R> for #name {
+            type Proof = ();
             type Parameters = [R; #prepared];
             type Start = [R; #started];
             type Inverse = #inverse;
@@ -220,6 +221,7 @@ pub(super) fn collocation(
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     let tokens = quote! {
         impl<R: #bounds> Collocation<R> for #name {
+            type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];
             const DERIVATIVE: usize = #derivative;

@@ -125,6 +125,7 @@ pub struct Composed<M, const K: usize> {
 }
 
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+    type Proof = M::Proof;
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
     /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all

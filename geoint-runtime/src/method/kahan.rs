@@ -19,7 +19,7 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::space::Array;
@@ -35,6 +35,7 @@ use crate::system::{Conservative, Cubic};
 pub struct Kahan;
 
 impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
+    type Proof = <<S as Cubic<R>>::Proof as And<<S as Conservative<R>>::Proof>>::Both;
     type Prepared = (S::Constants, R);
     type Memory = ();
 

@@ -49,6 +49,10 @@ pub struct Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
+    /// What was proven of `S` and is needed: a property's own `Proof`, two of them by [`And`]. Where something is missing the compiler
+    /// knows no type here, nor that of [`Run::integrator`](crate::Run::integrator); the message that says what is missing is then
+    /// the only one.
+    type Proof;
     /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
     type Prepared: Clone;
     /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
@@ -95,6 +99,16 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         }
         Ok(())
     }
+}
+
+/// Both of two proofs: known where both are.
+pub trait And<Q> {
+    /// As well as the other one.
+    type Both;
+}
+
+impl<P, Q> And<Q> for P {
+    type Both = Q;
 }
 
 /// A step that is about to be taken: of which system, when, from where, and who watches.

@@ -30,6 +30,8 @@ pub trait Conformal<R: Real = f64>: Contact<R> {}
 /// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
 pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// What a kick of given length needs from the parameters.
     type FreeKick: Clone;
     /// What a drift of given length needs from the parameters.
@@ -73,6 +75,8 @@ pub struct Piece {
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// The pieces; the last one is in the middle of a step.
     const PIECES: &'static [Piece];
     /// What flows of given lengths need from the parameters.
@@ -104,6 +108,8 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     note = "methods for a lift: `ContactSplitting` and its compositions"
 )]
 pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// q, p and s in a row.
     type Unknown: Array<Real = R>;
     /// What depends on parameters and h.

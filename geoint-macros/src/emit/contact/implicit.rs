@@ -59,6 +59,7 @@ fn step(
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let tokens = quote! {
         impl<R: #bounds> ImplicitStep<#method, R> for #name {
+            type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];
             type Start = [R; #started];

@@ -40,12 +40,13 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
         }
         Err(term) => {
             let (marker, tokens) = unsatisfied(context, graph, "NystromIn", *term, NOT_NYSTROM);
-            let never = not_quadratic(context, &quote!(#bounds + #marker));
+            let never = not_quadratic(context, (bounds, &marker));
             quote!(#tokens #never)
         }
     };
     quote! {
         impl<R: #bounds> Separable<R> for #name {
+            type Proof = ();
             type Kick = #kick_type;
             type Drift = #drift_type;
             const DRIFTS_ARE_EXACT_IN_TIME: bool = #exact;
@@ -56,6 +57,7 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
         }
         #nystrom
         impl<R: #bounds> MechanicalContact<R> for #name {
+            type Proof = ();
             #free_kick
             #free_drift
             #[inline(always)]
@@ -134,7 +136,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
     let (name, array) = (self_type(context), context.array());
     let (marker, tokens) = unsatisfied(context, graph, "MechanicalIn", term, NOT_MECHANICAL);
     let never = quote!(::core::convert::Infallible);
-    let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
+    let not_quadratic = not_quadratic(context, (bounds, &marker));
     let flow = |name: &str| {
         let (prepare, name) = (format_ident!("prepare_{name}"), format_ident!("{name}"));
         quote! {
@@ -150,6 +152,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
+            type Proof = <R as #marker>::Proof;
             type Kick = #never;
             type Drift = #never;
             #kick
@@ -157,6 +160,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
         }
         #not_quadratic
         impl<R: #bounds + #marker> MechanicalContact<R> for #name {
+            type Proof = <R as #marker>::Proof;
             type FreeKick = #never;
             type FreeDrift = #never;
             #free_kick

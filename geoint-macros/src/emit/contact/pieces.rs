@@ -94,6 +94,7 @@ fn splitting(
     quote! {
         impl<R: #bounds> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
+            type Proof = ();
             type Flows = #types;
             type Frozen = #frozen_types;
 
@@ -127,6 +128,7 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
         #tokens
         impl<R: #bounds + #marker> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[];
+            type Proof = <R as #marker>::Proof;
             type Flows = #never;
             type Frozen = ();
             fn prepare_flows(&self, _: R, _: R) -> #never {

@@ -27,6 +27,7 @@ pub struct Prepared<S: Mechanical<R>, R: Real> {
 }
 
 impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
+    type Proof = <S as Mechanical<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = ();
 

@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::{Invariants, plus, product, size};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::stagnation::Stagnation;
@@ -25,6 +25,7 @@ pub struct Prepared<P, I> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
+    type Proof = <M::Proof as And<I::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = M::Memory;
     const SCALES_STEPS: bool = M::SCALES_STEPS;

@@ -1,7 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product, size};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::stagnation::Stagnation;
 use crate::space::Array;
@@ -29,6 +29,7 @@ pub struct Prepared<P, R> {
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
+    type Proof = <M::Proof as And<<S as Autonomous<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = M::Memory;
     const SCALES_STEPS: bool = true;

@@ -76,6 +76,7 @@ impl MeanGradient for SymmetrisedItohAbe {
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
+    type Proof = <S as Conservative<R>>::Proof;
     /// Both halves, and h/2.
     type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
     /// The compensations of the sums of q and p.

@@ -97,6 +97,7 @@ macro_rules! methods {
             R: Real,
             $($bounded: $bound,)?
         {
+            type Proof = <$system as Conservative<R>>::Proof;
             type Prepared = Prepared<Self, $system, R>;
             /// The compensations of the sums of q and p.
             type Memory = [Compensated<$system::Array>; 2];

@@ -13,6 +13,7 @@ use crate::system::Hamiltonian;
 pub struct ExplicitEuler;
 
 impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
+    type Proof = S::Proof;
     /// h.
     type Prepared = R;
     type Memory = ();

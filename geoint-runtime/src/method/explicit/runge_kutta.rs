@@ -187,6 +187,7 @@ pub struct Prepared<R, const K: usize> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
+    type Proof = S::Proof;
     type Prepared = Prepared<R, K>;
     type Memory = ();
 

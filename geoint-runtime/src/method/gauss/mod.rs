@@ -26,7 +26,7 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{And, Claims, Method, Probe, Refusal, Step, check_end};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
@@ -66,6 +66,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
+    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocation<R>>::Proof>>::Both;
     type Prepared = Prepared<Y::Constants, R, S>;
     type Memory = Newton<[Y::Unknown; S]>;
 
@@ -181,6 +182,7 @@ where
 }
 
 impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
+    type Proof = <Y as Collocation<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
     type Memory = <Gauss<1> as Method<Y, R>>::Memory;
 

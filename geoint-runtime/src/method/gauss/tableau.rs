@@ -10,15 +10,19 @@ use crate::method::tableau::Tableau;
 
 /// The number of stages of a Gauss method, 1 to 6.
 pub trait GaussTableau<const S: usize> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// The coefficients.
     const TABLEAU: Tableau<S>;
 }
 
 impl GaussTableau<1> for Gauss<1> {
+    type Proof = ();
     const TABLEAU: Tableau<1> = Tableau { a: [[0.5]], b: [1.0], c: [0.5] };
 }
 
 impl GaussTableau<2> for Gauss<2> {
+    type Proof = ();
     const TABLEAU: Tableau<2> = Tableau {
         a: [
             [0.25, -0.038675134594812882254574390250978727823800875635063],
@@ -30,6 +34,7 @@ impl GaussTableau<2> for Gauss<2> {
 }
 
 impl GaussTableau<3> for Gauss<3> {
+    type Proof = ();
     const TABLEAU: Tableau<3> = Tableau {
         a: [
             [
@@ -62,6 +67,7 @@ impl GaussTableau<3> for Gauss<3> {
 }
 
 impl GaussTableau<4> for Gauss<4> {
+    type Proof = ();
     const TABLEAU: Tableau<4> = Tableau {
         a: [
             [
@@ -105,6 +111,7 @@ impl GaussTableau<4> for Gauss<4> {
 }
 
 impl GaussTableau<5> for Gauss<5> {
+    type Proof = ();
     const TABLEAU: Tableau<5> = Tableau {
         a: [
             [
@@ -161,6 +168,7 @@ impl GaussTableau<5> for Gauss<5> {
 }
 
 impl GaussTableau<6> for Gauss<6> {
+    type Proof = ();
     const TABLEAU: Tableau<6> = Tableau {
         a: [
             [

@@ -124,6 +124,7 @@ fn moving<'a, S: Separable<R>, R: Real, C>(
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
+    type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
     type Memory = ();
 

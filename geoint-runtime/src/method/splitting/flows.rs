@@ -2,7 +2,7 @@
 
 use crate::scalar::Real;
 use crate::space::Summation;
-use crate::system::{ForceGradient, PhaseSpace, Separable};
+use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -23,6 +23,8 @@ pub struct Weight<R> {
 
 /// What a kick is.
 pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
+    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// Coefficients of a kick.
     type Kick: Clone;
     /// Prepares a kick.
@@ -36,6 +38,7 @@ pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
 pub struct WithoutGradient;
 
 impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
+    type Proof = S::Proof;
     type Kick = S::Kick;
     fn prepare(system: &S, weight: Weight<R>) -> S::Kick {
         system.prepare_kick(weight.h)
@@ -60,6 +63,7 @@ pub enum SomeKick<A, B> {
 }
 
 impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
+    type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Kick = SomeKick<S::Kick, S::GradientKick>;
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick {
         match weight.gradient {
@@ -78,6 +82,8 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 
 /// Which of kick and drift is the outer flow.
 pub trait Order<S: Separable<R>, R: Real>: Copy {
+    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// Coefficients of an outer flow.
     type Outer: Clone;
     /// Coefficients of an inner flow.
@@ -93,6 +99,7 @@ pub trait Order<S: Separable<R>, R: Real>: Copy {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
+    type Proof = F::Proof;
     type Outer = F::Kick;
     type Inner = S::Drift;
     fn prepare_outer(system: &S, weight: Weight<R>) -> F::Kick {
@@ -112,6 +119,7 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
+    type Proof = F::Proof;
     type Outer = S::Drift;
     type Inner = F::Kick;
     fn prepare_outer(system: &S, weight: Weight<R>) -> S::Drift {

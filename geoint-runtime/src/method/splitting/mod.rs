@@ -50,6 +50,7 @@ macro_rules! delegate {
         where
             $inner: Method<S, R, Memory = ()>,
         {
+            type Proof = <S as $system<R>>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = ();
 

@@ -41,6 +41,7 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
 }
 
 impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
+    type Proof = <S as DiscreteField<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S, R>;
 
