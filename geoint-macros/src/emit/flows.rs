@@ -3,7 +3,7 @@
 
 use super::kernel::{Context, write};
 use super::system::{modified_energy, self_type};
-use crate::analyze::{Parts, Split, Structure};
+use crate::analyze::{Parts, Split, Structure, reads};
 use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::diff::{self, Derivatives, modified};
 use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
@@ -74,12 +74,14 @@ fn separable(
             quote!(#tokens #never)
         }
     };
+    let repeat = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
     let (kick_slots, drift_slots) = (&kick.slots, &drift.slots);
     let (prepare_kick, prepare_drift) = (&kick.prepare, &drift.prepare);
     let (kick_body, drift_body) = (&kick.body, &drift.body);
     let tokens = quote! {
         impl<R: #bounds> Separable<R> for #name {
             type Proof = ();
+            const KICKS_REPEAT: bool = #repeat;
             type Kick = [R; #kick_slots];
             type Drift = [R; #drift_slots];
 

@@ -19,6 +19,8 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     type Drift: Clone;
     /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
+    /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
+    const KICKS_REPEAT: bool = false;
 
     /// Coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;

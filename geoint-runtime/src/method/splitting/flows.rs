@@ -82,6 +82,8 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 
 /// Which of kick and drift is the outer flow.
 pub trait Order<S: Separable<R>, R: Real>: Copy {
+    /// Whether the outer flow adds to the momenta what positions alone decide.
+    const REPEATS: bool;
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of an outer flow.
@@ -99,6 +101,7 @@ pub trait Order<S: Separable<R>, R: Real>: Copy {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
+    const REPEATS: bool = S::KICKS_REPEAT;
     type Proof = F::Proof;
     type Outer = F::Kick;
     type Inner = S::Drift;
@@ -119,6 +122,7 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
+    const REPEATS: bool = false;
     type Proof = F::Proof;
     type Outer = S::Drift;
     type Inner = F::Kick;
