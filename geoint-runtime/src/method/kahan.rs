@@ -19,7 +19,7 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{And, Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::space::Array;
@@ -40,7 +40,11 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: false }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: false, forces: Some(1) }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Kahan")
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

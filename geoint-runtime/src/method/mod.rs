@@ -9,6 +9,7 @@ pub mod explicit;
 mod field;
 pub mod gauss;
 pub mod kahan;
+mod name;
 mod probe;
 pub mod splitting;
 pub mod tableau;
@@ -17,6 +18,7 @@ mod total;
 
 pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
+pub use name::Name;
 pub(crate) use probe::check_end;
 pub use probe::{Probe, Unwatched};
 
@@ -30,6 +32,7 @@ use crate::system::PhaseSpace;
 ///
 /// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Claims {
     /// Global error O(hᵖ).
     pub order: u32,
@@ -40,6 +43,40 @@ pub struct Claims {
     /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
     /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
     pub conserves_energy: bool,
+    /// Evaluations of the force, or of both derivatives of H, that a step costs where others follow, if it costs the same
+    /// everywhere: not known of steps that solve an equation.
+    pub forces: Option<u32>,
+}
+
+impl Claims {
+    /// Order p, and nothing else.
+    pub const fn of_order(order: u32) -> Self {
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: false, forces: None }
+    }
+
+    /// A symmetric method.
+    pub const fn symmetric(mut self) -> Self {
+        self.symmetric = true;
+        self
+    }
+
+    /// A symplectic method, or a contact map.
+    pub const fn symplectic(mut self) -> Self {
+        self.symplectic = true;
+        self
+    }
+
+    /// A method that keeps the energy.
+    pub const fn conserving_energy(mut self) -> Self {
+        self.conserves_energy = true;
+        self
+    }
+
+    /// A method of so many forces a step.
+    pub const fn forces(mut self, forces: u32) -> Self {
+        self.forces = Some(forces);
+        self
+    }
 }
 
 /// A one-step method for the system `S`.
@@ -63,6 +100,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// What the method promises.
     fn claims(&self) -> Claims;
+
+    /// What it is called.
+    fn name(&self) -> Name;
 
     /// Coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;

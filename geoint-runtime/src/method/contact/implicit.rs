@@ -2,7 +2,7 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square, Summation};
@@ -84,7 +84,11 @@ macro_rules! methods {
             type Memory = Newton<S::Unknown>;
 
             fn claims(&self) -> Claims {
-                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                Name::new(stringify!($method))
             }
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::{Invariants, plus, product, size};
-use crate::method::{And, Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::stagnation::Stagnation;
@@ -32,7 +32,11 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Projection").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -1,7 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product, size};
-use crate::method::{And, Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::stagnation::Stagnation;
 use crate::space::Array;
@@ -36,7 +36,11 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: true }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Relaxation").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -26,7 +26,7 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
@@ -71,7 +71,11 @@ where
     type Memory = Newton<[Y::Unknown; S]>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1])
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
@@ -188,6 +192,10 @@ impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
 
     fn claims(&self) -> Claims {
         Method::<Y, R>::claims(&Gauss::<1>)
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ImplicitMidpoint")
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {

@@ -2,7 +2,7 @@
 
 use super::flows::{Moving, Order, Times, Weight};
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
@@ -197,6 +197,10 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)
+    }
+
+    fn name(&self) -> Name {
+        Splitting::name(self)
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -44,7 +44,7 @@ pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEuler
 
 /// A method that is another one under a stricter condition or another name.
 macro_rules! delegate {
-    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr) => {
+    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr, $name:expr) => {
         $(#[$doc])*
         impl<$($generics)* S: $system<R>, R: Real> Method<S, R> for $method
         where
@@ -58,6 +58,11 @@ macro_rules! delegate {
                 let $this = self;
                 $table.claims()
             }
+            fn name(&self) -> Name {
+                let $this = self;
+                $name
+            }
+
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
                 let $this = self;
                 Method::prepare(&$table, system, h)
