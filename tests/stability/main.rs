@@ -9,3 +9,4 @@ mod long_steps;
 mod rounding;
 mod trajectories;
 mod time;
+mod names;

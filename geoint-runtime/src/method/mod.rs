@@ -1,5 +1,6 @@
 //! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
 
+pub mod catalogue;
 mod clock;
 pub mod composition;
 pub mod contact;
@@ -16,6 +17,7 @@ pub mod tableau;
 pub mod tables;
 mod total;
 
+pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
 pub use name::Name;

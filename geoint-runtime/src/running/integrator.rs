@@ -128,9 +128,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// One step that does not end beyond `limit`; else `false`.
     #[inline(always)]
     fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        // Memory is not copied, which may cost more than the step: where the step is refused, it is made anew.
-        let before = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
-        let (t, start) = (self.time(), self.x);
+        // In place: one copy, for steps that are refused, in place of two.
+        let (t, memory, start) = (self.time(), self.memory.clone(), self.x);
         let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
@@ -139,7 +138,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             self.pass(1);
             return Ok(true);
         }
-        (self.x, self.memory) = (start, before.unwrap_or_else(M::memory));
+        (self.x, self.memory) = (start, memory);
         if good { Ok(false) } else { self.step_watched(limit) }
     }
 

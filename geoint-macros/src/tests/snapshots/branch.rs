@@ -198,6 +198,7 @@ const _: () = {
     }
     impl<R: Real> Separable<R> for Spring {
         type Proof = ();
+        const KICKS_REPEAT: bool = false;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
