@@ -122,6 +122,12 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+/// What nobody else can implement, so that it may grow.
+mod sealed {
+    /// Is implemented here.
+    pub trait Sealed {}
+}
+
 pub mod scalar;
 pub mod space;
 pub mod slope;
@@ -184,3 +190,8 @@ pub mod prelude {
         hamiltonian,
     };
 }
+
+/// The programs of the README compile and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

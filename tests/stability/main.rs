@@ -7,6 +7,7 @@ mod refusals;
 mod poles;
 mod long_steps;
 mod rounding;
+mod same_bits;
 mod trajectories;
 mod time;
 mod names;

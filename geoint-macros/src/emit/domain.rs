@@ -11,12 +11,13 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What the trait `PhaseSpace` asks of a domain, and `Hamiltonian`: of poles those that divided differences do not notice either.
-pub(super) fn domain(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    energy: Id,
-    damping: Option<&Damping>,
-) -> (TokenStream, Option<TokenStream>) {
+pub(crate) struct DomainTests {
+    pub(super) space: TokenStream,
+    pub(super) hidden: Option<TokenStream>,
+}
+
+/// Derives and writes what is tested of the domain.
+pub(crate) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> DomainTests {
     let (array, action) = (context.array(), context.action());
     let outside = outside_domain(context, graph, energy, damping);
     let nodes = unconditional(graph, energy, context.partial);
@@ -35,7 +36,7 @@ pub(super) fn domain(
         #between
         #singular
     };
-    (space, hidden)
+    DomainTests { space, hidden }
 }
 
 /// Poles in time alone, which no flow at frozen time notices.
@@ -84,7 +85,7 @@ fn sides(context: &Context<'_>, graph: &mut Graph, poles: &[Pole], end: End) -> 
     let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(poles.len()));
     let values = context.routine(graph, &roots, |values| quote!([#(#values),*]));
     let tests = (0..poles.len()).map(Literal::usize_unsuffixed).map(|i| {
-        let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_below(f64::MIN_POSITIVE)));
+        let reached = (end == End::Closed).then(|| quote!(|| end[#i].abs().any_not_positive()));
         quote!((start[#i] * end[#i]).any_below(0.0) #reached)
     });
     Some(quote! {
@@ -114,7 +115,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping:
         let coefficients = damping::coefficients(context, graph, damping).into_iter();
         let negative = quote!(.any_below(0.0));
         checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
-        matrix = damping::open_matrix(graph, damping);
+        matrix = damping::open_matrix(damping);
     }
     let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
     context.routine(graph, &roots, |mut values| {
@@ -131,8 +132,8 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping:
 fn checks(context: &Context<'_>, graph: &Graph, energy: Id) -> Vec<Check> {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // The smallest positive number: below it is zero or negative.
-    let not_positive = quote!(.any_below(f64::MIN_POSITIVE));
-    let zero = quote!(.abs().any_below(f64::MIN_POSITIVE));
+    let not_positive = quote!(.any_not_positive());
+    let zero = quote!(.abs().any_not_positive());
     let mut checks = vec![];
     for id in unconditional(graph, energy, context.partial) {
         match graph.node(id) {

@@ -8,6 +8,7 @@ mod named;
 mod output;
 mod run;
 mod step_size;
+mod tolerance;
 mod trajectory;
 mod watch;
 

@@ -56,6 +56,14 @@ pub trait Real:
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 
+    /// The smallest positive number that has all its digits.
+    fn smallest() -> f64;
+
+    /// Whether any component is not above zero, or so little that it has lost digits.
+    fn any_not_positive(self) -> bool {
+        self.any_below(Self::smallest())
+    }
+
     /// `t0 + n·h` for a t₀ of two words, the larger one first. Time is never a running sum; a short type may evaluate this in a
     /// longer one.
     fn time(t0: [Self; 2], n: u64, h: Self) -> Self {

@@ -7,8 +7,10 @@ pub(crate) mod newton;
 mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
+pub(crate) mod rounding;
 mod semidefinite;
-pub(crate) mod stagnation;
+pub(crate) mod size;
+mod terms;
 
 pub use inverse::{Inverse, Inverted};
 pub use refusal::Refusal;

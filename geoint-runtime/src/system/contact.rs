@@ -6,6 +6,8 @@ use crate::space::{Array, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
     #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
     fn gradient(
@@ -25,7 +27,10 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
     message = "positions and momenta of `{Self}` do not move without the action",
     label = "s acts back on q or p, and has to be followed"
 )]
-pub trait Conformal<R: Real = f64>: Contact<R> {}
+pub trait Conformal<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]

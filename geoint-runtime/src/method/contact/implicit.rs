@@ -79,7 +79,7 @@ fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Arr
 macro_rules! methods {
     ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
         impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
-            type Proof = S::Proof;
+            type Proof = <S as ImplicitStep<$method, R>>::Proof;
             type Prepared = PreparedFor<S, Self, R>;
             type Memory = Newton<S::Unknown>;
 
@@ -96,7 +96,7 @@ macro_rules! methods {
             }
 
             fn memory() -> Self::Memory {
-                Newton::new()
+                Newton::new(S::Array::LEN, 3)
             }
 
             #[inline(always)]

@@ -29,7 +29,7 @@ pub struct Prepared<F, R> {
 }
 
 impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
-    type Proof = S::Proof;
+    type Proof = <S as Pieces<R>>::Proof;
     type Prepared = Prepared<S::Flows, R>;
     type Memory = ();
 
@@ -157,7 +157,7 @@ pub struct Pair<F, R> {
 }
 
 impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K> {
-    type Proof = S::Proof;
+    type Proof = <S as Pieces<R>>::Proof;
     type Prepared = [Pair<S::Flows, R>; K];
     type Memory = ();
 

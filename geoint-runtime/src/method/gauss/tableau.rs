@@ -7,14 +7,19 @@
 
 use super::Gauss;
 use crate::method::tableau::Tableau;
+use crate::sealed::Sealed;
 
 /// The number of stages of a Gauss method, 1 to 6.
-pub trait GaussTableau<const S: usize> {
+///
+/// Sealed: the tables are those of Gauss.
+pub trait GaussTableau<const S: usize>: Sealed {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The coefficients.
     const TABLEAU: Tableau<S>;
 }
+
+impl<const S: usize> Sealed for Gauss<S> {}
 
 impl GaussTableau<1> for Gauss<1> {
     type Proof = ();

@@ -1,6 +1,7 @@
 //! Kick and drift as the flows of a table: which of them is the outer one, and what a kick is.
 
 use crate::scalar::Real;
+use crate::sealed::Sealed;
 use crate::space::Summation;
 use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
@@ -22,7 +23,9 @@ pub struct Weight<R> {
 }
 
 /// What a kick is.
-pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
+///
+/// Sealed: a table has what its kicks are in its type.
+pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of a kick.
@@ -36,6 +39,11 @@ pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithoutGradient;
+
+impl Sealed for WithoutGradient {}
+impl Sealed for WithGradient {}
+impl<F> Sealed for KickFirst<F> {}
+impl<F> Sealed for DriftFirst<F> {}
 
 impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
     type Proof = S::Proof;
@@ -81,7 +89,9 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 }
 
 /// Which of kick and drift is the outer flow.
-pub trait Order<S: Separable<R>, R: Real>: Copy {
+///
+/// Sealed: there are two flows.
+pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// Whether the outer flow adds to the momenta what positions alone decide.
     const REPEATS: bool;
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
