@@ -1,8 +1,8 @@
-//! The compiler on one screen: from the annotated function to the code that integrates it.
+//! What stands under an attribute, and what takes its place: the function as it is, and what the compiler makes of it.
 
 use crate::diagnostics::Result;
 use crate::parse::{Form, Source};
-use crate::{analyze, check, derive, emit, link, lower, parse, split};
+use crate::{compile, emit, link, parse};
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, quote};
 use syn::parse::Parser;
@@ -51,10 +51,7 @@ fn derived(energy: parse::Energy, source: &Source) -> Result<TokenStream> {
         return Ok(link::ask(&energy.runtime, energy.form.attribute(), path, source));
     }
     let energy = energy.with_functions(&source.used)?;
-    match energy.form {
-        Form::Hamiltonian => hamiltonian(&energy),
-        Form::Contact => contact_hamiltonian(&energy),
-    }
+    compile::system(&energy)
 }
 
 /// A function that energies may name, and the macro that hands it on.
@@ -84,37 +81,4 @@ pub(crate) fn resume(input: TokenStream) -> TokenStream {
         derived(parse::energy(form, source.args.clone(), syn::parse2(source.item.clone())?)?, &source)
     });
     resumed.unwrap_or_else(|errors| errors.into_tokens())
-}
-
-/// From who is q, p, t to what is emitted beside the function.
-fn hamiltonian(energy: &parse::Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?; // Rust to graph
-    let context = emit::Context::new(energy, &lowered.constants, &lowered.partial);
-    let graph = &mut lowered.graph;
-    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
-    let structure = structure.damped(graph, lowered.damping);
-    let derived = derive::canonical(graph, &structure, energy.degrees()); // every node that some method needs
-    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
-    let system = derived.scheduled(graph); // what is computed when
-    let domain = emit::domain(&context, graph, structure.energy, structure.damping.as_ref());
-    let graph = &*graph; // which nobody changes any more
-    let report = emit::report::canonical(&context, graph, &structure, &system);
-    Ok(emit::items(&context, graph, &system, &domain, &report))
-}
-
-/// The same with the action s.
-fn contact_hamiltonian(energy: &parse::Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?;
-    let context = emit::Context::new(energy, &lowered.constants, &lowered.partial);
-    let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
-    let groups = lowered.groups.as_deref();
-    let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
-    let mechanics = split::mechanics(graph, root, degrees);
-    let derived = derive::contact(graph, root, (&pieces, &mechanics), (degrees, energy.lift.is_some()));
-    check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let system = derived.scheduled(graph);
-    let domain = emit::domain(&context, graph, root, None);
-    let graph = &*graph;
-    let report = emit::report::contact(&context, graph, &system);
-    Ok(emit::items(&context, graph, &system, &domain, &report))
 }

@@ -16,6 +16,7 @@ mod derive;
 mod check;
 mod emit;
 mod link;
+mod compile;
 mod expand;
 #[cfg(test)]
 mod tests;

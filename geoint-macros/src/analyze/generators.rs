@@ -73,7 +73,7 @@ pub(super) fn name(coordinates: &Shape, summands: &[Summand<'_>]) -> String {
     match kind {
         Kind::Angular(i) if alike && dimension == 3 => format!("angular momentum about {}", AXES[i].0),
         Kind::Angular(_) => "angular momentum".into(),
-        Kind::Square if total && alike && summands.len() % 2 == 0 => "norm".into(),
+        Kind::Square if total && alike && summands.len().is_multiple_of(2) => "norm".into(),
         Kind::Square => "sum of squares".into(),
         Kind::Momentum(i) if total && alike && summands.len() == n / dimension => match axis(i) {
             Some(axis) => format!("total momentum along {axis}"),

@@ -1,8 +1,10 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
-use super::graph::{Graph, Id, Node};
-use super::number::{Number, Ratio};
+use super::graph::{Graph, Node};
+use super::id::Id;
+use super::number::Number;
 use super::op::{Relation, Symbol};
+use super::ratio::Ratio;
 use std::cell::Cell;
 
 /// Longer formulas are cut in messages.

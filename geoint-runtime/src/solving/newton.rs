@@ -7,7 +7,7 @@ use crate::solving::linear;
 use crate::solving::predictor::Predictor;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::{Sizes, sum};
-use crate::solving::terms;
+use crate::solving::terms::Terms;
 use crate::space::{Array, Square};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
@@ -143,7 +143,7 @@ impl<A: Array> Newton<A> {
         let minus = A::Real::from_f64(-1.0);
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
-        let mut corrections = Corrections::of_order(2);
+        let (mut corrections, mut terms) = (Corrections::of_order(2), Terms::new(&self.sizes));
         for iterations in 1..=MAX_ITERATIONS {
             // That of the guess: it is known earlier, and within the test it differs by nothing that matters.
             let size = squares(&x, origin);
@@ -165,14 +165,15 @@ impl<A: Array> Newton<A> {
             if iterations == 2 {
                 self.see(correction, corrections.last());
             }
-            match corrections.judge::<A::Real>(correction) {
-                Verdict::Solved => {
+            let verdict = corrections.judge::<A::Real>(correction);
+            match verdict {
+                Verdict::Solved if terms.are_valid() => {
                     self.sizes.include(origin, &x);
                     return solved;
                 }
-                Verdict::Stuck if patient => {
+                Verdict::Solved | Verdict::Stuck if patient => {
                     let ([n, kinds], matrix) = (self.kinds, |x: &A, m: &mut _| derivative(x, m).is_finite());
-                    terms::include(&mut self.sizes, &x, |i| i / n % kinds, matrix);
+                    terms.include(&mut self.sizes, &x, verdict == Verdict::Solved, |i| i / n % kinds, matrix);
                     corrections.restart();
                 }
                 _ => {}

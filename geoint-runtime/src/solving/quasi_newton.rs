@@ -4,7 +4,8 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::{Sizes, sum};
-use crate::solving::{damped, linear, terms};
+use crate::solving::terms::Terms;
+use crate::solving::{damped, linear};
 use crate::space::{Array, Square};
 
 /// Solves one equation a step for increments of positions and momenta, and remembers their sizes.
@@ -62,7 +63,7 @@ impl<A: Array> QuasiNewton<A> {
         mut x: A,
         residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
-        let mut corrections = Corrections::of_order(1);
+        let (mut corrections, mut terms) = (Corrections::of_order(1), Terms::new(&self.sizes));
         let mut matrix = A::fill(A::zero());
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
@@ -70,15 +71,16 @@ impl<A: Array> QuasiNewton<A> {
             let positive = linear::solve(&mut matrix, &mut delta, &self.sizes).ok_or(Refusal::Singular)?;
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
             let relative = self.sizes.relative(&delta, origin, &x);
-            match corrections.judge::<A::Real>(relative) {
-                Verdict::Solved => {
+            let verdict = corrections.judge::<A::Real>(relative);
+            match verdict {
+                Verdict::Solved if terms.are_valid() => {
                     self.sizes.include(origin, &x);
                     return if positive { Ok(x) } else { Err(Refusal::Singular) };
                 }
-                Verdict::Stuck => {
+                Verdict::Solved | Verdict::Stuck => {
                     let matrix = |x: &A, matrix: &mut _| residual(x, &mut delta, matrix).is_ok() && delta.is_finite();
                     // Positions, then momenta.
-                    terms::include(&mut self.sizes, &x, |i| i / (A::LEN / 2), matrix);
+                    terms.include(&mut self.sizes, &x, verdict == Verdict::Solved, |i| i / (A::LEN / 2), matrix);
                     corrections.restart();
                 }
                 Verdict::Continue => {}

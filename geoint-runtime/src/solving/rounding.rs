@@ -22,10 +22,6 @@ const ROUNDINGS: f64 = 64.0;
 /// the whole.
 const MOST_STUCK: u32 = 4;
 
-/// Corrections of an invariant that are smaller than this, relative to the coordinates, shrink by far if anything but rounding is
-/// left of it: its gradient hardly changes on the way.
-const STRAIGHT: f64 = 1.0 / 16.0;
-
 /// What a correction says of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
@@ -100,9 +96,11 @@ pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
 
 /// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
 ///
-/// `correction` gives the one at a point, and how large it is relative to the coordinates.
+/// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects; one that does not shrink and is
+/// at most `straight` is rounding of larger terms.
 pub(crate) fn correct<A: Array>(
     mut x: A,
+    straight: f64,
     mut correction: impl FnMut(&A) -> Result<(A, f64), Refusal>,
 ) -> Result<A, Refusal> {
     let mut corrections = Corrections::of_order(1);
@@ -111,7 +109,7 @@ pub(crate) fn correct<A: Array>(
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         match corrections.judge::<A::Real>(relative) {
             Verdict::Solved => return Ok(x),
-            Verdict::Stuck if relative <= STRAIGHT => return Ok(x),
+            Verdict::Stuck if relative <= straight => return Ok(x),
             _ if !relative.is_finite() => break,
             _ => {}
         }

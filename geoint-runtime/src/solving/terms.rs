@@ -18,17 +18,60 @@ const ALL: f64 = 0.25;
 /// Distances at which bending is searched for: powers of 4, from the last digit of the unknowns on.
 const DISTANCES: u32 = 60;
 
-/// Includes the terms of g near `x` in the sizes of the unknowns.
-///
-/// `kind` says which unknowns have one unit: they are moved by as much as the largest of them. `matrix` writes 1 − g' at a point, or
-/// is false if there is none.
-#[cold]
-pub(crate) fn include<A: Array>(
-    sizes: &mut Sizes<A>,
+/// The terms of one equation, which are looked for where corrections do not shrink.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Terms<A> {
+    /// Sizes without them.
+    others: Sizes<A>,
+    known: Known,
+}
+
+/// Where terms were looked for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Known {
+    Nowhere,
+    /// Where an iteration was stuck: perhaps far from where it ended.
+    OnTheWay,
+    AtTheSolution,
+}
+
+impl<A: Array> Terms<A> {
+    pub(crate) fn new(sizes: &Sizes<A>) -> Self {
+        Terms { others: *sizes, known: Known::Nowhere }
+    }
+
+    /// Whether an iteration that has ended was judged by its own terms.
+    #[inline(always)]
+    pub(crate) fn are_valid(&self) -> bool {
+        self.known != Known::OnTheWay
+    }
+
+    /// Includes the terms of g near `x` in the sizes, in place of those from before in this iteration.
+    ///
+    /// `kind` says which unknowns have one unit: they are moved by as much as the largest of them. `matrix` writes 1 − g' at a point,
+    /// or is false if there is none.
+    #[cold]
+    pub(crate) fn include(
+        &mut self,
+        sizes: &mut Sizes<A>,
+        x: &A,
+        solved: bool,
+        kind: impl Fn(usize) -> usize,
+        matrix: impl FnMut(&A, &mut Square<A>) -> bool,
+    ) {
+        *sizes = self.others;
+        self.known = if solved { Known::AtTheSolution } else { Known::OnTheWay };
+        sizes.include(&A::zero(), &terms(sizes, x, kind, matrix));
+    }
+}
+
+/// The terms of g near `x`.
+fn terms<A: Array>(
+    sizes: &Sizes<A>,
     x: &A,
     kind: impl Fn(usize) -> usize,
     mut matrix: impl FnMut(&A, &mut Square<A>) -> bool,
-) {
+) -> A {
     let minus = A::Real::from_f64(-1.0);
     let mut direction = A::zero();
     for (i, d) in direction.as_mut_slice().iter_mut().enumerate() {
@@ -82,7 +125,7 @@ pub(crate) fn include<A: Array>(
         here = there;
         distance *= 4.0;
     }
-    sizes.include(&A::zero(), &terms);
+    terms
 }
 
 /// What is known of a row of g'.

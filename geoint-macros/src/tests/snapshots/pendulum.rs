@@ -158,7 +158,7 @@ const _: () = {
             a0 = self.m;
             v0 = a1 * a1;
             v1 = a0 * v0;
-            if v1.abs().any_below(f64::MIN_POSITIVE) {
+            if v1.abs().any_not_positive() {
                 return ::core::option::Option::Some("division by zero: m·l²");
             }
             ::core::option::Option::None

@@ -6,8 +6,12 @@ use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::correct;
 use crate::solving::size::{Sizes, largest};
-use crate::space::{Array, Square, Summation};
+use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::Hamiltonian;
+
+/// On the way back by less than this, relative to the coordinates, gradients hardly change: corrections that are small and do not
+/// shrink are rounding.
+const STRAIGHT: f64 = 1.0 / 16.0;
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
@@ -31,6 +35,8 @@ pub struct Prepared<P, I> {
 pub struct Memory<M, A: Array> {
     method: M,
     sizes: Sizes<[A; 2]>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: [Compensated<A>; 2],
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
@@ -53,7 +59,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new() }
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
     }
 
     #[inline]
@@ -62,7 +68,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let Memory { method: memory, sizes } = memory;
+        let Memory { method: memory, sizes, sums } = memory;
         let before = [step.x.q, step.x.p];
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
@@ -96,7 +102,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             }
             changes
         };
-        let multipliers = correct(I::Values::zero(), |multipliers| {
+        let multipliers = correct(I::Values::zero(), STRAIGHT, |multipliers| {
             let mut delta = residual(multipliers);
             let relative = largest(delta.as_slice().iter().map(|x| x.magnitude()));
             if relative > 0.0 && linear::solve(&mut matrix.clone(), &mut delta, &Sizes::equal()).is_none() {
@@ -104,8 +110,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             }
             Ok((delta, relative))
         })?;
-        let [dq, dp] = back(&multipliers);
-        x.add(&dq, &dp);
+        x.correct(sums, &before, &moved, &back(&multipliers));
         Ok(())
     }
 }

@@ -5,7 +5,7 @@ use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
-use crate::space::{Array, Summation};
+use crate::space::{Array, Compensated, Summation};
 use crate::system::{Autonomous, DiscreteField};
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
@@ -36,6 +36,8 @@ pub struct Prepared<P, R> {
 pub struct Memory<M, A: Array> {
     method: M,
     sizes: Sizes<[A; 2]>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: [Compensated<A>; 2],
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
@@ -58,13 +60,13 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new() }
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         Prepared { method, h }: &Self::Prepared,
-        Memory { method: memory, sizes }: &mut Self::Memory,
+        Memory { method: memory, sizes, sums }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = [step.x.q, step.x.p];
@@ -85,7 +87,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
             Energy.changes(system, &before, &moved.map(|d| scaled(gamma, &d))) / gamma
         };
         let mut line = (zero(), whole, secant);
-        let solution = correct(zero::<R>(), |excess| {
+        let solution = correct(zero::<R>(), ROUNDINGS * R::epsilon(), |excess| {
             if excess.magnitude() > FARTHEST {
                 return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
             }
@@ -104,8 +106,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
             Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * (terms + energy).magnitude() => zero(),
             solution => solution?,
         };
-        let [dq, dp] = moved.map(|d| scaled(excess, &d));
-        x.add(&dq, &dp);
+        x.correct(sums, &before, &moved, &moved.map(|d| scaled(excess, &d)));
         x.ahead.add(excess * *h);
         Ok(())
     }

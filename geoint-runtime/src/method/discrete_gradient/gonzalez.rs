@@ -37,7 +37,7 @@ impl MeanGradient for Gonzalez {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5));
         let mut tree = energy.tree(x, d);
         let mut middle = energy.gradient(energy.t, &moved(x, half, d));
-        let metric = metric(&mut middle);
+        let metric = metric(energy.h, &mut middle);
         let weighted = product(&metric, d);
         let square = denominator(dot(&weighted, d));
         let excess = difference(&tree.g, &middle.g);
@@ -59,17 +59,19 @@ impl MeanGradient for Gonzalez {
 }
 
 /// The diagonal of W.
-fn metric<A: Array>(middle: &mut Slope<A>) -> [A; 2] {
+fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
     let n = A::LEN;
-    let (rate, g) = (turned(&middle.g), middle.g);
-    let (rate, g, rows) = (Array::as_slice(&rate), Array::as_slice(&g), middle.derivative.rows());
+    let (change, g) = (scaled(h, &turned(&middle.g)), middle.g);
+    let (change, g, rows) = (Array::as_slice(&change), Array::as_slice(&g), middle.derivative.rows());
     let hessian = |i: usize, j: usize| Array::as_slice(&rows[i])[j];
     // The coordinate that is conjugate to another one.
     let partner = |i: usize| if i < n { i + n } else { i - n };
+    // Times h², so that numbers are not far from 1 in any units.
     let (mut energy, mut frequency) = (zero::<A::Real>(), zero::<A::Real>());
     for i in 0..2 * n {
         for j in 0..2 * n {
-            let (term, cycle) = (rate[i] * hessian(i, j) * rate[j], hessian(partner(i), j) * hessian(partner(j), i));
+            let term = change[i] * hessian(i, j) * change[j];
+            let cycle = h * hessian(partner(i), j) * (h * hessian(partner(j), i));
             energy += term * term;
             frequency += cycle * cycle;
         }
@@ -77,10 +79,16 @@ fn metric<A: Array>(middle: &mut Slope<A>) -> [A; 2] {
     let (energy, frequency) = (energy.sqrt(), frequency.sqrt());
     let mut metric = <[A; 2]>::zero();
     for (i, w) in entries(&mut metric).iter_mut().enumerate() {
-        let (bend, slope) = (energy * hessian(i, i), frequency * g[i] * g[i]);
-        *w = (bend * bend + slope * slope).sqrt();
+        *w = length((energy * hessian(i, i)).abs(), frequency * g[i] * g[i]);
     }
     metric
+}
+
+/// √(x² + y²) without overflow on the way; `hypot` need not give the same digits in other units.
+fn length<R: Real>(x: R, y: R) -> R {
+    let larger = denominator(x.max(y));
+    let (x, y) = (x / larger, y / larger);
+    larger * (x * x + y * y).sqrt()
 }
 
 substeps!([] Gonzalez);
