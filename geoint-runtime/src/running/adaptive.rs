@@ -293,7 +293,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let step = Judged { h: prepared.h, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let time = self.controller.time(prepared.h, self.tolerance.relative);
+        let step = Judged { h: prepared.h, time, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
         let error = self.tolerance.error(&step, |[q, p]| {
             let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
             [slope_p, slope_q]
