@@ -241,7 +241,11 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                     self.rejections += 1;
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
-                        let reason = self.reason(h);
+                        // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+                        let reason = match self.reason(h) {
+                            Reason::NotConverged | Reason::Singular => self.reason(16.0 * h),
+                            reason => reason,
+                        };
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
                     continue;
