@@ -2,8 +2,9 @@
 
 use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
+use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
 use proc_macro2::Span;
@@ -74,16 +75,18 @@ pub(crate) fn pieces(
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
         let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        let missing = graph.sub(root, sum);
+        let missing = difference(graph, root, sum);
         let verdict = analyze::identity(graph, missing);
         let printer = Printer::new(graph, &name);
         let message = match verdict {
             Identity::Zero => None,
-            Identity::Left(Remainder { rest, certain: true, case }) => {
-                Some(format!("{NOT_THE_SUM}{} is: {}", in_case(&printer, &case), printer.excerpt(rest)))
-            }
-            Identity::Left(Remainder { rest, certain: false, case }) => {
-                let (case, rest) = (in_case(&printer, &case), printer.excerpt(rest));
+            Identity::Left(Remainder { rest, certain, case }) if certain || is_term(graph, missing) => Some(format!(
+                "{NOT_THE_SUM}{} is: {}",
+                in_case(&printer, &case),
+                shorter(&printer, missing, rest, &case)
+            )),
+            Identity::Left(Remainder { rest, case, .. }) => {
+                let (case, rest) = (in_case(&printer, &case), shorter(&printer, missing, rest, &case));
                 Some(format!("{NOT_THE_SUM}{case} is: {rest}; {SAME_SPELLING}"))
             }
             Identity::TooLong => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
@@ -109,6 +112,24 @@ fn whole(groups: &[(Id, Place)]) -> Place {
     (first, last)
 }
 
+/// a − b, in which terms that are written alike have cancelled.
+fn difference(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let [mut terms, other] = [a, b].map(|root| analyze::terms(graph, root));
+    terms.extend(other.into_iter().map(|term| graph.neg(term)));
+    graph.sum(&terms)
+}
+
+/// Whether a node is one term.
+fn is_term(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.node(graph.coefficient(id).1), Node::Linear(..))
+}
+
+/// What is left, as it is written or multiplied out.
+fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
+    let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
+    if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
+}
+
 /// " where a < b and not c = d", or nothing.
 fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
     let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
@@ -130,25 +151,5 @@ const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to th
 const NO_LIFT: &str =
     "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
 
-pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
-                                    `ContactMidpoint` or `ContactDiscreteGradient`";
-
-pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
-                                         `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
-
-pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
-                                      Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a \
-                                      table for every splitting, such as `BlanesMoan6`";
-
-pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
-                                  use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
-
 const INDEFINITE: &str = "damping takes energy away, but this matrix gives some at some velocity: write one that is positive \
                           semidefinite";
-
-pub(crate) const DAMPED: &str =
-    "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
-
-pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
-                                        Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
-                                        order; use a table for every separable energy, such as `BlanesMoan6`";

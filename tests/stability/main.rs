@@ -10,6 +10,8 @@ mod small_waves;
 mod units;
 mod long_steps;
 mod rounding;
+mod same_bits;
 mod trajectories;
 mod time;
+mod names;
 mod tolerance;

@@ -11,12 +11,13 @@ use quote::{format_ident, quote};
 use std::collections::HashSet;
 
 /// What the trait `PhaseSpace` asks of a domain, and `Hamiltonian`: of poles those that divided differences do not notice either.
-pub(super) fn domain(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    energy: Id,
-    damping: Option<&Damping>,
-) -> (TokenStream, Option<TokenStream>) {
+pub(crate) struct DomainTests {
+    pub(super) space: TokenStream,
+    pub(super) hidden: Option<TokenStream>,
+}
+
+/// Derives and writes what is tested of the domain.
+pub(crate) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> DomainTests {
     let (array, action) = (context.array(), context.action());
     let outside = outside_domain(context, graph, energy, damping);
     let nodes = unconditional(graph, energy, context.partial);
@@ -35,7 +36,7 @@ pub(super) fn domain(
         #between
         #singular
     };
-    (space, hidden)
+    DomainTests { space, hidden }
 }
 
 /// Poles in time alone, which no flow at frozen time notices.
@@ -114,7 +115,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping:
         let coefficients = damping::coefficients(context, graph, damping).into_iter();
         let negative = quote!(.any_below(0.0));
         checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
-        matrix = damping::open_matrix(graph, damping);
+        matrix = damping::open_matrix(damping);
     }
     let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
     context.routine(graph, &roots, |mut values| {

@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod loops;
 mod method;
 mod scope;
 mod statement;
@@ -19,6 +20,7 @@ mod value;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::{Argument, Energy};
+use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
@@ -82,6 +84,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         depth: 0,
         heights: vec![],
         branches: 0,
+        loops: vec![],
+        leaving: None,
         partial: vec![],
         calls: vec![],
         float: energy.float.to_string(),
@@ -122,6 +126,10 @@ struct Lowering {
     heights: Vec<u32>,
     /// Branches around what is being evaluated.
     branches: usize,
+    /// Loops around it.
+    loops: Vec<Loop>,
+    /// Set while nothing is reached.
+    leaving: Option<Leaving>,
     partial: Vec<Id>,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,

@@ -1,0 +1,197 @@
+//! What was found of H(q, p, t), in words.
+
+use super::super::damping;
+use super::super::kernel::Context;
+use super::counted;
+use crate::analyze::{self, MeanValue, Split, Structure};
+use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::ir::{Graph, Id, print::Printer};
+use crate::parse::Role;
+use crate::schedule::Plan;
+use std::fmt::Write;
+
+/// The report. Lines are short enough for a terminal unless a formula is not.
+pub(crate) fn canonical(context: &Context<'_>, graph: &Graph, structure: &Structure, system: &System<Plan>) -> String {
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = sections(&mut text, context, &printer, structure, system);
+    text
+}
+
+fn sections<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    system: &System<Plan>,
+) -> std::fmt::Result {
+    let energy = context.energy;
+    let name_of = |role: Role| {
+        energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, a)| a.name.to_string()).unwrap_or_default()
+    };
+    let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
+    writeln!(text, "H = {}", printer.formula(structure.energy))?;
+    for (symbols, slopes) in [(&q, &system.gradient.q), (&p, &system.gradient.p)] {
+        for (i, slope) in slopes.iter().enumerate() {
+            let indices: String = energy.coordinates.shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
+            writeln!(text, "∂H/∂{symbols}{indices} = {}", formula(printer, *slope))?;
+        }
+    }
+
+    writeln!(text, "\nStructure")?;
+    match &structure.split {
+        Split::Separable(parts) => {
+            let flows = if structure.flows().is_some() { ": kick and drift are exact flows" } else { "" };
+            writeln!(text, "- H = T({p}) + V({q}){flows}")?;
+            writeln!(text, "- T = {}", printer.excerpt(parts.kinetic))?;
+            writeln!(text, "- V = {}", printer.excerpt(parts.potential))?;
+            match parts.not_quadratic {
+                None => writeln!(text, "- T is quadratic in {p} with a constant mass matrix")?,
+                Some(term) => writeln!(text, "- T is not quadratic in {p}: {}", printer.excerpt(term))?,
+            }
+        }
+        Split::Coupled(term) => {
+            writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
+        }
+    }
+    let velocities = &system.gradient.p;
+    let moves = structure.resting.len() < velocities.len();
+    if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
+        writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
+    }
+    match structure.degree {
+        Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,
+        None => writeln!(text, "- H is not a polynomial in {q} and {p}")?,
+    }
+    let reads_time = if structure.autonomous { "does not depend" } else { "depends" };
+    writeln!(text, "- H {reads_time} on time")?;
+
+    if let Some(damping) = &structure.damping {
+        damping::section(text, printer, damping, structure.autonomous)?;
+    }
+
+    let listed = |name: &str, indices: &[u32]| {
+        let one = |i: &u32| {
+            let indices: String =
+                energy.coordinates.shape.indices(*i as usize).iter().map(|i| format!("[{i}]")).collect();
+            format!("{name}{indices}")
+        };
+        indices.iter().map(one).collect::<Vec<_>>().join(", ")
+    };
+    let unread = [(&p, &q, &structure.cyclic), (&q, &p, &structure.resting)]
+        .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
+    conserved(text, printer, structure, &unread)?;
+
+    writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
+    writeln!(text, "- gradient of H: {}", counted(system.slopes.operations()))?;
+    if let Ok(flows) = &system.splitting {
+        writeln!(text, "- kick: {}", counted(flows.kick.kernel.operations()))?;
+        writeln!(text, "- drift: {}", counted(flows.drift.kernel.operations()))?;
+    }
+    if let Implicit::Canonical(field) = &system.implicit {
+        implicit(text, field)?;
+    }
+
+    writeln!(text, "\nSkipped")?;
+    if structure.flows().is_some() {
+        writeln!(text, "- Newton's iteration in explicit methods: T and V have exact flows")?;
+    }
+    if structure.reduced().is_some() {
+        writeln!(text, "- half of the unknowns of implicit methods: T is quadratic")?;
+    }
+    if structure.timeless() {
+        writeln!(text, "- the clock: H does not depend on time")?;
+    }
+    if !structure.cyclic.is_empty() {
+        writeln!(text, "- the force on {}: it is zero", listed(&p, &structure.cyclic))?;
+    }
+    writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
+    match structure.split {
+        _ if structure.damping.is_some() => {}
+        Split::Coupled(_) => writeln!(text, "- kick and drift: they do not exist for this H")?,
+        _ if structure.quadratic_parts().is_none() => {
+            writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// What implicit steps cost, and how they are solved.
+fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
+    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
+    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(field.discrete.operations()))?;
+
+    writeln!(text, "\nImplicit steps")?;
+    let unknowns = field.coordinates.len();
+    let solver = match unknowns {
+        _ if field.linear => "the equation is linear, its matrix inverted once".into(),
+        1 => "Newton's iteration for one number".into(),
+        2..=MOST_UNKNOWNS => "Newton's iteration with elimination".into(),
+        _ => format!(
+            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
+        ),
+    };
+    writeln!(text, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")
+}
+
+/// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
+/// read.
+fn conserved<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+    unread: &[(String, String)],
+) -> std::fmt::Result {
+    let mut lines = vec![];
+    if structure.conserves_energy() {
+        lines.push("the energy".into());
+    }
+    let unread = unread.iter().filter(|(kept, _)| !kept.is_empty());
+    lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
+    let momenta = structure.momenta.iter();
+    lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
+    writeln!(text, "\nConserved by the flow, at least")?;
+    for line in &lines {
+        writeln!(text, "- {line}")?;
+    }
+    if lines.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    let mut discrete: Vec<String> = vec![];
+    if !lines.is_empty() {
+        discrete.push("`DiscreteGradient` keeps all of that, to rounding".into());
+    }
+    if structure.switches {
+        discrete.push(
+            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
+                .into(),
+        );
+    }
+    // It is for systems that keep their energy.
+    if structure.damping.is_none() {
+        discrete.push(match structure.mean_value {
+            MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
+            MeanValue::Parts(parts) => {
+                format!("`MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
+            }
+            MeanValue::Gauss(points) => format!("`MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
+            MeanValue::NotClosed(term) => {
+                let term = printer.excerpt(term);
+                format!("`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}")
+            }
+        });
+    }
+    if !discrete.is_empty() {
+        writeln!(text, "\nDiscrete gradients")?;
+    }
+    discrete.iter().try_for_each(|line| writeln!(text, "- {line}"))
+}
+
+/// A derivative, written out unless it fills the screen.
+fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id) -> String {
+    let formula = printer.formula(id);
+    if formula.chars().count() > 400 { printer.excerpt(id) } else { formula }
+}

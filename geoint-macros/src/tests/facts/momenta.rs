@@ -1,0 +1,374 @@
+//! Momenta that are found, each with its bracket along the flow and over a step evaluated at some state; and those that must
+//! not be claimed.
+
+use super::super::{Noise, lowered};
+use crate::ir::eval::eval;
+use crate::ir::print::Printer;
+use crate::ir::{Graph, Id, Symbol};
+use crate::{analyze, diff};
+use proc_macro2::TokenStream;
+use quote::quote;
+use std::collections::HashMap;
+
+/// How much J changes along the flow, and over a step with the tree discrete gradient; relative to the sum of magnitudes.
+fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
+    let gradient = [j, energy].map(|root| diff::gradient(graph, root, degrees));
+    let tree = diff::discrete_gradient(graph, energy, degrees);
+    let mut noise = Noise(7);
+    let mut values: HashMap<Symbol, f64> = HashMap::new();
+    for id in graph.ids() {
+        if let crate::ir::Node::Symbol(symbol) = graph.node(id) {
+            values.insert(*symbol, noise.between(0.3, 1.4));
+        }
+    }
+    let start = |symbol| values[&symbol];
+    let middle = |symbol| match symbol {
+        Symbol::Q(i) => values[&symbol] + values.get(&Symbol::Dq(i)).unwrap_or(&0.0) / 2.0,
+        Symbol::P(i) => values[&symbol] + values.get(&Symbol::Dp(i)).unwrap_or(&0.0) / 2.0,
+        _ => values[&symbol],
+    };
+    let bracket = |of_j: &dyn Fn(Id) -> f64, of_h: &diff::Gradient| {
+        let (mut sum, mut magnitude) = (0.0, 0.0);
+        for i in 0..degrees as usize {
+            let first = of_j(gradient[0].q[i]) * eval(graph, of_h.p[i], &start);
+            let second = of_j(gradient[0].p[i]) * eval(graph, of_h.q[i], &start);
+            sum += first - second;
+            magnitude += first.abs() + second.abs();
+        }
+        sum / magnitude.max(1.0)
+    };
+    let flow = bracket(&|id| eval(graph, id, &start), &gradient[1]);
+    let step = bracket(&|id| eval(graph, id, &middle), &tree);
+    (flow.abs(), step.abs())
+}
+
+/// Names and formulas of what is kept, which is checked.
+fn momenta(item: TokenStream) -> Vec<String> {
+    let (energy, mut lowered) = lowered(item);
+    let graph = &mut lowered.graph;
+    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+    for momentum in &structure.momenta {
+        let (flow, step) = changes(graph, lowered.energy, momentum.value, energy.degrees());
+        assert!(flow < 1e-14, "{} {flow:e}", momentum.name);
+        assert!(step < 1e-14, "{} {step:e}", momentum.name);
+    }
+    let name = |symbol| match symbol {
+        Symbol::Q(i) => format!("q{i}"),
+        Symbol::P(i) => format!("p{i}"),
+        Symbol::Parameter(i) => format!("c{i}"),
+        _ => "t".into(),
+    };
+    let printer = Printer::new(graph, name);
+    structure.momenta.iter().map(|j| format!("{}: {}", j.name, printer.formula(j.value))).collect()
+}
+
+/// A planar energy with equal masses and this potential.
+fn planar(potential: TokenStream) -> TokenStream {
+    quote! {
+        fn f(q: [f64; 2], p: [f64; 2], t: f64, m: f64, k: f64) -> f64 {
+            (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + { #potential }
+        }
+    }
+}
+
+#[test]
+fn angular_momentum_of_central_forces_in_the_plane() {
+    let potentials = [
+        quote! { -k / (q[0] * q[0] + q[1] * q[1]).sqrt() },
+        quote! { k * (q[0].powi(2) + q[1].powi(2)).powi(3) },
+        quote! { -k / q[0].hypot(q[1]) },
+        quote! { (q[0].hypot(q[1]).hypot(k) - 1.0).powi(2) },
+        quote! { let r = (q[0] * q[0] + q[1] * q[1]).sqrt(); (1.0 - (k - r).exp()).powi(2) + k * r.ln() },
+        quote! { (q[0] * q[0] + q[1] * q[1]).sqrt() * (t * k).sin() },
+        // A sum of several forms, the terms of which are apart.
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; k * q[0] * q[0] + r * r + k * q[1] * q[1] },
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; k * (r.exp() + q[0] * q[0]) + q[1] * q[1] * k },
+        // A product of forms: means times gradients at the middle.
+        quote! { (q[0] * q[0] + q[1] * q[1] + k) * (q[0] * p[1] - q[1] * p[0]).cos() * (q[0] * p[0] + q[1] * p[1]) },
+        // Parameters that are the same in the end.
+        quote! { (q[0] * q[0] * k * m * m + q[1] * q[1] / (1.0 / (m * k * m))).sqrt() },
+        quote! { (0.00028558373315105 * q[0] * q[0] + 0.00028558373315105 * q[1] * q[1]).sqrt() },
+        // Both sides of a condition on parameters, and the smaller of two numbers, which is a sum with |a − b|.
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; if k > 1.0 { r.sqrt() } else { -1.0 / r } },
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; r.min(r.sqrt()) },
+    ];
+    for potential in potentials {
+        let text = potential.to_string();
+        assert_eq!(momenta(planar(potential)), ["angular momentum: q0·p1 - q1·p0"], "{text}");
+    }
+}
+
+#[test]
+fn angular_momentum_of_vectors() {
+    let about = [
+        "angular momentum about x: q1·p2 - q2·p1",
+        "angular momentum about y: q2·p0 - q0·p2",
+        "angular momentum about z: q0·p1 - q1·p0",
+    ];
+    let kepler = quote! {
+        fn f(q: Vector3<f64>, p: Vector3<f64>, m: f64, k: f64) -> f64 { p.norm_squared() / (2.0 * m) - k / q.norm() }
+    };
+    assert_eq!(momenta(kepler), about);
+    let nested = quote! {
+        fn f(q: [f64; 3], p: [f64; 3], m: f64, k: f64) -> f64 {
+            (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) - k / q[0].hypot(q[1]).hypot(q[2])
+        }
+    };
+    assert_eq!(momenta(nested), about);
+    let field = quote! {
+        fn f(q: [f64; 3], p: [f64; 3], m: f64, k: f64) -> f64 {
+            let r = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt();
+            (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) - k / r + (k * q[2]).cos()
+        }
+    };
+    assert_eq!(momenta(field), about[2..]);
+}
+
+/// (q₀² + q₁²)³, multiplied out.
+fn expanded() -> TokenStream {
+    quote! { let [x, y] = q.map(|q| q * q); x.powi(3) + 3.0 * x * y * (x + y) + y.powi(3) }
+}
+
+/// What the flow may conserve all the same. A claim would be wrong for a step, or not proven.
+#[test]
+fn angular_momentum_is_not_claimed() {
+    let potentials = [
+        quote! { -k / (q[0] * q[0] + 2.0 * q[1] * q[1]).sqrt() },
+        quote! { -k / (q[0] * q[0] + k * q[1] * q[1]).sqrt() },
+        quote! { q[1].atan2(q[0]) },
+        quote! { (q[1].atan2(q[0]) - p[1].atan2(p[0])).cos() },
+        quote! { (q[0] * q[0]).hypot(q[1] * q[1]) },
+        expanded(),
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; if r > 1.0 { r.sqrt() } else { r * r } },
+        quote! { let r = q[0] * q[0] + q[1] * q[1]; if q[0] > k { r.sqrt() } else { r * r } },
+        quote! { q[0] * q[0] * q[1] - q[1].powi(3) / 3.0 + (q[0] * q[0] + q[1] * q[1]) / 2.0 },
+        // Numbers that differ in the last place.
+        quote! { (0.10000000000000001 * q[0] * q[0] + 0.10000000000000002 * q[1] * q[1]).sqrt() },
+    ];
+    for potential in potentials {
+        let text = potential.to_string();
+        assert_eq!(momenta(planar(potential)), Vec::<String>::new(), "{text}");
+    }
+    let masses = quote! {
+        fn f(q: [f64; 2], p: [f64; 2], m: [f64; 2]) -> f64 {
+            p[0] * p[0] / (2.0 * m[0]) + p[1] * p[1] / (2.0 * m[1]) - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+        }
+    };
+    assert_eq!(momenta(masses), Vec::<String>::new());
+}
+
+/// The form of a sum matters to a step and not to the flow; so the check can tell.
+#[test]
+fn an_expanded_central_force_turns_the_step_but_not_the_flow() {
+    let (_, mut lowered) = lowered(planar(expanded()));
+    let graph = &mut lowered.graph;
+    let [q, p] = [Symbol::Q, Symbol::P].map(|symbol| [0, 1].map(|i| graph.symbol(symbol(i))));
+    let (first, second) = (graph.mul(q[0], p[1]), graph.mul(q[1], p[0]));
+    let angular = graph.sub(first, second);
+    let (flow, step) = changes(graph, lowered.energy, angular, 2);
+    assert!(flow < 1e-14 && step > 1e-3, "{flow:e} {step:e}");
+}
+
+#[test]
+fn many_bodies() {
+    let bodies = quote! {
+        fn outer_solar_system(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..6 {
+                energy += p[i].norm_squared() / (2.0 * m[i]);
+                for j in 0..i {
+                    energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+                }
+            }
+            energy
+        }
+    };
+    let found = momenta(bodies);
+    let names: Vec<&str> = found.iter().filter_map(|line| line.split(':').next()).collect();
+    let expected = ["angular momentum about ", "total momentum along "];
+    let expected: Vec<String> =
+        expected.iter().flat_map(|name| ["x", "y", "z"].map(|axis| format!("{name}{axis}"))).collect();
+    assert_eq!(names, expected);
+    assert_eq!(found[4], "total momentum along y: p1 + p4 + p7 + p10 + p13 + p16");
+    // Two pairs that do not know of each other.
+    let pairs = quote! {
+        fn pairs(q: [[f64; 2]; 4], p: [[f64; 2]; 4], m: f64, k: f64) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..4 {
+                energy += (p[i][0].powi(2) + p[i][1].powi(2)) / (2.0 * m);
+            }
+            for i in [0, 2] {
+                energy -= k / ((q[i][0] - q[i + 1][0]).powi(2) + (q[i][1] - q[i + 1][1]).powi(2)).sqrt();
+            }
+            energy
+        }
+    };
+    let expected = [
+        "angular momentum: q0·p1 - q1·p0 + q2·p3 - q3·p2",
+        "angular momentum: q4·p5 - q5·p4 + q6·p7 - q7·p6",
+        "momentum: p0 + p2",
+        "momentum: p1 + p3",
+        "momentum: p4 + p6",
+        "momentum: p5 + p7",
+    ];
+    assert_eq!(momenta(pairs), expected);
+}
+
+#[test]
+fn linear_momenta_and_norms() {
+    let energies = [
+        (
+            quote! { fn toda(q: [f64; 3], p: [f64; 3], m: f64) -> f64 {
+                p.iter().map(|p| p * p).sum::<f64>() / (2.0 * m) + (q[0] - q[1]).exp() + (q[1] - q[2]).exp()
+            } },
+            vec!["total momentum: p0 + p1 + p2"],
+        ),
+        (
+            quote! { fn gear(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+                p[0] * p[0] / m + p[1] * p[1] + (3.0 * q[0] - 2.0 * q[1] + k).cos()
+            } },
+            vec!["momentum: p0 + 3·p1/2"],
+        ),
+        // A charge in a magnetic field, and about a centre elsewhere.
+        (
+            quote! { fn charge(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+                ((p[0] + q[1] / 4.0).powi(2) + (p[1] - q[0] / 4.0).powi(2)).powi(2) / m
+            } },
+            vec![
+                "angular momentum: q0·p1 - q1·p0",
+                "sum of squares: q0² + 16·p0² + q1² + 16·p1²",
+                "momentum: p0 - q1/4",
+                "momentum: q0/4 + p1",
+            ],
+        ),
+        (
+            planar(quote! { -k / ((q[0] - 1.0).powi(2) + q[1] * q[1]).sqrt() }),
+            vec!["angular momentum: q0·p1 - p1 - q1·p0"],
+        ),
+        (
+            quote! { fn schroedinger(q: [f64; 2], p: [f64; 2], k: f64) -> f64 {
+                let n = |i: usize| q[i] * q[i] + p[i] * p[i];
+                k * (n(0).powi(2) + n(1).powi(2)) - q[0] * q[1] - p[0] * p[1]
+            } },
+            vec!["norm: q0² + p0² + q1² + p1²"],
+        ),
+        // What H does not read is told elsewhere.
+        (quote! { fn cyclic(q: [f64; 2], p: [f64; 2]) -> f64 { (p[0] * q[0]).sin() + p[1].cosh() } }, vec![]),
+        (quote! { fn one(q: f64, p: f64) -> f64 { (p * p + q * q).sqrt() } }, vec![]),
+    ];
+    for (item, expected) in energies {
+        let text = item.to_string();
+        assert_eq!(momenta(item), expected, "{text}");
+    }
+}
+
+/// Vortices of strengths Γ in q = x, p = Γy: Σ Γ y, Σ Γ x and Σ Γ (x² + y²).
+#[test]
+fn weights_may_be_parameters() {
+    let vortices = quote! {
+        fn vortices(q: [f64; 3], p: [f64; 3], gamma: [f64; 3]) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..3 {
+                for j in 0..i {
+                    let (x, y) = (q[i] - q[j], p[i] / gamma[i] - p[j] / gamma[j]);
+                    energy -= gamma[i] * gamma[j] * (x * x + y * y).ln() / (4.0 * std::f64::consts::PI);
+                }
+            }
+            energy
+        }
+    };
+    let expected = [
+        "total momentum: p0 + p1 + p2",
+        "sum of squares: q0²·c0 + p0²/c0 + q1²·c1 + p1²/c1 + q2²·c2 + p2²/c2",
+        "position: q0·c0 + q1·c1 + q2·c2",
+    ];
+    assert_eq!(momenta(vortices), expected);
+    let cases = [
+        // A charge in a uniform field, in two gauges, with a central force; and without.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)) / (2.0 * m) - 1.0 / q[0].hypot(q[1])
+            } },
+            vec!["angular momentum: q0·p1 - q1·p0"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)).sqrt() / m
+            } },
+            vec!["angular momentum: q0·p1 - q1·p0", "momentum: p0 - q1·c1", "momentum: p1 + q0·c1"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                (p[0] * p[0] + (p[1] - b * q[0]).powi(2)).sqrt() / m
+            } },
+            vec!["momentum: p0 - q1·c1"],
+        ),
+        // Oscillators that do not know of each other: quadratic energies.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: [f64; 2]) -> f64 {
+                (0..2).map(|i| p[i] * p[i] / (2.0 * m[i]) + k[i] * q[i] * q[i] / 2.0).sum::<f64>()
+            } },
+            vec!["sum of squares: p0² + q0²·c0·c2", "sum of squares: p1² + q1²·c1·c3"],
+        ),
+        // Gears of different teeth; pulled by a force that weights of which depend on time.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, n: [f64; 2]) -> f64 {
+                p[0] * p[0] / m + p[1] * p[1] + (n[0] * q[0] - n[1] * q[1]).cos()
+            } },
+            vec!["momentum: p0·c2 + p1·c1"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], t: f64, n: f64) -> f64 {
+                p[0].cosh() + p[1] * p[1] + (n * t * q[0] - q[1]).cos()
+            } },
+            vec![],
+        ),
+        // The weights of two pairs do not agree.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
+                p[0].cosh() + p[1] * p[1] + (a * q[0] - q[1]).cos() + (b * q[0] - q[1]).cosh()
+            } },
+            vec![],
+        ),
+    ];
+    for (item, expected) in cases {
+        let text = item.to_string();
+        assert_eq!(momenta(item), expected, "{text}");
+    }
+}
+
+/// A random function of these parts.
+fn composed(parts: &[&str], depth: u32, noise: &mut Noise) -> String {
+    if depth == 0 {
+        return parts[noise.between(0.0, parts.len() as f64) as usize].into();
+    }
+    let [a, b] = [(); 2].map(|()| composed(parts, depth - 1, noise));
+    match noise.between(0.0, 6.0) as u32 {
+        0 => format!("({a} + k * {b})"),
+        1 => format!("m * ({a} + {b} - 2.0)"),
+        2 => format!("{a} * {b} / m"),
+        3 => format!("({a} + k * {b}).sin()"),
+        4 => format!("(k + ({a}).powi(2)).sqrt() * {b}"),
+        _ => format!("{a} / (k + ({b}).powi(2))"),
+    }
+}
+
+/// Functions of invariants keep the momentum, and one part that is no invariant spoils it.
+#[test]
+fn random_functions_of_invariants() {
+    let invariants = ["(q[0] * q[0] + q[1] * q[1])", "p.norm_squared()", "q.dot(&p)", "(q[0] * p[1] - q[1] * p[0])"];
+    let others = ["q[0]", "(q[0] + k)", "q[0] * p[1]", "(k * q[0] * q[0] + q[1] * q[1])", "(q[0] - 1.0).powi(2)"];
+    let mut noise = Noise(5);
+    for i in 0..100 {
+        let mut body = composed(&invariants, 3, &mut noise);
+        let spoilt = i % 2 == 0;
+        if spoilt {
+            let part = invariants.iter().find(|part| body.contains(**part)).expect("a part");
+            body = body.replacen(part, others[i % 5], 1);
+        }
+        let body: TokenStream = body.parse().expect("tokens");
+        let item = quote! { fn f(q: Vector2<f64>, p: Vector2<f64>, m: f64, k: f64) -> f64 { #body } };
+        let found = momenta(item.clone());
+        assert_eq!(found.iter().any(|line| line.starts_with("angular momentum: q0·p1 - q1·p0")), !spoilt, "{item}");
+    }
+}
