@@ -11,6 +11,6 @@ pub use crate::space::{Array, ContactState, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep, Mean,
-    Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
+    Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces, Pole,
     QuadraticKinetic, Separable,
 };

@@ -20,7 +20,7 @@ use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
-pub(crate) use poles::{Pole, poles};
+pub(crate) use poles::{Pole, Quick, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.

@@ -9,6 +9,7 @@ mod domain;
 mod flows;
 mod implicit;
 mod kernel;
+mod poles;
 mod report;
 mod straight_line;
 mod system;
@@ -37,7 +38,8 @@ pub(crate) fn items(
     derivatives: &Derivatives,
 ) -> TokenStream {
     let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
-    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
+    let conditions = context.partial.iter().filter_map(|partial| partial.condition);
+    let roots: Vec<Id> = damping.copied().chain([structure.energy]).chain(conditions).collect();
     let bounds = system::bounds(graph, &roots);
     let (flows, flow_costs) = flows::flows(context, graph, structure, derivatives, &bounds);
     let field = &derivatives.field;

@@ -112,7 +112,7 @@ pub(super) fn hamiltonian(
     let (name, array) = (self_type(context), context.array());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
-    let (domain, hidden) = domain::domain(context, graph, structure.energy, structure.damping.as_ref());
+    let domain = domain::domain(context, graph, structure.energy, structure.damping.as_ref());
     let rate = damping::rate(context, graph, structure, &derivatives.field.f);
     let places = context.coordinates();
     let roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
@@ -147,7 +147,6 @@ pub(super) fn hamiltonian(
                 #slopes
             }
             #rate
-            #hidden
         }
     }
 }

@@ -12,7 +12,7 @@ pub(crate) mod substitute;
 mod sum;
 mod table;
 
-pub(crate) use graph::{Graph, Id, Node};
+pub(crate) use graph::{Graph, Id, Node, Partial};
 pub(crate) use hash::HashMap;
 pub(crate) use number::{Number, Ratio};
 pub(crate) use op::{Function, Relation, Symbol};

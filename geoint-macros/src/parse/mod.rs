@@ -135,6 +135,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Method",
     "ModifiedEnergy",
     "PhaseSpace",
+    "Pole",
     "PieceClock",
     "QuadraticKinetic",
     "Real",

@@ -2,7 +2,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::system::PhaseSpace;
+use crate::system::{Ends, Guarded, PhaseSpace};
 
 /// Sees every point at which a step looks at the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
@@ -40,16 +40,10 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at
-/// it in between only.
+/// Whether the energy is defined at the end of a step, and has no pole on the way there, for methods that look at it in between only.
 #[inline(always)]
-pub(crate) fn check_end<S: PhaseSpace<R>, R: Real>(
-    system: &S,
-    t: [R; 2],
-    q: [&S::Array; 2],
-    p: [&S::Array; 2],
-    s: [&S::Action; 2],
-) -> Result<(), Refusal> {
-    Refusal::outside(system.outside_domain(t[1], q[1], p[1], s[1]))?;
-    Refusal::outside(system.pole_between(t, q, p, s))
+pub(crate) fn check_end<S: PhaseSpace<R>, R: Real>(guarded: &Guarded<S>, ends: Ends<'_, S, R>) -> Result<(), Refusal> {
+    let (t, q, p, s) = ends;
+    Refusal::outside(guarded.system.outside_domain(t[1], q[1], p[1], s[1]))?;
+    Refusal::outside(guarded.pole_between(false, ends))
 }

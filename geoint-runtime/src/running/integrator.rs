@@ -6,7 +6,7 @@ use crate::running::error::StepError;
 use crate::scalar::{Real, zero};
 use crate::space::{Action, Coordinates};
 use crate::space::{Compensated, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf};
+use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -70,7 +70,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             let steps = left.min(STEPS_BETWEEN_LOOKS);
             let (mut prepared, mut x) = (self.prepared, self.x);
             let outcome = M::advance(&mut prepared, &self.clock(), steps, &mut x);
-            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps, &x).is_none() {
+            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
                 self.accept(steps, prepared, x);
             } else {
                 self.creep(steps)?;
@@ -87,7 +87,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             let (mut prepared, mut x) = (self.prepared, self.x);
             let mut watch = Watch::new(&self.system, self.time(), &self.x);
             let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
-            let (t, singular) = (real(self.time()), self.singular_time(1, &x));
+            let (t, singular) = (real(self.time()), self.singular_time(1));
             if outcome.is_ok() && self.is_good(1, &x) {
                 if let Some(what) = singular {
                     return Err(StepError::OutsideDomain { t, what });
@@ -135,9 +135,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
 
     /// The first coefficient, if any, that is singular at a time within one of the next steps.
     #[inline(always)]
-    fn singular_time(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> Option<&'static str> {
-        let (clock, q, p, s) = (self.clock(), [&self.x.q, &x.q], [&self.x.p, &x.p], [&self.x.s, &x.s]);
-        (0..steps).find_map(|n| self.system.singular_time_between([clock.at(n), clock.at(n + 1)], q, p, s))
+    fn singular_time(&self, steps: u64) -> Option<&'static str> {
+        singular_time(&self.system, [self.clock().at(0), self.clock().at(steps)])
     }
 
     #[inline(always)]

@@ -4,12 +4,12 @@ use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::space::Point;
-use crate::system::PhaseSpace;
+use crate::system::{Guarded, PhaseSpace};
 
 /// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
 /// that ended before it was through.
-pub(crate) struct Watch<'a, S, X> {
-    system: &'a S,
+pub(crate) struct Watch<S, X> {
+    guarded: Guarded<S>,
     start: X,
     found: Option<Found>,
 }
@@ -26,13 +26,13 @@ pub(crate) enum Found {
 /// Where a step starts: its time, and q, p, s.
 type Start<S, R> = (R, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
 
-impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
-    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
-        Watch { system, start: (t, x.q, x.p, x.s), found: None }
+impl<S: PhaseSpace<R>, R: Real> Watch<S, Start<S, R>> {
+    pub(crate) fn new<C>(system: &S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
+        Watch { guarded: Guarded::new(system), start: (t, x.q, x.p, x.s), found: None }
     }
 }
 
-impl<S, X> Watch<'_, S, X> {
+impl<S, X> Watch<S, X> {
     /// What explains best why a step was refused.
     pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
         match refusal {
@@ -42,12 +42,12 @@ impl<S, X> Watch<'_, S, X> {
     }
 }
 
-impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
+impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<S, Start<S, R>> {
     fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
         if self.found.is_none() {
             let (t0, q0, p0, s0) = &self.start;
-            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p], [s0, s]);
-            self.found = self.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
+            let pole = || self.guarded.pole_between(false, ([*t0, t], [q0, q], [p0, p], [s0, s]));
+            self.found = self.guarded.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
         }
     }
 

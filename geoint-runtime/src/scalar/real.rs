@@ -38,6 +38,25 @@ pub trait Real:
         (-self).any_below(-bound)
     }
 
+    /// Whether any component is not positive, where numbers below the smallest normal one count as zero.
+    fn any_not_positive(self) -> bool {
+        self.any_below(if Self::epsilon() > f64::from(f32::EPSILON) / 2.0 {
+            f64::from(f32::MIN_POSITIVE)
+        } else {
+            f64::MIN_POSITIVE
+        })
+    }
+
+    /// Whether every component is a positive number.
+    fn all_positive(self) -> bool {
+        self.all_at_least_zero() && !self.any_not_positive()
+    }
+
+    /// Whether every component is a number that is not negative.
+    fn all_at_least_zero(self) -> bool {
+        self.magnitude() < f64::INFINITY && !self.any_below(0.0)
+    }
+
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 

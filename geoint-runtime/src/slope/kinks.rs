@@ -6,7 +6,7 @@ use crate::scalar::Real;
 /// 1/x of a positive number, NaN of any other: of logarithms and of poles only one side belongs to a trajectory.
 #[inline(always)]
 pub fn recip_positive<R: Real>(x: R) -> R {
-    R::from_f64(if x.any_below(f64::MIN_POSITIVE) { f64::NAN } else { 1.0 }) / x
+    R::from_f64(if x.any_not_positive() { f64::NAN } else { 1.0 }) / x
 }
 
 /// x, which must not be negative: NaN if it is, so that no step is made with it.

@@ -6,6 +6,7 @@ pub(crate) mod newton;
 mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
+pub(crate) mod segment;
 mod semidefinite;
 pub(crate) mod stagnation;
 

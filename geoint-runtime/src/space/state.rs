@@ -142,6 +142,8 @@ pub trait Action<R: Real>: Copy + Debug + PartialEq {
     type State<Q: Coordinates<Real = R>>: Copy + Debug + PartialEq;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
+    /// The action, if there is one.
+    fn scalar(&self) -> Option<R>;
     /// Not a number.
     fn unknown() -> Self;
     /// A point from its parts.
@@ -155,6 +157,10 @@ impl<R: Real> Action<R> for () {
     #[inline(always)]
     fn is_finite(&self) -> bool {
         true
+    }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        None
     }
     fn unknown() {}
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
@@ -170,6 +176,10 @@ impl<R: Real> Action<R> for R {
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY
+    }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        Some(*self)
     }
     fn unknown() -> R {
         R::from_f64(f64::NAN)

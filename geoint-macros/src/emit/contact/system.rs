@@ -23,7 +23,7 @@ pub(super) fn contact(
         Some(_) => quote!(R::from_f64(f64::NAN)),
         None => context.routine(graph, &[energy], |mut values| values.remove(0)),
     };
-    let (domain, _) = domain::domain(context, graph, energy, None);
+    let domain = domain::domain(context, graph, energy, None);
     let places = context.coordinates();
     let roots = [&gradient.q[..], &gradient.p, &[gradient.s]].concat();
     let slopes = context.routine(graph, &roots, |values| {

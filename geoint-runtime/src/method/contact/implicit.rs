@@ -7,12 +7,12 @@ use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Point, Summation};
-use crate::system::ImplicitStep;
+use crate::system::{Guarded, ImplicitStep};
 
 /// What a step needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<S, P, Y, R> {
-    system: S,
+    energy: Guarded<S>,
     constants: P,
     half: R,
     newton: Newton<Y>,
@@ -22,13 +22,18 @@ pub struct Prepared<S, P, Y, R> {
 type PreparedFor<S, M, R> = Prepared<S, <S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
 
 fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
-    Prepared { system: *system, constants: system.constants(h), half: R::from_f64(0.5) * h, newton: Newton::new() }
+    Prepared {
+        energy: Guarded::new(system),
+        constants: system.constants(h),
+        half: R::from_f64(0.5) * h,
+        newton: Newton::new(),
+    }
 }
 
 /// A step that looks at the energy at x + `ahead`·d.
 #[inline(always)]
 fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    Prepared { system, constants, half, newton }: &mut PreparedFor<S, M, R>,
+    Prepared { energy, constants, half, newton }: &mut PreparedFor<S, M, R>,
     ahead: f64,
     t: R,
     x: &mut Point<S::Array, C, R>,
@@ -70,7 +75,7 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     let (q, p, s) = (x.q, x.p, x.s);
     x.add(&dq, &dp);
     x.s += ds;
-    check_end(system, [t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s])
+    check_end(energy, ([t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s]))
 }
 
 /// Positions, momenta and the action.

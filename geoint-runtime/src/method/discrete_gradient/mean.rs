@@ -10,7 +10,7 @@ use crate::scalar::Real;
 use crate::solving::quasi_newton;
 use crate::space::Array;
 use crate::space::{Compensated, Point, Summation};
-use crate::system::{Conservative, DiscreteField};
+use crate::system::{Conservative, DiscreteField, Guarded};
 
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
 ///
@@ -45,7 +45,7 @@ pub trait MeanGradient: Copy {
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
     mean: G,
-    system: S,
+    energy: Guarded<S>,
     constants: S::Constants,
     parameters: S::Parameters,
     h: R,
@@ -55,7 +55,7 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
         let (constants, parameters) = (system.constants(), system.parameters(h));
-        Prepared { mean, system: *system, constants, parameters, h, sums: [Compensated::new(); 2] }
+        Prepared { mean, energy: Guarded::new(system), constants, parameters, h, sums: [Compensated::new(); 2] }
     }
 
     #[inline]
@@ -65,7 +65,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         point: &mut Point<S::Array, C>,
         probe: &mut P,
     ) -> Result<(), Refusal> {
-        let Prepared { mean, system, constants, parameters, h, sums } = self;
+        let Prepared { mean, energy: guarded, constants, parameters, h, sums } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
         let mut energy = Energy { constants, parameters, probe, t: t + half, h: *h };
         let x = [point.q, point.p];
@@ -88,7 +88,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        check_end(system, [t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()])
+        check_end(guarded, ([t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()]))
     }
 }
 

@@ -25,7 +25,7 @@ use crate::solving::linear;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Compensated, Plain, Point, Summation, exact_sum};
-use crate::system::{Conservative, DiscreteField};
+use crate::system::{Conservative, DiscreteField, Guarded};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
@@ -50,7 +50,7 @@ pub struct Prepared<S: DiscreteField<R>, R: Real> {
 
 #[derive(Clone, Copy, Debug)]
 struct Coefficients<S: DiscreteField<R>, R: Real> {
-    energy: S,
+    energy: Guarded<S>,
     system: S::Constants,
     tree: S::Parameters,
     h: R,
@@ -63,7 +63,7 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
         let zero = S::Unknown::zero();
         let (constants, tree) = (system.constants(), system.parameters(h));
         let mut prepared =
-            Coefficients { energy: *system, system: constants, tree, h, inverse: S::Unknown::fill(zero) };
+            Coefficients { energy: Guarded::new(system), system: constants, tree, h, inverse: S::Unknown::fill(zero) };
         if S::LINEAR {
             prepared.inverse = prepared.inverse();
         }
@@ -230,7 +230,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let lost = S::increments(&behind, &lost);
         let (q, p) = (x.q, x.p);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        Refusal::outside(prepared.energy.hidden_pole_between([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()]))
+        Refusal::outside(prepared.energy.pole_between(true, ([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()])))
     }
 }
 

@@ -10,7 +10,7 @@ use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Plain, Point, Summation};
-use crate::system::Collocation;
+use crate::system::{Collocation, Guarded};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -29,7 +29,7 @@ pub struct ImplicitMidpoint;
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<E, P, Y, R, const S: usize> {
-    energy: E,
+    energy: Guarded<E>,
     system: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
@@ -65,7 +65,7 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
-            energy: *system,
+            energy: Guarded::new(system),
             system: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
@@ -156,7 +156,7 @@ where
         let (q, p) = (x.q, x.p);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        check_end(energy, [t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()])
+        check_end(energy, ([t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()]))
     }
 }
 

@@ -1,0 +1,144 @@
+//! Poles of the energy between the ends of a step.
+//!
+//! An implicit step is accepted where what vanishes at the poles is proven to have no zero on the straight line between its ends: by its
+//! structure, else by intervals. What cannot be proven is refused.
+
+use super::PhaseSpace;
+use crate::scalar::{Enclosure, Interval, Real, bounds};
+use crate::solving::segment::vanishes_nowhere;
+use crate::space::{Action, Array};
+
+/// A pole of an energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pole {
+    /// What a refused step says.
+    pub what: &'static str,
+    /// Whether [`clear_of_poles`](PhaseSpace::clear_of_poles) decides by structure.
+    pub by_structure: bool,
+    /// Whether the parameters alone may rule it out, as m of 1/(m + q²).
+    pub by_parameters: bool,
+    /// Whether it depends on time alone: no flow at frozen time notices it.
+    pub timed: bool,
+}
+
+/// Two points of phase space, each with its time: t, q, p, s.
+pub(crate) type Ends<'a, S, R> = (
+    [R; 2],
+    [&'a <S as PhaseSpace<R>>::Array; 2],
+    [&'a <S as PhaseSpace<R>>::Array; 2],
+    [&'a <S as PhaseSpace<R>>::Action; 2],
+);
+
+/// A system, and what its parameters say of its poles.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Guarded<S> {
+    pub(crate) system: S,
+    /// Whether there may be a pole anywhere.
+    open: bool,
+    /// Whether there may be one of which the structure says nothing.
+    searched: bool,
+}
+
+impl<S> Guarded<S> {
+    pub(crate) fn new<R: Real>(system: &S) -> Self
+    where
+        S: PhaseSpace<R>,
+    {
+        let trusted = system.signs_hold();
+        let open = |(i, pole): (usize, &Pole)| !(pole.by_parameters && is_nowhere(system, i));
+        let poles = || S::POLES.iter().enumerate();
+        Guarded {
+            system: *system,
+            open: poles().any(open),
+            searched: poles().any(|(i, pole)| !(trusted && pole.by_structure) && open((i, pole))),
+        }
+    }
+
+    /// The first pole, if any, that cannot be ruled out on the straight line between two points; `divided` as in
+    /// [`clear_of_poles`](PhaseSpace::clear_of_poles).
+    #[inline(always)]
+    pub(crate) fn pole_between<R: Real>(&self, divided: bool, (t, q, p, s): Ends<'_, S, R>) -> Option<&'static str>
+    where
+        S: PhaseSpace<R>,
+    {
+        if S::POLES.is_empty() || !self.open || (!self.searched && self.system.clear_of_poles(divided, t, q, p, s)) {
+            return None;
+        }
+        search(&self.system, (t, q, p, s))
+    }
+}
+
+/// Whether a pole is ruled out in all of phase space.
+fn is_nowhere<S: PhaseSpace<R>, R: Real>(system: &S, pole: usize) -> bool {
+    let anything = Enclosure::<R>::new(Interval::WHOLE, Interval::WHOLE);
+    let mut all = S::Array::fill(anything);
+    let all = S::Array::entries(&mut all);
+    !system.vanishing(pole, Enclosure::constant, anything, all, all, anything).value.contains_zero()
+}
+
+/// The first pole, if any, that intervals cannot rule out. Points that are not finite are no question of poles.
+#[cold]
+#[inline(never)]
+fn search<S: PhaseSpace<R>, R: Real>(system: &S, (t, q, p, s): Ends<'_, S, R>) -> Option<&'static str> {
+    let finite = |x: [&S::Array; 2]| x.iter().all(|x| x.is_finite());
+    if !(finite(q) && finite(p)) {
+        return None;
+    }
+    let t = Line::new(t);
+    let s = Line::new(s.map(|s| s.scalar().unwrap_or(R::from_f64(0.0))));
+    let open = |(i, pole): &(usize, &Pole)| !(pole.by_parameters && is_nowhere(system, *i));
+    let clear = |(i, _): &(usize, &Pole)| {
+        vanishes_nowhere(|part| {
+            let [mut q, mut p] = [q, p].map(|[start, end]| {
+                let mut on = S::Array::fill(t.on(part));
+                for (j, on) in S::Array::entries(&mut on).iter_mut().enumerate() {
+                    *on = Line::new([start.as_slice()[j], end.as_slice()[j]]).on(part);
+                }
+                on
+            });
+            let (q, p) = (S::Array::entries(&mut q), S::Array::entries(&mut p));
+            system.vanishing(*i, Enclosure::constant, t.on(part), q, p, s.on(part))
+        })
+    };
+    S::POLES.iter().enumerate().filter(open).find(|pole| !clear(pole)).map(|(_, pole)| pole.what)
+}
+
+/// The first pole in time alone, if any, that cannot be ruled out behind one time and up to another, with it.
+pub(crate) fn singular_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
+    let t = Line::new(t);
+    let anything = Enclosure::new(Interval::WHOLE, Interval::WHOLE);
+    let clear = |i: usize| {
+        vanishes_nowhere(|part| {
+            let mut all = S::Array::fill(anything);
+            let all = S::Array::entries(&mut all);
+            system.vanishing(i, Enclosure::constant, t.on(part), all, all, anything)
+        })
+    };
+    let timed = S::POLES.iter().enumerate().filter(|(_, pole)| pole.timed);
+    timed.filter(|(i, _)| !clear(*i)).map(|(_, pole)| pole.what).next()
+}
+
+/// A coordinate on the way from one value to another.
+#[derive(Clone, Copy)]
+struct Line<R> {
+    ends: [Interval; 2],
+    scalar: core::marker::PhantomData<R>,
+}
+
+impl<R: Real> Line<R> {
+    fn new(ends: [R; 2]) -> Self {
+        Line { ends: ends.map(bounds), scalar: core::marker::PhantomData }
+    }
+
+    /// On a part of the way from 0 to 1.
+    fn on(&self, part: Interval) -> Enclosure<R> {
+        let [start, end] = self.ends;
+        let change = end - start;
+        let at = |x: f64| match x {
+            0.0 => start,
+            1.0 => end,
+            _ => start + change * Interval::point(x),
+        };
+        Enclosure::new(at(part.low).hull(at(part.high)), change)
+    }
+}
