@@ -5,6 +5,7 @@ mod damping;
 mod adaptive;
 mod refusals;
 mod poles;
+mod walls;
 mod long_steps;
 mod rounding;
 mod trajectories;

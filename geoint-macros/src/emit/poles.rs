@@ -24,13 +24,16 @@ pub(super) fn poles(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) ->
 /// What is known of each without looking.
 fn list(context: &Context<'_>, graph: &Graph, poles: &[Pole]) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    let entries = poles.iter().map(|pole| {
-        let what = format!("a pole between the ends of the step: {}", printer.excerpt(pole.term));
-        let (by_structure, by_parameters) = (pole.quick.is_some(), pole.by_parameters);
-        let timed = context.energy.form == Form::Contact && !pole.reads_state;
-        quote!(Pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed })
+    // By its path: users' structs may have this name.
+    let runtime = &context.energy.runtime;
+    let pole = quote!(#runtime::private::Pole);
+    let entries = poles.iter().map(|each| {
+        let what = format!("a pole between the ends of the step: {}", printer.excerpt(each.term));
+        let (by_structure, by_parameters) = (each.quick.is_some(), each.by_parameters);
+        let timed = context.energy.form == Form::Contact && !each.reads_state;
+        quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed })
     });
-    quote!(const POLES: &'static [Pole] = &[#(#entries),*];)
+    quote!(const POLES: &'static [#pole] = &[#(#entries),*];)
 }
 
 /// Nodes, each once, and where they are.

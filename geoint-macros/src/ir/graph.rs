@@ -149,6 +149,7 @@ impl Graph {
     pub(crate) fn is_partial(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Power(_, exponent) => !exponent.is_integer() || exponent.numerator < 0,
+            Node::Call(Function::Tan, _) => true,
             Node::Call(function, _) => function.entry().domain != Domain::Everywhere,
             _ => false,
         }

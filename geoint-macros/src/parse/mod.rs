@@ -135,7 +135,6 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Method",
     "ModifiedEnergy",
     "PhaseSpace",
-    "Pole",
     "PieceClock",
     "QuadraticKinetic",
     "Real",

@@ -50,7 +50,8 @@ pub(crate) fn poles(graph: &mut Graph, energy: Id, partial: &[Partial]) -> Vec<P
         for (vanishes, quick) in zeros.of(graph, term) {
             let whole = vanishes == term && condition.is_none();
             if !(one_sided && whole && zeros.is_affine(term)) {
-                let noticed = whole && computed.contains(&node);
+                let noticed =
+                    whole && computed.contains(&node) && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
                 let pole = Pole { condition, noticed, quick, ..Pole::new(term, vanishes) };
                 match found.iter().position(|known| known.vanishes == vanishes) {
                     Some(known) => joined.push((known, pole)),

@@ -17,6 +17,16 @@ pub(crate) enum Quick {
     Angle { value: Id, argument: Id },
 }
 
+impl Quick {
+    /// Whether the test compares signs of a node itself.
+    pub(super) fn is_sign_of(&self, id: Id) -> bool {
+        match self {
+            Quick::Forms(forms, _) => forms[..] == [id],
+            Quick::Angle { value, .. } => *value == id,
+        }
+    }
+}
+
 /// Signs of nodes that read parameters alone.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Signs {

@@ -196,8 +196,14 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
                 }
             }
             let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
+            let (q, p) = (x.q, x.p);
             x.add_with(sums, [&dq, &dp], [&S::Array::zero(); 2]);
-            return if impulse.is_finite() { Ok(()) } else { Err(Refusal::Singular) };
+            if !impulse.is_finite() {
+                return Err(Refusal::Singular);
+            }
+            // Poles that the simplified energy has not.
+            let ends = ([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()]);
+            return Refusal::outside(prepared.energy.pole_between(true, ends));
         }
 
         // The explicit midpoint rule.
