@@ -80,7 +80,7 @@ fn clear_of_poles(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> O
                 signs.opposite(&[*value]);
                 always.far(*argument);
             }
-            None => {}
+            Some(Quick::SineOf(..)) | None => {}
         }
     }
     let (array, action) = (context.array(), context.action());

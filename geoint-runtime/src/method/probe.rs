@@ -2,7 +2,8 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::system::{Ends, Guarded, PhaseSpace};
+use crate::space::{Array, Point};
+use crate::system::{Guarded, Known, PhaseSpace};
 
 /// Sees every point at which a step looks at the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
@@ -40,10 +41,51 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Whether the energy is defined at the end of a step, and has no pole on the way there, for methods that look at it in between only.
+/// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that look at it in
+/// between only.
 #[inline(always)]
-pub(crate) fn check_end<S: PhaseSpace<R>, R: Real>(guarded: &Guarded<S>, ends: Ends<'_, S, R>) -> Result<(), Refusal> {
-    let (t, q, p, s) = ends;
-    Refusal::outside(guarded.system.outside_domain(t[1], q[1], p[1], s[1]))?;
-    Refusal::outside(guarded.pole_between(false, ends))
+pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
+    guarded: &Guarded<S>,
+    t: [R; 2],
+    before: &Start<S, R>,
+    x: &mut Point<S::Array, C, S::Action>,
+    probe: &P,
+) -> Result<(), Refusal> {
+    Refusal::outside(guarded.system.outside_domain(t[1], &x.q, &x.p, &x.s))?;
+    check_poles(guarded, false, t, before, x, probe)
+}
+
+/// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
+///
+/// Without patience the step is spoilt where only a search can tell, so that it is repeated: one more way out of the loop over steps
+/// would cost a tenth of a short step.
+#[inline(always)]
+pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
+    guarded: &Guarded<S>,
+    divided: bool,
+    t: [R; 2],
+    (q, p, s): &Start<S, R>,
+    x: &mut Point<S::Array, C, S::Action>,
+    _: &P,
+) -> Result<(), Refusal> {
+    let ends = (t, [q, &x.q], [p, &x.p], [s, &x.s]);
+    if P::PATIENT || Known::<S, R>::SEARCHED {
+        return Refusal::outside(guarded.pole_between(divided, ends));
+    }
+    if !guarded.is_clear(divided, ends) {
+        x.p.as_mut_slice()[0] = R::from_f64(f64::NAN);
+    }
+    Ok(())
+}
+
+/// Where a step starts: q, p, s.
+pub(crate) type Start<S, R> = (<S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+
+/// A copy of a point, entry by entry, so that both may stay in registers.
+#[inline(always)]
+pub(crate) fn start<S: PhaseSpace<R>, R: Real, C>(x: &Point<S::Array, C, S::Action>) -> Start<S, R> {
+    let mut start = (S::Array::zero(), S::Array::zero(), x.s);
+    start.0.copy_from(&x.q);
+    start.1.copy_from(&x.p);
+    start
 }

@@ -11,7 +11,7 @@ use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAss
 /// Where the function is not differentiable, or not even continuous, the derivative is that of the mean value theorem: every quotient of
 /// differences lies in it. Constants are those of the scalar `R`.
 #[derive(Clone, Copy, Debug)]
-pub struct Enclosure<R> {
+pub(crate) struct Enclosure<R> {
     pub(crate) value: Interval,
     pub(crate) rate: Interval,
     scalar: PhantomData<fn() -> R>,

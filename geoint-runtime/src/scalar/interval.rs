@@ -121,10 +121,6 @@ impl Interval {
         }
     }
 
-    pub(crate) fn min(self, y: Self) -> Self {
-        Self::new(self.low.min(y.low), self.high.min(y.high))
-    }
-
     pub(crate) fn max(self, y: Self) -> Self {
         Self::new(self.low.max(y.low), self.high.max(y.high))
     }

@@ -13,7 +13,7 @@ pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pi
 pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
-pub(crate) use poles::{Ends, Guarded, singular_time};
+pub(crate) use poles::{Guarded, Known, singular_time};
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
 use crate::scalar::Real;

@@ -7,6 +7,7 @@ use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds};
 use crate::solving::segment::vanishes_nowhere;
 use crate::space::{Action, Array};
+use core::marker::PhantomData;
 
 /// A pole of an energy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,18 +55,41 @@ impl<S> Guarded<S> {
         }
     }
 
-    /// The first pole, if any, that cannot be ruled out on the straight line between two points; `divided` as in
+    /// Whether it is known, without a search, that there is no pole on the straight line between two points; `divided` as in
     /// [`clear_of_poles`](PhaseSpace::clear_of_poles).
+    #[inline(always)]
+    pub(crate) fn is_clear<R: Real>(&self, divided: bool, (t, q, p, s): Ends<'_, S, R>) -> bool
+    where
+        S: PhaseSpace<R>,
+    {
+        if S::POLES.is_empty() {
+            return true;
+        }
+        let clear = || self.system.clear_of_poles(divided, t, q, p, s);
+        if Known::<S, R>::FIXED { clear() } else { !self.open || (!self.searched && clear()) }
+    }
+
+    /// The first pole, if any, that cannot be ruled out there.
     #[inline(always)]
     pub(crate) fn pole_between<R: Real>(&self, divided: bool, (t, q, p, s): Ends<'_, S, R>) -> Option<&'static str>
     where
         S: PhaseSpace<R>,
     {
-        if S::POLES.is_empty() || !self.open || (!self.searched && self.system.clear_of_poles(divided, t, q, p, s)) {
+        if self.is_clear(divided, (t, q, p, s)) {
             return None;
         }
-        search(&self.system, (t, q, p, s))
+        // Copies: what is searched is in memory, and a step would otherwise keep its state there.
+        search(self.system, t, copied(q), copied(p), s.map(|s| *s))
     }
+}
+
+/// Copies of two points, entry by entry.
+#[inline(always)]
+fn copied<A: Array>([start, end]: [&A; 2]) -> [A; 2] {
+    let mut copies = [A::zero(); 2];
+    copies[0].copy_from(start);
+    copies[1].copy_from(end);
+    copies
 }
 
 /// Whether a pole is ruled out in all of phase space.
@@ -79,17 +103,23 @@ fn is_nowhere<S: PhaseSpace<R>, R: Real>(system: &S, pole: usize) -> bool {
 /// The first pole, if any, that intervals cannot rule out. Points that are not finite are no question of poles.
 #[cold]
 #[inline(never)]
-fn search<S: PhaseSpace<R>, R: Real>(system: &S, (t, q, p, s): Ends<'_, S, R>) -> Option<&'static str> {
-    let finite = |x: [&S::Array; 2]| x.iter().all(|x| x.is_finite());
-    if !(finite(q) && finite(p)) {
+fn search<S: PhaseSpace<R>, R: Real>(
+    system: S,
+    t: [R; 2],
+    q: [S::Array; 2],
+    p: [S::Array; 2],
+    s: [S::Action; 2],
+) -> Option<&'static str> {
+    let finite = |x: &[S::Array; 2]| x.iter().all(|x| x.is_finite());
+    if !(finite(&q) && finite(&p)) {
         return None;
     }
     let t = Line::new(t);
     let s = Line::new(s.map(|s| s.scalar().unwrap_or(R::from_f64(0.0))));
-    let open = |(i, pole): &(usize, &Pole)| !(pole.by_parameters && is_nowhere(system, *i));
+    let open = |(i, pole): &(usize, &Pole)| !(pole.by_parameters && is_nowhere(&system, *i));
     let clear = |(i, _): &(usize, &Pole)| {
         vanishes_nowhere(|part| {
-            let [mut q, mut p] = [q, p].map(|[start, end]| {
+            let [mut q, mut p] = [&q, &p].map(|[start, end]| {
                 let mut on = S::Array::fill(t.on(part));
                 for (j, on) in S::Array::entries(&mut on).iter_mut().enumerate() {
                     *on = Line::new([start.as_slice()[j], end.as_slice()[j]]).on(part);
@@ -103,8 +133,49 @@ fn search<S: PhaseSpace<R>, R: Real>(system: &S, (t, q, p, s): Ends<'_, S, R>) -
     S::POLES.iter().enumerate().filter(open).find(|pole| !clear(pole)).map(|(_, pole)| pole.what)
 }
 
+/// What is known of the poles of a system at compile time.
+pub(crate) struct Known<S, R>(PhantomData<(S, R)>);
+
+impl<S: PhaseSpace<R>, R: Real> Known<S, R> {
+    /// Whether there are poles in time alone.
+    const TIMED: bool = {
+        let (mut any, mut i) = (false, 0);
+        while i < S::POLES.len() {
+            any |= S::POLES[i].timed;
+            i += 1;
+        }
+        any
+    };
+
+    /// Whether the structure decides, whatever the parameters are.
+    const FIXED: bool = {
+        let (mut all, mut i) = (true, 0);
+        while i < S::POLES.len() {
+            all &= S::POLES[i].by_structure && !S::POLES[i].by_parameters;
+            i += 1;
+        }
+        all
+    };
+
+    /// Whether there are poles of which the structure says nothing.
+    pub(crate) const SEARCHED: bool = {
+        let (mut any, mut i) = (false, 0);
+        while i < S::POLES.len() {
+            any |= !S::POLES[i].by_structure;
+            i += 1;
+        }
+        any
+    };
+}
+
 /// The first pole in time alone, if any, that cannot be ruled out behind one time and up to another, with it.
+#[inline(always)]
 pub(crate) fn singular_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
+    if Known::<S, R>::TIMED { search_time(system, t) } else { None }
+}
+
+/// The same, searched.
+fn search_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
     let t = Line::new(t);
     let anything = Enclosure::new(Interval::WHOLE, Interval::WHOLE);
     let clear = |i: usize| {
@@ -122,12 +193,12 @@ pub(crate) fn singular_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) ->
 #[derive(Clone, Copy)]
 struct Line<R> {
     ends: [Interval; 2],
-    scalar: core::marker::PhantomData<R>,
+    scalar: PhantomData<R>,
 }
 
 impl<R: Real> Line<R> {
     fn new(ends: [R; 2]) -> Self {
-        Line { ends: ends.map(bounds), scalar: core::marker::PhantomData }
+        Line { ends: ends.map(bounds), scalar: PhantomData }
     }
 
     /// On a part of the way from 0 to 1.

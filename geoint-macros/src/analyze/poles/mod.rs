@@ -84,6 +84,9 @@ impl Pole {
     /// Derives what the condition and what vanishes say together.
     fn complete(&mut self, graph: &mut Graph) {
         let one = graph.integer(1);
+        if let Some(quick) = &mut self.quick {
+            quick.build(graph);
+        }
         let vanishes = self.condition.map_or(self.vanishes, |condition| graph.select(condition, self.vanishes, one));
         self.enclosable = enclosable(graph, vanishes);
         self.by_parameters =

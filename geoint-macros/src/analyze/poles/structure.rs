@@ -3,7 +3,7 @@
 use super::super::degree::Degrees;
 use super::super::dependence::Dependence;
 use super::sign::{Sign, signs};
-use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol};
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 use std::collections::{BTreeSet, HashSet};
 
 /// A test that excludes zeros on a straight line, from values at both of its ends.
@@ -15,6 +15,8 @@ pub(crate) enum Quick {
     /// A sine or cosine, and its argument, which is affine: not if it has the same sign at both ends, and the argument moves by less than
     /// π.
     Angle { value: Id, argument: Id },
+    /// The sine of a multiple of an affine argument, which has the same zeros, before it is built.
+    SineOf(Number, Id),
 }
 
 impl Quick {
@@ -23,6 +25,15 @@ impl Quick {
         match self {
             Quick::Forms(forms, _) => forms[..] == [id],
             Quick::Angle { value, .. } => *value == id,
+            Quick::SineOf(..) => false,
+        }
+    }
+
+    /// The test with the sine built.
+    pub(super) fn build(&mut self, graph: &mut Graph) {
+        if let Quick::SineOf(multiple, argument) = *self {
+            let argument = graph.scale(multiple, argument);
+            *self = Quick::Angle { value: graph.call(Function::Sin, &[argument]), argument };
         }
     }
 }
@@ -50,6 +61,14 @@ pub(super) struct Zeros {
     degrees: Degrees,
 }
 
+/// Where a node is 1.
+enum One {
+    /// Where another one vanishes.
+    At(Id),
+    /// Where the sine of a multiple of another one vanishes.
+    Periodic(Number, Id),
+}
+
 /// Forms that vanish together, under assumptions.
 type Forms = Option<(BTreeSet<Id>, Signs)>;
 
@@ -75,6 +94,18 @@ impl Zeros {
                 Node::Call(Sin | Cos, args) if self.is_affine(args[0]) => {
                     zeros.push((id, Some(Quick::Angle { value: id, argument: args[0] })));
                 }
+                // c − c·f vanishes where f is 1.
+                Node::Linear(constant, terms)
+                    if terms.len() == 1 && constant.neg() == terms[0].0 && !self.is_affine(id) =>
+                {
+                    match self.where_one(graph, terms[0].1) {
+                        Some(One::At(argument)) => open.push(argument),
+                        Some(One::Periodic(multiple, argument)) => {
+                            zeros.push((id, Some(Quick::SineOf(multiple, argument))))
+                        }
+                        None => zeros.push((id, None)),
+                    }
+                }
                 _ => {
                     let forms = self.forms(graph, id, &mut HashMap::default());
                     zeros.push((id, forms.map(|(forms, signs)| Quick::Forms(forms.into_iter().collect(), signs))));
@@ -82,6 +113,22 @@ impl Zeros {
             }
         }
         zeros
+    }
+
+    /// Where a node is 1.
+    fn where_one(&self, graph: &Graph, id: Id) -> Option<One> {
+        use Function::{Cos, Cosh, Exp, Exp2};
+        match graph.node(id) {
+            Node::Call(Cosh | Exp | Exp2, args) => Some(One::At(args[0])),
+            Node::Call(Cos, args) if self.is_affine(args[0]) => Some(One::Periodic(Number::HALF, args[0])),
+            // cos² = 1 where the sine vanishes.
+            Node::Power(base, exponent) if *exponent == Ratio::integer(2) => match graph.node(*base) {
+                Node::Call(Cos, args) if self.is_affine(args[0]) => Some(One::Periodic(Number::ONE, args[0])),
+                Node::Call(Cosh, args) => Some(One::At(args[0])),
+                _ => None,
+            },
+            _ => None,
+        }
     }
 
     /// Affine forms that all vanish where `id` does, if parameters have certain signs. `known` are those of other nodes.

@@ -2,7 +2,7 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, check_end};
+use crate::method::{Claims, Method, Probe, Refusal, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
@@ -45,14 +45,14 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     entries[..n].copy_from_slice(x.q.as_slice());
     entries[n..2 * n].copy_from_slice(x.p.as_slice());
     entries[2 * n] = x.s;
-    let start = S::begin(constants, middle, &origin);
+    let begun = S::begin(constants, middle, &origin);
 
     // Φ(Φ(0)) is the explicit midpoint rule, or as good.
     let explicit = || {
         let [mut once, mut twice] = [none; 2];
         let mut unused = S::Unknown::fill(none);
-        S::image(constants, &start, &none, &mut once, &mut unused);
-        S::image(constants, &start, &once, &mut twice, &mut unused);
+        S::image(constants, &begun, &none, &mut once, &mut unused);
+        S::image(constants, &begun, &once, &mut twice, &mut unused);
         twice
     };
     let look = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
@@ -60,22 +60,22 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
         seen.add_scaled(R::from_f64(ahead), d);
         let (q, p, s) = apart::<S, M, R>(&seen);
         probe.look(middle, &q, &p, &s);
-        S::image(constants, &start, d, &mut f, matrix);
+        S::image(constants, &begun, d, &mut f, matrix);
         f
     };
     let image = |probe: &mut P, d: &S::Unknown| look(probe, d, &mut S::Unknown::fill(none));
     let still = P::PATIENT.then_some(0.0);
     let (d, _) = newton.solve((&origin, still), explicit, probe, image, look)?;
 
-    let end = S::end(constants, &start, &d);
+    let end = S::end(constants, &begun, &d);
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
     let (dq, dp, ds) = apart::<S, M, R>(&end);
-    let (q, p, s) = (x.q, x.p, x.s);
+    let before = start::<S, R, C>(x);
     x.add(&dq, &dp);
     x.s += ds;
-    check_end(energy, ([t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s]))
+    check_end(energy, [t, middle + *half], &before, x, probe)
 }
 
 /// Positions, momenta and the action.

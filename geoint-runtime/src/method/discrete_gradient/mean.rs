@@ -88,7 +88,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        check_end(guarded, ([t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()]))
+        check_end(guarded, [t, t + *h], &(x[0], x[1], ()), point, energy.probe)
     }
 }
 

@@ -19,7 +19,7 @@ pub use mean::MeanGradient;
 pub use mean_value::MeanValue;
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, check_poles, start};
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
 use crate::solving::newton::Newton;
@@ -184,11 +184,11 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let (none, h, half) = (S::Unknown::zero(), prepared.h, R::from_f64(0.5) * prepared.h);
         probe.visit(t, &x.q, &x.p);
         let (y, changed) = S::start(&x.q, &x.p);
-        let start = S::begin(&prepared.tree, t + half, &y);
+        let begun = S::begin(&prepared.tree, t + half, &y);
         let (mut f, mut slope) = (none, S::Unknown::fill(none));
 
         if S::LINEAR {
-            prepared.equation(&start, &prepared.change(&changed, &none), &mut f, &mut slope);
+            prepared.equation(&begun, &prepared.change(&changed, &none), &mut f, &mut slope);
             let mut impulse = none;
             for (i, row) in S::Unknown::entries::<S::Unknown>(&mut prepared.inverse).iter().enumerate() {
                 for (w, f) in row.as_slice().iter().zip(f.as_slice()) {
@@ -196,14 +196,13 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
                 }
             }
             let [dq, dp] = S::increments(&prepared.change(&changed, &impulse), &impulse);
-            let (q, p) = (x.q, x.p);
+            let before = start::<S, R, C>(x);
             x.add_with(sums, [&dq, &dp], [&S::Array::zero(); 2]);
             if !impulse.is_finite() {
                 return Err(Refusal::Singular);
             }
             // Poles that the simplified energy has not.
-            let ends = ([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()]);
-            return Refusal::outside(prepared.energy.pole_between(true, ends));
+            return check_poles(&prepared.energy, true, [t, t + h], &before, x, probe);
         }
 
         // The explicit midpoint rule.
@@ -223,7 +222,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         };
         let (carry, carried) = S::start(&x.sums[0].carry(), &x.sums[1].carry());
         let seen = (!C::PLAIN).then_some(&carry);
-        let look = Look { coefficients: prepared, start: &start, t, q: &x.q, p: &x.p, changed: &changed, carry: seen };
+        let look = Look { coefficients: prepared, start: &begun, t, q: &x.q, p: &x.p, changed: &changed, carry: seen };
         let image = |probe: &mut P, impulse: &S::Unknown| look.image(probe, impulse, &mut S::Unknown::fill(none));
         let derivative =
             |probe: &mut P, impulse: &S::Unknown, matrix: &mut Square<S::Unknown>| look.image(probe, impulse, matrix);
@@ -234,9 +233,9 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let behind =
             if C::PLAIN && S::DERIVATIVE == 2 { none } else { prepared.lost(&changed, &carried, &impulse, &lost) };
         let lost = S::increments(&behind, &lost);
-        let (q, p) = (x.q, x.p);
+        let before = start::<S, R, C>(x);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        Refusal::outside(prepared.energy.pole_between(true, ([t, t + h], [&q, &x.q], [&p, &x.p], [&(), &()])))
+        check_poles(&prepared.energy, true, [t, t + h], &before, x, probe)
     }
 }
 

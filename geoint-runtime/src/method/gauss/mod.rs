@@ -5,7 +5,7 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal, check_end};
+use crate::method::{Claims, Method, Probe, Refusal, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
@@ -153,10 +153,10 @@ where
             Y::add(&system, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
-        let (q, p) = (x.q, x.p);
+        let before = start::<Y, R, C>(x);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        check_end(energy, ([t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()]))
+        check_end(energy, [t, t + *h], &before, x, probe)
     }
 }
 
