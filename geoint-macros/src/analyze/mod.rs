@@ -11,16 +11,19 @@ mod equations;
 mod generators;
 mod momenta;
 mod mean_value;
+mod enclosable;
 mod poles;
+mod jumps;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
+pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
-pub(crate) use poles::{Pole, Quick, poles};
+pub(crate) use poles::{Pole, Quick, has_edge, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.

@@ -9,6 +9,7 @@ use crate::ir::{Function, Graph, Id, Node, Number, Partial, print::Printer};
 use crate::parse::Form;
 use proc_macro2::TokenStream;
 use quote::quote;
+use std::collections::HashSet;
 
 /// What the trait `PhaseSpace` asks of a domain.
 pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> TokenStream {
@@ -16,14 +17,35 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
     let outside = outside_domain(context, graph, damping);
     let poles = analyze::poles(graph, energy, context.partial);
     let poles = poles::poles(context, graph, &poles);
+    let jumps = analyze::jumps(graph, energy);
+    let jumps = poles::jumps(context, graph, &jumps);
+    let examined = needs_examination(context, graph, energy).then(|| {
+        quote!(
+            const EXAMINED: bool = true;
+        )
+    });
     quote! {
         fn outside_domain(
             &self, t: R, q: &#array, p: &#array, s: &#action,
         ) -> ::core::option::Option<&'static str> {
             #outside
         }
+        #examined
         #poles
+        #jumps
     }
+}
+
+/// Whether the end of a step may lie outside the domain without a trace in later steps: a function that is not defined everywhere was
+/// simplified away, or its domain has an edge that a method with merged flows may step over and back.
+fn needs_examination(context: &Context<'_>, graph: &mut Graph, energy: Id) -> bool {
+    let computed: HashSet<Id> = graph.reachable(&[energy]).into_iter().collect();
+    let lost = |partial: &&Partial| !computed.contains(&partial.node);
+    let moves = |graph: &Graph, partial: &Partial| analyze::reads(graph, partial.node).state();
+    context.partial.iter().any(|partial| {
+        moves(graph, partial)
+            && (lost(&partial) || partial.condition.is_some() || analyze::has_edge(graph, partial.node))
+    })
 }
 
 /// A condition under which a node is undefined, as a method call on an argument.

@@ -2,12 +2,12 @@
 
 use super::kernel::{Context, place};
 use super::straight_line;
-use crate::analyze::{Pole, Quick};
+use crate::analyze::{Jump, Pole, Quick};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::parse::Form;
 use crate::schedule;
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The items of `PhaseSpace` that speak of poles; nothing where there is none.
 pub(super) fn poles(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> Option<TokenStream> {
@@ -151,6 +151,12 @@ impl Tests {
 
 /// What must not vanish, one pole after the other, in any scalar.
 fn vanishing(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> TokenStream {
+    let roots: Vec<Vec<Id>> = poles.iter().map(|pole| vec![pole.enclosable]).collect();
+    enclosed(context, graph, "vanishing", &roots)
+}
+
+/// A function of `PhaseSpace` that gives values in any scalar, chosen by an index.
+fn enclosed(context: &Context<'_>, graph: &mut Graph, name: &str, choices: &[Vec<Id>]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
         Symbol::Q(i) => place(quote!(q), &[i as usize]),
@@ -159,29 +165,60 @@ fn vanishing(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> TokenS
         Symbol::Parameter(i) if (i as usize) < parameters.len() => place(quote!(parameters), &[i as usize]),
         symbol => context.input(symbol),
     };
-    let arms: Vec<TokenStream> = poles
-        .iter()
-        .enumerate()
-        .map(|(i, pole)| {
-            let block = schedule::routine(graph, &[pole.enclosable]);
-            let body = straight_line::routine(&block, &input, |mut values| values.remove(0));
-            let i = if i + 1 == poles.len() {
-                quote!(_)
-            } else {
-                let i = Literal::usize_unsuffixed(i);
-                quote!(#i)
-            };
-            quote!(#i => { #body })
-        })
-        .collect();
+    let mut arm = |(i, roots): (usize, &Vec<Id>)| {
+        let block = schedule::routine(graph, roots);
+        let body = straight_line::routine(&block, &input, |values| match &values[..] {
+            [value] => value.clone(),
+            _ => quote!([#(#values),*]),
+        });
+        let i = Literal::usize_unsuffixed(i);
+        let pattern = if i.to_string() == (choices.len() - 1).to_string() { quote!(_) } else { quote!(#i) };
+        quote!(#pattern => { #body })
+    };
+    let arms: Vec<TokenStream> = choices.iter().enumerate().map(&mut arm).collect();
+    let values = |scalar: TokenStream| match choices[0].len() {
+        1 => scalar,
+        n => {
+            let n = Literal::usize_unsuffixed(n);
+            quote!([#scalar; #n])
+        }
+    };
+    let (name, outside, inside) = (format_ident!("{name}"), values(quote!(Scalar)), values(quote!(R)));
     quote! {
-        fn vanishing<Scalar: Real>(
-            &self, pole: usize, lift: impl Fn(R) -> Scalar, t: Scalar, q: &[Scalar], p: &[Scalar], s: Scalar,
-        ) -> Scalar {
-            fn term<R: Real>(pole: usize, parameters: &[R], t: R, q: &[R], p: &[R], s: R) -> R {
-                match pole { #(#arms)* }
+        fn #name<Scalar: Real>(
+            &self, index: usize, lift: impl Fn(R) -> Scalar, t: Scalar, q: &[Scalar], p: &[Scalar], s: Scalar,
+        ) -> #outside {
+            fn values<R: Real>(index: usize, parameters: &[R], t: R, q: &[R], p: &[R], s: R) -> #inside {
+                match index { #(#arms)* }
             }
-            term(pole, &[#(lift(#parameters)),*], t, q, p, s)
+            values(index, &[#(lift(#parameters)),*], t, q, p, s)
         }
     }
+}
+
+/// The items of `PhaseSpace` that speak of conditions; nothing where none reads the state.
+pub(super) fn jumps(context: &Context<'_>, graph: &mut Graph, jumps: &[Jump]) -> Option<TokenStream> {
+    if jumps.is_empty() {
+        return None;
+    }
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let what = jumps
+        .iter()
+        .map(|jump| format!("the energy jumps at the end of the step, by {}", printer.excerpt(jump.height)));
+    let what: Vec<String> = what.collect();
+    let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(jumps.len()));
+    let conditions: Vec<Id> = jumps.iter().map(|jump| jump.condition).collect();
+    let sides = context.routine(graph, &conditions, |values| quote!([#(#values),*]));
+    let roots: Vec<Vec<Id>> = jumps.iter().map(|jump| vec![jump.margin, jump.height]).collect();
+    let heights = enclosed(context, graph, "jump", &roots);
+    Some(quote! {
+        const JUMPS: &'static [&'static str] = &[#(#what),*];
+
+        #[inline]
+        fn same_sides(&self, t: R, q: [&#array; 2], p: [&#array; 2], s: [&#action; 2]) -> bool {
+            let sides = |q: &#array, p: &#array, s: &#action| -> [bool; #count] { #sides };
+            sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
+        }
+        #heights
+    })
 }

@@ -14,8 +14,8 @@ pub mod tableau;
 pub mod tables;
 
 pub use field::{gradient_kick, modified_verlet};
-pub(crate) use probe::{check_end, check_poles, start};
 pub use probe::{Probe, Unwatched};
+pub(crate) use probe::{check_end, check_poles, start};
 
 pub use crate::solving::Refusal;
 

@@ -13,6 +13,8 @@ pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pi
 pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
+mod jumps;
+pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Guarded, Known, singular_time};
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
@@ -65,6 +67,24 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     fn vanishing<T: Real>(&self, _pole: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> T {
         T::from_f64(1.0)
     }
+
+    /// What is said of a jump of H at a condition that reads the state.
+    const JUMPS: &'static [&'static str] = &[];
+
+    /// Whether no condition of H is decided differently at two points.
+    #[inline(always)]
+    fn same_sides(&self, _t: R, _q: [&Self::Array; 2], _p: [&Self::Array; 2], _s: [&Self::Action; 2]) -> bool {
+        true
+    }
+
+    /// A number that is positive where a condition of H holds and negative where it does not, and what H jumps by there, in any scalar.
+    fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> [T; 2] {
+        [T::from_f64(1.0); 2]
+    }
+
+    /// Whether the end of every single step has to be examined by [`outside_domain`](PhaseSpace::outside_domain): a step may end outside
+    /// the domain without a trace in the next.
+    const EXAMINED: bool = false;
 
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {

@@ -1,12 +1,12 @@
 //! Where the energy is infinite: what vanishes there, and what its structure says of zeros on a straight line.
 
-mod enclosable;
 mod sign;
 mod structure;
 
 use super::dependence::symbols;
+use super::enclosable::enclosable;
 use crate::ir::{Function, Graph, Id, Node, Partial, Relation, Symbol};
-use enclosable::enclosable;
+use sign::Sign;
 use std::collections::HashSet;
 pub(crate) use structure::Quick;
 use structure::Zeros;
@@ -142,5 +142,17 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
             }
         }
         _ => vec![],
+    }
+}
+
+/// Whether a node is not defined on one side of a place at which it may be: a root of x, not of x².
+pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
+    let signs = sign::signs(graph);
+    match graph.node(node) {
+        Node::Power(base, exponent) => !exponent.is_integer() && signs[base.index()] == Sign::Unknown,
+        Node::Call(Function::Tan, _) => false,
+        Node::Call(Function::Asin | Function::Acos | Function::Acosh | Function::Atanh | Function::Ln1p, _) => true,
+        Node::Call(_, args) => signs[args[0].index()] == Sign::Unknown,
+        _ => false,
     }
 }

@@ -34,7 +34,7 @@ pub(crate) fn enclosable(graph: &mut Graph, root: Id) -> Id {
 }
 
 /// A number that is positive where a condition holds, negative where it does not, and zero on the border.
-fn margin(graph: &mut Graph, condition: Id) -> Id {
+pub(super) fn margin(graph: &mut Graph, condition: Id) -> Id {
     match *graph.node(condition) {
         Node::Compare(Relation::Equal, a, b) => {
             let difference = graph.sub(b, a);
