@@ -1,8 +1,7 @@
-//! What a run costs: time, and looks at the energy.
+//! What a run costs: time, and evaluations of the energy.
 
-use geoint_runtime::method::{Probe, Refusal};
-use geoint_runtime::space::Coordinates;
-use geoint_runtime::space::{Plain, Point};
+use geoint_runtime::method::{Probe, Refusal, Step};
+use geoint_runtime::space::{Coordinates, Plain, Point};
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
 
@@ -20,22 +19,23 @@ pub fn shortest<T, E>(mut run: impl FnMut() -> Result<T, E>) -> Result<Duration,
     Ok(shortest)
 }
 
-/// At how many points Newton's iterations of an implicit method look at the energy in `steps` steps of length `h`.
+/// At how many points Newton's iterations of an implicit method evaluate the energy in `steps` steps of length `h`.
 ///
 /// # Errors
 /// If one of them does not converge.
-pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
+pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     system: S,
     method: M,
     h: f64,
     start: State<S::Coordinates>,
     steps: u64,
 ) -> Result<u64, String> {
-    let mut prepared = method.prepare(&system, h);
+    let (prepared, mut memory) = (method.prepare(&system, h), M::memory());
     let mut x = Point::<S::Array, Plain>::new(start.q.into_array(), start.p.into_array());
-    let mut looks = Looks(0);
+    let mut count = Count(0);
     for n in 0..steps {
-        let outcome = M::step(&mut prepared, start.t + n as f64 * h, &mut x, &mut looks);
+        let step = Step { system: &system, t: start.t + n as f64 * h, x: &mut x, probe: &mut count };
+        let outcome = M::step(&prepared, &mut memory, step);
         outcome.map_err(|refusal| match refusal {
             Refusal::NotConverged { iterations, .. } => format!("no convergence in {iterations} iterations"),
             Refusal::Singular => "no unique solution".into(),
@@ -43,13 +43,13 @@ pub fn looks<S: Hamiltonian, M: Method<S, f64>>(
             Refusal::OutsideDomain { what } => what.into(),
         })?;
     }
-    Ok(looks.0)
+    Ok(count.0)
 }
 
-struct Looks(u64);
+struct Count(u64);
 
-impl<S: Hamiltonian> Probe<S, f64> for Looks {
-    fn look(&mut self, _: f64, _: &S::Array, _: &S::Array, _: &()) {
+impl<S: Hamiltonian> Probe<S, f64> for Count {
+    fn visit(&mut self, _: f64, _: &S::Array, _: &S::Array, _: &()) {
         self.0 += 1;
     }
 }

@@ -8,7 +8,7 @@ pub mod plot;
 mod run;
 mod table;
 
-pub use cost::{looks, shortest};
+pub use cost::{evaluations, shortest};
 pub use output::{claim, output, shown};
 pub use run::{largest, orbit, order};
 pub use table::table;

@@ -1,9 +1,8 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Split, Structure};
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::eval::eval;
-use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
@@ -75,10 +74,22 @@ pub(crate) fn pieces(
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
         let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        if differ(graph, root, sum) {
-            let missing = graph.sub(root, sum);
-            let printer = Printer::new(graph, &name);
-            errors.at_place(whole(groups), format!("{NOT_THE_SUM}: {}", printer.excerpt(missing)));
+        let missing = graph.sub(root, sum);
+        let verdict = analyze::identity(graph, missing);
+        let printer = Printer::new(graph, &name);
+        let message = match verdict {
+            Identity::Zero => None,
+            Identity::Left(Remainder { rest, certain: true, case }) => {
+                Some(format!("{NOT_THE_SUM}{} is: {}", in_case(&printer, &case), printer.excerpt(rest)))
+            }
+            Identity::Left(Remainder { rest, certain: false, case }) => {
+                let (case, rest) = (in_case(&printer, &case), printer.excerpt(rest));
+                Some(format!("{NOT_THE_SUM}{case} is: {rest}; {SAME_SPELLING}"))
+            }
+            Identity::TooLong => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+        };
+        if let Some(message) = message {
+            errors.at_place(whole(groups), message);
         }
     }
     if let Some(span) = energy.lift
@@ -98,28 +109,23 @@ fn whole(groups: &[(Id, Place)]) -> Place {
     (first, last)
 }
 
-/// Whether two nodes have different values at some points that mean nothing.
-fn differ(graph: &Graph, a: Id, b: Id) -> bool {
-    let mut known: HashMap<Symbol, f64> = HashMap::new();
-    for id in graph.reachable(&[a, b]) {
-        if let Node::Symbol(symbol) = graph.node(id) {
-            let next = known.len() as f64;
-            known.insert(*symbol, next);
-        }
-    }
-    (1..4).any(|point| {
-        // Between 0.3 and 1.3, incommensurable.
-        let value =
-            |symbol: Symbol| 0.3 + (known[&symbol] + 1.0).mul_add(0.618_033_988_749, 0.414 * f64::from(point)).fract();
-        let [x, y] = [a, b].map(|id| eval(graph, id, &value));
-        (x - y).abs() > 1e-9 * (1.0 + x.abs())
-    })
+/// " where a < b and not c = d", or nothing.
+fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
+    let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
+    let conditions: Vec<String> = case.iter().map(condition).collect();
+    if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
 }
 
 const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
                        found";
 
-const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing is";
+const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing";
+
+const SAME_SPELLING: &str =
+    "if that is zero by a relation between functions, write them in the pieces as they are in the energy";
+
+const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to the energy, because their difference is too long: write \
+                            their terms as they are in the energy; what remains is";
 
 const NO_LIFT: &str =
     "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";

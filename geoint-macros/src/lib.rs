@@ -13,6 +13,7 @@ mod schedule;
 mod split;
 mod check;
 mod emit;
+mod link;
 mod expand;
 #[cfg(test)]
 mod tests;
@@ -46,24 +47,75 @@ use proc_macro::TokenStream;
 /// `q` and `p` have one type: `f64` (or `f32`), `[f64; N]`, `[[f64; D]; N]`, `VectorN<f64>`, `SVector<f64, N>`, or an array of
 /// vectors. `t` is a scalar. Every other argument is a parameter, in one of the same shapes.
 ///
+/// An attribute sees its function alone. Where lengths are constants of the file, or types have names, it is told what they are;
+/// rustc checks that the file says the same:
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// const N: usize = 8;
+/// type Chain = [f64; N];
+///
+/// /// Toda's chain.
+/// #[hamiltonian(const N = 8, type Chain = [f64; N])]
+/// fn toda(q: Chain, p: Chain, m: f64) -> f64 {
+///     let mut e = 0.0;
+///     for i in 0..N {
+///         e += p[i] * p[i] / (2.0 * m) + (q[i] - q[(i + 1) % N]).exp();
+///     }
+///     e
+/// }
+/// # let mut sim = Toda { m: 1.3 }.integrator(PEFRL, 0.1, State::new([0.1; N], [0.0; N]));
+/// # sim.step()?;
+/// # Ok::<(), StepError>(())
+/// ```
+///
 /// # Arguments of the attribute
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `t = time`: other names for positions, momenta and time.
-/// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+/// - `const N = 8`, `type P = [f64; 3]`: what constants and names of types outside of the function are, each as often as needed.
+/// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
+/// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
 /// # The body
 ///
 /// Ordinary Rust on numbers: literals, `let` with patterns and shadowing, blocks, `+ - * /`, `if … else` as an expression,
-/// constant indices, `const` items and constants from outside, nested `fn`s and closures (inlined), `for` over ranges with
-/// `+=` and `-=`, `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled), the methods of `f64` that have a
-/// derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
+/// constant indices, `const` items and constants from outside, nested `fn`s, closures and functions under
+/// [`macro@energy_function`] (inlined), `for` over ranges,
+/// `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled), assignments to variables and their elements (`x = …`,
+/// `x[i] += …`; not from inside a branch on data), the methods of `f64` that have a derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
 /// stands, which says what is accepted.
 ///
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
 /// smoothly no method has the order that it claims.
+///
+/// # A vector field
+///
+/// q' = X(q) is the first half of Hamilton's equations for H = p·X(q), an energy that is linear in p. It gives every field the
+/// implicit methods: `ImplicitMidpoint` and `Gauss` make the step for q that they make for the field alone, whatever the momenta
+/// are, which may begin at zero and then stay there. Explicit Runge–Kutta methods are there as well.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Lotka and Volterra: hares and lynxes.
+/// #[hamiltonian]
+/// fn lotka_volterra(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
+///     p[0] * q[0] * (a - q[1]) + p[1] * q[1] * (q[0] - b)
+/// }
+///
+/// let [x, y] = [1.2, 0.7];
+/// let kept = |[x, y]: [f64; 2]| x - 0.8 * x.ln() + y - 1.5 * y.ln();
+/// let mut sim = LotkaVolterra { a: 1.5, b: 0.8 }.integrator(Gauss::<3>, 0.01, State::new([x, y], [0.0; 2]));
+/// sim.advance(1000)?;
+/// assert!((kept(sim.state().q) - kept([x, y])).abs() < 1e-11);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// Flows in closed form for the terms of such a field are found by [`macro@contact_hamiltonian`] with `lift`.
 ///
 /// # Damping
 ///
@@ -126,7 +178,8 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// # Ok::<(), StepError>(())
 /// ```
 ///
-/// The function's arguments and body are as for [`macro@hamiltonian`], with `s` for the action, a scalar.
+/// The function's arguments and body are as for [`macro@hamiltonian`], with `s` for the action, a scalar, or `_s` where the
+/// energy does not read it.
 ///
 /// # Pieces
 ///
@@ -139,14 +192,75 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `p = px`, `s = z`, `t = time`: other names for positions, momenta, action and time.
+/// - `const N = 8`, `type P = [f64; 3]`: as for [`macro@hamiltonian`].
 /// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
 ///   which add up to H.
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
-///   which would blow up in finite time: they stay what they are, and the energy is not a number.
-/// - `crate = path`: where the runtime is, if not at `::geoint_runtime`.
+///   which would blow up in finite time: they stay what they are, and the energy is not a number. A field of q alone has the
+///   argument `_s`.
+/// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
+/// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()
+}
+
+/// Makes a function one that energies may call: it is inlined, and differentiated with them.
+///
+/// An attribute sees the item under it alone. So the function is named in the energy's attribute, `with(…)`, and has this one above
+/// itself. It is an ordinary function for everybody else.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// mod forces {
+///     use geoint_runtime::prelude::*;
+///
+///     /// 4ε((σ/r)¹² − (σ/r)⁶) as a function of r².
+///     #[energy_function]
+///     pub fn lennard_jones(square: f64, epsilon: f64, sigma: f64) -> f64 {
+///         let x = (sigma * sigma / square).powi(3);
+///         4.0 * epsilon * (x * x - x)
+///     }
+/// }
+/// use forces::lennard_jones;
+///
+/// /// Two atoms on a line.
+/// #[hamiltonian(with(lennard_jones))]
+/// fn dimer(q: f64, p: f64, m: f64, epsilon: f64, sigma: f64) -> f64 {
+///     p * p / (2.0 * m) + lennard_jones(q * q, epsilon, sigma)
+/// }
+///
+/// let mut sim = Dimer { m: 1.3, epsilon: 1.0, sigma: 1.0 }.integrator(DiscreteGradient, 0.01, State::new(1.2, 0.0));
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - lennard_jones(1.44, 1.0, 1.0)).abs() < 1e-14);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The body is in the language of energies. Where the energy calls the function, it sees what is inside of it, and other functions
+/// under this attribute that it names itself: `#[energy_function(with(g))]`. A constant from outside is named from the root of the
+/// crate, `crate::forces::CUTOFF`, or repeated if it is an integer: `const N = 3`.
+///
+/// `with(module::f)` takes a path, and the body calls the function by the same. It can be named in its own crate only, and
+/// where it is visible; and where a function without the attribute does not hide it. Functions that call each other, or
+/// themselves, cannot be inlined.
+#[proc_macro_attribute]
+pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::energy_function(args.into(), item.into()).into()
+}
+
+/// What asks for a function, by a name that says what to do if it is none under `#[energy_function]`.
+#[doc(hidden)]
+#[proc_macro]
+pub fn put_energy_function_above_it(input: TokenStream) -> TokenStream {
+    link::put(input.into()).into()
+}
+
+/// Where macros of functions under `#[energy_function]` call back.
+#[doc(hidden)]
+#[proc_macro]
+pub fn resume(input: TokenStream) -> TokenStream {
+    expand::resume(input.into()).into()
 }
 
 /// The number of unknowns up to which Newton's iteration has a kernel of its own: for the runtime, which decides by the same.

@@ -21,6 +21,84 @@
 //! # Ok::<(), StepError>(())
 //! ```
 //!
+//! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
+//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems).
+//!
+#![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
+//!
+#![doc = include_str!("../docs/which_method.md")]
+//!
+#![doc = include_str!("../docs/figures/energy_exact.svg")]
+//!
+#![doc = include_str!("../docs/contact.md")]
+//!
+#![doc = include_str!("../docs/figures/contact_compared.svg")]
+//!
+//! # What a method needs
+//!
+//! What was proven of a system are traits: [`Separable`], [`QuadraticKinetic`]. A method asks for the traits that it
+//! needs, so that a method which would silently be wrong for a system is a type error, whose message names the term that is
+//! in the way. What was derived can be read in the docs of the generated struct and in its constant `REPORT`.
+//!
+//! # Invariants of your own
+//!
+//! The energy is an invariant that is known. Others are told: how much they change over an increment, and their gradients.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//! use geoint_runtime::{Invariants, Real};
+//!
+//! /// Two bodies; q is the vector between them.
+//! #[hamiltonian]
+//! fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+//!     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
+//! }
+//!
+//! /// L = q₀p₁ − q₁p₀.
+//! #[derive(Clone, Copy)]
+//! struct AngularMomentum;
+//!
+//! impl Invariants<Kepler> for AngularMomentum {
+//!     type Values = f64;
+//!
+//!     /// (q + dq) × (p + dp) − q × p, multiplied out: a difference of two values would lose digits.
+//!     fn changes(&self, _: &Kepler, [q, p]: &[[f64; 2]; 2], [dq, dp]: &[[f64; 2]; 2]) -> f64 {
+//!         let cross = |a: &[f64; 2], b: &[f64; 2]| a[0] * b[1] - a[1] * b[0];
+//!         cross(dq, p) + cross(q, dp) + cross(dq, dp)
+//!     }
+//!     fn gradients(&self, _: &Kepler, [q, p]: &[[f64; 2]; 2]) -> [[f64; 2]; 2] {
+//!         [[p[1], -p[0]], [-q[1], q[0]]]
+//!     }
+//! }
+//!
+//! let angular_momentum = |x: &State<[f64; 2]>| x.q[0] * x.p[1] - x.q[1] * x.p[0];
+//! let start = State::new([1.0, 0.0], [0.0, 2.5]);
+//! let mut sim = Kepler { m: 2.0, k: 3.0 }.integrator(Projection(RK4, (Energy, AngularMomentum)), 0.05, start);
+//! let energy = sim.energy();
+//! sim.advance(10_000)?;
+//! assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
+//! assert!((angular_momentum(&sim.state()) / angular_momentum(&start) - 1.0).abs() < 1e-13);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! # Steps as long as their error allows
+//!
+//! ```
+//! # use geoint_runtime::prelude::*;
+//! # #[hamiltonian]
+//! # fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+//! #     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
+//! # }
+//! // A comet of eccentricity 0.9: at its perihelion steps are a hundred times shorter than far outside.
+//! let start = State::new([0.1, 0.0], [0.0, 19_f64.sqrt()]);
+//! let mut sim = Kepler { m: 1.0, k: 1.0 }.adaptive(DiscreteGradient, 1e-6, start);
+//! let energy = sim.energy();
+//! sim.advance_to(20.0)?;
+//! assert_eq!(sim.time(), 20.0);
+//! assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
 //! # Conventions
 //!
 //! - **q' = ∂H/∂p, p' = −∂H/∂q**. Coordinates always come in the order q, p, t, and as named fields.
@@ -29,12 +107,6 @@
 //!   With [`Adaptive`] it is a compensated sum, and the last step ends at the time asked for.
 //! - Division by something known before the loop becomes multiplication by its reciprocal (about one rounding), and
 //!   `a·b + c` is fused where the processor of the build does that; the feature `strict-math` forbids the latter.
-//!
-//! # What a method needs
-//!
-//! What was proven of a system are traits: [`Separable`], [`QuadraticKinetic`]. A method asks for the traits that it
-//! needs, so that a method which would silently be wrong for a system is a type error, whose message names the term that is
-//! in the way. What was derived can be read in the docs of the generated struct and in its constant `REPORT`.
 //!
 //! # Map of the crate
 //!
@@ -47,17 +119,20 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 pub mod scalar;
 pub mod space;
 pub mod slope;
-pub mod system;
 mod solving;
+pub mod system;
 pub mod method;
 pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, hamiltonian};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -86,7 +161,7 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError};
+pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
@@ -105,6 +180,7 @@ pub mod prelude {
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
         PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, contact_hamiltonian, hamiltonian,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
+        hamiltonian,
     };
 }

@@ -6,7 +6,7 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
-pub use crate::solving::is_positive_semidefinite;
+pub use crate::solving::{Inverted, is_positive_semidefinite};
 pub use crate::space::{Array, ContactState, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
@@ -14,3 +14,4 @@ pub use crate::system::{
     Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces, Pole,
     QuadraticKinetic, Separable,
 };
+pub use geoint_macros::{put_energy_function_above_it, resume};

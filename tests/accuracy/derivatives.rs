@@ -81,9 +81,9 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
     let n = q.len();
     let constants = plain.constants();
     let (y, changed) = S::start(&array(q), &array(p));
-    let velocity = S::velocity(&constants, &changed);
+    let velocity = plain.velocity(&constants, &changed);
     let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-    S::field(&constants, t, &y, &mut f, &mut jacobian);
+    plain.field(&constants, t, &y, &mut f, &mut jacobian);
 
     // The field is (∂H/∂p, −∂H/∂q), or the force alone and then q' is known.
     let slopes = gradient(plain, t, q, p);
@@ -99,7 +99,7 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
     for column in 0..S::Unknown::LEN {
         let along: D::Unknown = array(&seeded(y.as_slice(), column));
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
-        D::field(&constants, t.into(), &along, &mut f, &mut unused);
+        dual.field(&constants, t.into(), &along, &mut f, &mut unused);
         for (row, f) in rows.iter().zip(f.as_slice()) {
             assert_near("the Jacobian of the field", row.as_slice()[column], f.derivative(), 1e-12);
         }
@@ -108,7 +108,7 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
             let mut along: D::Unknown = array(&seeded(y.as_slice(), usize::MAX));
             let mut unit = D::Unknown::zero();
             unit.as_mut_slice()[column] = 1.0.into();
-            D::add(&constants, Dual::variable(0.0), &unit, &mut along);
+            dual.add(&constants, Dual::variable(0.0), &unit, &mut along);
             let x = seeded(&[q, p].concat(), n + column);
             let rates = gradient(dual, t, &x[..n], &x[n..]);
             for (along, rate) in along.as_slice().iter().zip(&rates[n..]) {
@@ -127,20 +127,20 @@ where
     let y = &[q, p].concat()[..S::Unknown::LEN];
     let h = 0.3;
     let parameters = plain.parameters(h);
-    let start = S::begin(&parameters, t, &array(y));
+    let start = plain.begin(&parameters, t, &array(y));
     let at = |size: f64, noise: &mut Noise| {
         let increment: Vec<f64> = noise.take(y.len()).map(|x| size * x).collect();
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        S::slope(&parameters, &start, &array(&increment), &mut f, &mut jacobian);
+        plain.slope(&parameters, &start, &array(&increment), &mut f, &mut jacobian);
         let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian).iter();
         (increment, rows.flat_map(|row| row.as_slice().to_vec()).collect::<Vec<f64>>())
     };
     let (increment, rows) = at(0.1, noise);
     let parameters = dual.parameters(h.into());
-    let start = D::begin(&parameters, t.into(), &array(&seeded(y, usize::MAX)));
+    let start = dual.begin(&parameters, t.into(), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
-        D::slope(&parameters, &start, &array(&seeded(&increment, column)), &mut f, &mut unused);
+        dual.slope(&parameters, &start, &array(&seeded(&increment, column)), &mut f, &mut unused);
         for (row, f) in f.as_slice().iter().enumerate() {
             assert_near("the Jacobian between two points", rows[row * y.len() + column], f.derivative(), 1e-12);
         }
@@ -164,25 +164,25 @@ where
     let (parameters, exact) = (plain.parameters(h), dual.parameters(h.into()));
     let mean: Vec<f64> = p.iter().zip(impulse).map(|(p, impulse)| p + 0.5 * impulse).collect();
     let first_order = S::DERIVATIVE == 1;
-    let d: S::Unknown = if first_order { array(impulse) } else { S::drift(&parameters, &array(&mean)) };
+    let d: S::Unknown = if first_order { array(impulse) } else { plain.drift(&parameters, &array(&mean)) };
     let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
     let mut matrix = S::Unknown::fill(S::Unknown::zero());
-    let start = S::begin(&parameters, t, &array(y));
-    S::slope(&parameters, &start, &d, &mut f, &mut matrix);
-    S::equation((&plain.constants(), h), &parameters, &start, &d, &mut image, &mut matrix);
+    let start = plain.begin(&parameters, t, &array(y));
+    plain.slope(&parameters, &start, &d, &mut f, &mut matrix);
+    plain.equation((&plain.constants(), h), &parameters, &start, &d, &mut image, &mut matrix);
     for (f, image) in f.as_slice().iter().zip(image.as_slice()) {
         assert_near("h times the field between two points", *image, h * f, 1e-14);
     }
     let rows: Vec<f64> =
         S::Unknown::entries::<S::Unknown>(&mut matrix).iter().flat_map(|row| row.as_slice().to_vec()).collect();
-    let start = D::begin(&exact, t.into(), &array(&seeded(y, usize::MAX)));
+    let start = dual.begin(&exact, t.into(), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let seeds: Vec<Dual> = seeded(impulse, column);
         let half = Dual::from(0.5);
         let mean: Vec<Dual> = seeded(p, usize::MAX).into_iter().zip(&seeds).map(|(p, x)| p + half * *x).collect();
-        let d: D::Unknown = if first_order { array(&seeds) } else { D::drift(&exact, &array(&mean)) };
+        let d: D::Unknown = if first_order { array(&seeds) } else { dual.drift(&exact, &array(&mean)) };
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
-        D::slope(&exact, &start, &d, &mut f, &mut unused);
+        dual.slope(&exact, &start, &d, &mut f, &mut unused);
         for (row, f) in f.as_slice().iter().enumerate() {
             let expected = f64::from(u8::from(row == column)) - h * f.derivative();
             assert_near("Newton's matrix", rows[row * y.len() + column], expected, 1e-12);

@@ -230,7 +230,7 @@ fn coordinate_increments_in_the_plane() {
     assert_eq!(sim.state(), top);
     // Shorter steps are not level, if shorter ones are allowed.
     let adaptive = Throw { m, g }.adaptive(CoordinateIncrement::default(), 1e-2, top).first_step(h);
-    let mut sim = adaptive.steps_between(h, h);
+    let mut sim = adaptive.clone().steps_between(h, h);
     let expected = Err(StepError::StepTooSmall { t: 0.0, h, reason: Reason::SingularDirection });
     assert_eq!((sim.step(), sim.state()), (expected, top));
     let mut sim = adaptive;

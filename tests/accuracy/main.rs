@@ -10,6 +10,7 @@ mod corrected;
 mod geometry;
 mod discrete_gradients;
 mod mean_value;
+mod branches;
 mod clock;
 mod quotients;
 mod rigid_body;

@@ -3,6 +3,8 @@
 //! Errors are measured in double-double against an extrapolated solution of another program, at a final time that is
 //! not a multiple of any forcing period.
 
+use geoint_runtime::method::splitting::Flow::{Drift, Kick};
+use geoint_runtime::method::splitting::KickFirst;
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method, QuadraticKinetic, Separable, Splitting};
 use geoint_tests::measure::{distance, error, observed_order, solutions};
@@ -151,7 +153,16 @@ fn a_lower_order_is_seen() {
     let within = |observed: f64, claim: f64| (observed - claim).abs() <= TOLERANCE;
     // The triple jump with its weights in another order, and each Verlet step as kick and drift once more.
     let [long, back] = [1.3512071919596578, -1.7024143839193153];
-    let broken = Splitting::<3>::new(4, false, [0.5 * back, 0.5 * (back + long), long], [back, long, long], 0.5 * long);
+    let flows = [
+        Kick(0.5 * back),
+        Drift(back),
+        Kick(0.5 * (back + long)),
+        Drift(long),
+        Kick(long),
+        Drift(long),
+        Kick(0.5 * long),
+    ];
+    let broken = Splitting::<3, KickFirst>::new(4, flows);
     let observed = orders.observe(broken);
     assert!(!within(observed, 4.0), "{observed}");
     assert!(!within(orders.observe(StormerVerlet), 4.0));

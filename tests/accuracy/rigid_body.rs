@@ -73,13 +73,13 @@ impl Collocation for RigidBody {
     fn start(w: &[f64; 3], _: &[f64; 3]) -> ([f64; 3], [f64; 3]) {
         (*w, *w)
     }
-    fn velocity(_: &(), _: &[f64; 3]) -> [f64; 3] {
+    fn velocity(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
-    fn field(_: &(), _: f64, w: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
+    fn field(&self, _: &(), _: f64, w: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
         (*f, *jacobian) = (field(w), derivative(w));
     }
-    fn add(_: &(), h: f64, f: &[f64; 3], w: &mut [f64; 3]) {
+    fn add(&self, _: &(), h: f64, f: &[f64; 3], w: &mut [f64; 3]) {
         for i in 0..3 {
             w[i] += h * f[i];
         }
@@ -94,16 +94,16 @@ impl Collocation for RigidBody {
 impl DiscreteField for RigidBody {
     type Parameters = ();
     type Start = [f64; 3];
-    const LINEAR: bool = false;
+    type Inverse = ();
 
     fn parameters(&self, _: f64) {}
-    fn drift(_: &(), _: &[f64; 3]) -> [f64; 3] {
+    fn drift(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
-    fn begin(_: &(), _: f64, w: &[f64; 3]) -> [f64; 3] {
+    fn begin(&self, _: &(), _: f64, w: &[f64; 3]) -> [f64; 3] {
         *w
     }
-    fn slope(_: &(), start: &[f64; 3], d: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
+    fn slope(&self, _: &(), start: &[f64; 3], d: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {
         let mean = [0, 1, 2].map(|i| start[i] + 0.5 * d[i]);
         let [momentum, energy] = [2, 1].map(|k| [0, 1, 2].map(|i| INERTIA[i].powi(k) * mean[i]));
         let c = 1.0 / INERTIA.iter().product::<f64>();

@@ -115,6 +115,15 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     Damped, "damped drift" => p * p * 0.6875 + 0.75 * s;
     Driving, "damped drift" => p * p * 0.6875 - 0.75 * s;
     LaneEmden, "damped drift" => p * p / 2.0 + 2.0 / t * s;
+    DampedOverTime, "damped drift" => p * p * 0.6875 + 1.6875 * s / t;
+    DampedOverTimeByOne, "damped drift" => p * p * 0.6875 + s / t;
+    DampedOverTimeByRoot, "damped drift" => p * p * 0.6875 + 0.5 * s / t;
+    DampedOverShiftedTime, "damped drift" => p * p * 0.6875 + 1.6875 / (0.75 + t) * s;
+    DampedOverScaledTime, "damped drift" => p * p * 0.6875 + 3.0 * s / (0.75 + 2.0 * t);
+    DampedBeforeItsEnd, "damped drift" => p * p * 0.6875 + 2.0 / (t - 2.5) * s;
+    DampedInSum, "damped drift" => p * p * 0.6875 + (1.25 / (t + 0.5) + 1.75 / (0.5 + t)) * s;
+    DecayOverShiftedTime, "prolongation" => 1.6875 * s / (0.75 + t);
+    FrictionOverShiftedTime, "prolongation" => (q.sin() + 1.375) / (0.75 + t) * s;
     LaneEmdenThree, "damped drift" => p * p * 0.6875 + 3.0 / t * s;
     LaneEmdenFour, "damped drift" => p * p * 0.6875 + 4.0 * s / t;
     // 20–22: quadratic in (q, p).
@@ -177,6 +186,7 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
     PowerOfOne, "weighted power" => 0.375 * s * p[1].powi(3);
     GeodesicOfOne, "geodesic" => 0.75 * q[1] * p[1] * p[1];
     DampedMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 0.75 * s;
+    MassesOverShiftedTime, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 1.6875 / (t + 0.75) * s;
     LaneEmdenMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 3.0 / t * s;
     Oscillators, "damped oscillator" => (p[0] * p[0] + 3.0 * q[0] * q[0]) / 2.0 + p[1] * p[1] * 0.6875 + 0.75 * q[1] * q[1] + 0.75 * s;
     Fields, "uniform field" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 0.40625 * q[0] - 0.75 * q[1] + 0.1875 * p[1];

@@ -76,14 +76,15 @@ where
 {
     type Unknown<P, M> = <<P as Case>::Over<Dual> as ImplicitStep<M, Dual>>::Unknown;
     let n = 2 * P::LEN + 1;
-    let constants = P::system::<Dual>().constants(0.3.into());
+    let system = P::system::<Dual>();
+    let constants = system.constants(0.3.into());
     let mut x = Unknown::<P, M>::zero();
     x.as_mut_slice().copy_from_slice(&over(P::start()));
-    let start = P::Over::<Dual>::begin(&constants, 0.4.into(), &x);
+    let start = system.begin(&constants, 0.4.into(), &x);
     let image = |d: &Unknown<P, M>| {
         let mut f = Unknown::<P, M>::zero();
         let mut jacobian = Unknown::<P, M>::fill(f);
-        P::Over::<Dual>::image(&constants, &start, d, &mut f, &mut jacobian);
+        system.image(&constants, &start, d, &mut f, &mut jacobian);
         (f, jacobian)
     };
     let mut d = Unknown::<P, M>::zero();

@@ -32,6 +32,31 @@ fn star(q: f64, p: f64, s: f64, t: f64, k: f64) -> f64 {
     p * p / 2.0 + 2.0 / t * s + k * q.powi(4) / 4.0
 }
 
+/// Friction k/(t₀ + t) of a parameter.
+#[contact_hamiltonian]
+fn cooling(q: f64, p: f64, s: f64, t: f64, k: f64, since: f64) -> f64 {
+    p * p / 3.4 + k / (since + t) * s + 0.35 * q.powi(4) + 0.2 * t.sin() * q
+}
+
+/// A relativistic oscillator with friction: T is not quadratic.
+#[contact_hamiltonian]
+fn relativistic(q: f64, p: f64, s: f64, m: f64, gamma: f64) -> f64 {
+    (m * m + p * p).sqrt() + q * q / 2.0 + 0.1 * q.powi(4) + gamma * s
+}
+
+/// Quartic kinetic energies under friction and forces that come and go.
+#[contact_hamiltonian]
+fn quartic(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
+    let kinetic = (1.0 + 0.2 * t.cos()) * p[0].powi(4) / 4.0 + (p[0] - p[1]).powi(2) / 3.4 + (0.3 * p[1]).cosh();
+    kinetic + a * (0.7 + (1.3 * t).sin()) * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
+}
+
+/// A wind that carries along, and friction 1.7/(t₀ + t).
+#[contact_hamiltonian]
+fn blown(q: f64, p: f64, s: f64, t: f64, wind: f64, since: f64) -> f64 {
+    p * p / 3.4 + wind * p + 1.7 * s / (t + since) - 1.3 * q.cos()
+}
+
 /// Three pieces, none of which is a drift or a kick.
 #[contact_hamiltonian]
 fn tangled(q: f64, p: f64, s: f64, t: f64, a: f64) -> f64 {
@@ -72,6 +97,10 @@ macro_rules! cases {
 cases! {
     Swings Swing { m: 1.7, g: 1.3, gamma: 0.4 } from 0.2, [1.1, 0.6, 0.3];
     Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
+    Coolings Cooling { k: 1.7, since: 0.4 } from 0.2, [1.0, -0.2, 0.1];
+    Relativists Relativistic { m: 0.8, gamma: 0.4 } from 0.2, [0.7, 0.5, 0.3];
+    Quartics Quartic { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
+    Blows Blown { wind: 0.6, since: 0.4 } from 0.2, [0.7, 0.5, 0.3];
     Masses Coupled { a: 0.4 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Stars Star { k: 1.4 } from 0.6, [1.0, -0.2, 0.1];
     Charges Charge { b: 0.8, g: 0.4 } from 0.0, [0.7, -0.4, 0.5, 0.8, 0.3];
@@ -185,11 +214,19 @@ fn claims_hold() {
     split::<Swings>(&mut geometry);
     split::<Drives>(&mut geometry);
     split::<Stars>(&mut geometry);
+    split::<Coolings>(&mut geometry);
+    split::<Relativists>(&mut geometry);
     split::<Tangles>(&mut geometry);
     split::<Charges>(&mut geometry);
     mechanical::<Swings>(&mut geometry);
     mechanical::<Drives>(&mut geometry);
     mechanical::<Stars>(&mut geometry);
+    mechanical::<Coolings>(&mut geometry);
+    mechanical::<Relativists>(&mut geometry);
+    mechanical::<Quartics>(&mut geometry);
+    mechanical::<Blows>(&mut geometry);
+    nystrom::<Coolings>(&mut geometry);
+    force_gradient::<Coolings>(&mut geometry);
     nystrom::<Swings>(&mut geometry);
     nystrom::<Stars>(&mut geometry);
     force_gradient::<Swings>(&mut geometry);

@@ -75,7 +75,7 @@ fn random_steps_keep_the_energy() {
         let (system, start) = (HenonHeiles::system::<f64>(), HenonHeiles::initial::<f64>(0.0));
         let energy = system.energy(&start);
         let mut plain = system.integrator(method, 0.1, start);
-        let mut carried = plain.compensated();
+        let mut carried = plain.clone().compensated();
         let mut error = 0.0_f64;
         for noise in Noise::new(5).take(2000) {
             let h = 0.16 + 0.14 * noise;

@@ -9,3 +9,4 @@ mod walls;
 mod long_steps;
 mod rounding;
 mod trajectories;
+mod time;

@@ -121,7 +121,8 @@ where
         let smaller = 1e-6 * h;
         bulk.set_step_size(smaller);
         assert_eq!(bulk.step(), Ok(()), "{name}: a smaller step from {last:?}");
-        assert_eq!(bulk.time(), last.t + smaller);
+        // Time goes on from what it was before it was rounded.
+        assert!((bulk.time() - (last.t + smaller)).abs() <= f64::EPSILON * last.t.abs());
     }
     reason
 }

@@ -1,6 +1,6 @@
 //! What divided differences without cancellation are worth: small steps, large constants in the energy, very long runs.
 
-use geoint_runtime::method::{Method, Probe};
+use geoint_runtime::method::{Method, Probe, Step};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Plain, Point};
 use geoint_tests::measure::{Line, distance, regression};
@@ -59,25 +59,28 @@ fn small_steps_do_not_cost_digits() {
 /// A large constant in the energy is never seen.
 #[test]
 fn energy_in_the_background() {
-    struct Looks(u64);
-    impl Probe<Swing, f64> for Looks {
-        fn look(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1], _: &()) {
+    struct Count(u64);
+    impl Probe<Swing, f64> for Count {
+        fn visit(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1], _: &()) {
             self.0 += 1;
         }
     }
     let moving = |q: f64, p: f64| p * p / 2.0 - q.cos();
     let (rest, h, steps) = (1e6, 1e-3, 3000);
-    let mut prepared = Method::<Swing>::prepare(&DiscreteGradient, &Swing { m: 1.0, g: 1.0, rest }, h);
+    let system = Swing { m: 1.0, g: 1.0, rest };
+    let prepared = Method::<Swing>::prepare(&DiscreteGradient, &system, h);
+    let mut memory = <DiscreteGradient as Method<Swing>>::memory();
     let mut x = Point::<[f64; 1], Plain>::new([START.0], [START.1]);
-    let mut looks = Looks(0);
+    let mut count = Count(0);
     let mut drift = 0.0_f64;
     for _ in 0..steps {
-        <DiscreteGradient as Method<Swing>>::step(&mut prepared, 0.0, &mut x, &mut looks).unwrap();
+        let step = Step { system: &system, t: 0.0, x: &mut x, probe: &mut count };
+        <DiscreteGradient as Method<Swing>>::step(&prepared, &mut memory, step).unwrap();
         drift = drift.max((moving(x.q[0], x.p[0]) - moving(START.0, START.1)).abs());
     }
     assert!(drift <= 2e-14, "{drift:.1e}");
-    // One look is at the start of the step.
-    assert!(looks.0 <= 4 * steps, "{} a step", looks.0 as f64 / steps as f64);
+    // One evaluation is at the start of the step.
+    assert!(count.0 <= 4 * steps, "{} a step", count.0 as f64 / steps as f64);
     let (q, p) = by_quotients(rest, h, steps as usize);
     let lost = (moving(q, p) - moving(START.0, START.1)).abs();
     assert!(lost > 1e-11, "quotients see it: {lost:.1e}");

@@ -15,7 +15,7 @@ impl Visitor<HenonHeiles, f64> for Bulk {
         let system = HenonHeiles::system::<f64>();
         for n in [1, 2, 3, 50] {
             let mut bulk = system.integrator(method, 0.05, HenonHeiles::initial(0.0));
-            let mut single = bulk;
+            let mut single = bulk.clone();
             bulk.advance(n).unwrap();
             (0..n).for_each(|_| single.step().unwrap());
             let gap = distance(&flat(&bulk.state()), &flat(&single.state()));
@@ -30,7 +30,7 @@ impl Visitor<Breathing, f64> for Bulk {
     fn visit<M: Method<Breathing, f64>>(&mut self, name: &'static str, method: M) {
         let system = Breathing::system::<f64>();
         let mut bulk = system.integrator(method, 0.05, Breathing::initial(0.4));
-        let mut single = bulk;
+        let mut single = bulk.clone();
         bulk.advance(50).unwrap();
         (0..50).for_each(|_| single.step().unwrap());
         let gap = distance(&flat(&bulk.state()), &flat(&single.state()));
@@ -61,7 +61,7 @@ fn advance_is_so_many_steps() {
 #[test]
 fn advance_beyond_one_look() {
     let mut bulk = Pendulum::system::<f64>().integrator(StormerVerlet, 0.001, Pendulum::initial(0.0));
-    let mut single = bulk;
+    let mut single = bulk.clone();
     bulk.advance(2500).unwrap();
     (0..2500).for_each(|_| single.step().unwrap());
     assert!(distance(&flat(&bulk.state()), &flat(&single.state())) < 1e-12);

@@ -7,7 +7,7 @@
 //! more accurate than RK4. Where friction is small and time is long RK4 adds friction of its own; where friction is large, that
 //! of an exact drift is stable.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, largest, table};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, StepError};
@@ -28,7 +28,7 @@ struct Scheme {
     name: &'static str,
     forces: u32,
     run: Run,
-    colour: palette::Colour,
+    colour: Ink,
 }
 
 const START: Phase = [-0.25, 0.75];
@@ -41,7 +41,7 @@ const SCHEMES: [Scheme; 7] = [
         name: "ContactLeapfrog",
         forces: 1,
         run: |g, h, t| contact(ContactLeapfrog, g, h, t),
-        colour: palette::GREY,
+        colour: palette::BLACK,
     },
     Scheme {
         name: "ContactSplitting",
@@ -147,13 +147,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             format!("{:.2e}", last.1),
             format!("{:.1e}", left[left.len() - 1] - 1.0),
         ]);
-        let name = match scheme.name {
-            "RK4" => "RK4",
-            "BlanesMoanSrkn11b" => "all others",
-            _ => "",
-        };
         let points = decay.into_iter().filter(|x| x.1 > 1e-6).map(|(t, x)| (t / 1000.0, x));
-        decays.push(Curve::line(name, scheme.colour, points.collect()));
+        // All but that of RK4 are one line: a marker here and there, each scheme elsewhere, shows all of them.
+        let points: Vec<_> = points.skip(rows.len() * 8).step_by(56).collect();
+        decays.push(Curve::line(scheme.name, scheme.colour, points).width(0.8).solid().marked(3.0));
     }
     println!("{}", table(["scheme", "h", "energy left", "relative error"], &rows));
     claim("RK4 leaves less than a thousandth of what it should", left[2] < 1e-3)?;
@@ -201,19 +198,19 @@ fn draw(decays: Vec<Curve>) -> Result<(), Box<dyn Error>> {
             let h = f64::from(scheme.forces) / forces;
             points.push((forces, error(&(scheme.run)(0.1, h, 50.0)?, 0.1, h).min(9.0)));
         }
-        let line = Curve::line(scheme.name, scheme.colour, points);
-        accuracy.extend([Curve { width: 0.0, dot: 2.4, name: String::new(), ..line.clone() }, line]);
+        accuracy.push(Curve::line(scheme.name, scheme.colour, points).marked(3.0));
     }
-    let accuracy =
-        Panel::new("Error up to t = 50, γ = 0.1", ["forces a unit of time", ""], [0.5..2.0, -13.0..1.0], accuracy);
-    let decays =
-        Panel::new("Energy, γ = 0.0001, 8 forces a unit of time", ["time/1000", ""], [0.0..40.0, -6.0..0.0], decays);
-    figure(
-        "contact_compared.svg",
-        (680, 460),
-        &[
-            Panel { scale: Scale::DoublyLogarithmic, names: Names::AtEnds, ..accuracy },
-            Panel { scale: Scale::Logarithmic, names: Names::AtEnds, ..decays },
-        ],
-    )
+    let accuracy = Panel::new(
+        "Errors at equal numbers of forces",
+        "q'' + γq' + q = 0, γ = 0.1; largest up to t = 50; h = forces a step / forces a unit of time; dimensionless",
+        [Axis::decades("forces a unit of time", 0.6..2.0), Axis::decades("largest error of q", -13.0..1.0)],
+        accuracy,
+    );
+    let decays = Panel::new(
+        "Little friction for long",
+        "γ = 0.0001; h = forces a step / 8; means over 100 units of time; all but RK4 on one line",
+        [Axis::linear("time (thousands)", 0.0..40.0), Axis::decades("energy / energy at the start", -6.0..0.0)],
+        decays,
+    );
+    figure("contact_compared.svg", (360, 340), &[accuracy, decays])
 }

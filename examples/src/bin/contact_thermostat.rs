@@ -5,7 +5,7 @@
 //! moves p, s and, the first, q. What is exact is known too: H' = −k H², hence 1/H = 1/H₀ + k t; and E decays the more slowly the
 //! less of it is left.
 
-use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -46,8 +46,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("E decays, to the error of a step", gains == 0)?;
 
     let path = states.iter().map(|x| (x.q, x.p)).collect();
-    let path = vec![Curve { width: 1.2, ..Curve::line("", palette::BLUE, path) }];
-    let path = Panel::new("The pendulum, h = 0.1", ["q", "p"], [-2.5..2.5, -2.2..2.2], path);
+    let path = Panel::new(
+        "A pendulum with its thermostat",
+        "ContactSplitting, h = 0.1, up to t = 100; k = 0.3; unit mass, length and gravity",
+        [Axis::linear("q (rad)", -2.5..2.5), Axis::linear("p", -2.2..2.2)],
+        vec![Curve::line("(q, p) from (1, 1.8)", palette::BLUE, path).width(1.2)],
+    );
     let curve = |name: &str, colour, of: &dyn Fn(&ContactState<f64>) -> f64| {
         Curve::line(name, colour, states.iter().map(|x| (x.t, of(x))).collect())
     };
@@ -55,13 +59,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let dots = steps.iter().step_by(5).map(|x| (x.t, SYSTEM.energy(x))).collect();
     let decay = vec![
         curve("1/(1/H₀ + k t)", palette::GREY, &|x| law(x.t)),
-        Curve { dot: 2.2, ..Curve::dots("H, h = 0.4", palette::VERMILION, dots) },
-        curve("E", palette::BLUE, &energy),
+        Curve::dots("H, h = 0.4", palette::VERMILION, dots).open(),
+        curve("E, h = 0.1", palette::BLUE, &energy),
     ];
-    let decay = Panel::new("Decay", ["time", ""], [0.0..100.0, -2.0..0.5], decay);
-    figure(
-        "contact_thermostat.svg",
-        (520, 460),
-        &[Panel { scale: Scale::Equal, ..path }, Panel { scale: Scale::Logarithmic, ..decay }],
-    )
+    let decay = Panel::new(
+        "Decay of H by its law, and of E",
+        "ContactSplitting; of H every fifth step",
+        [Axis::linear("time", 0.0..100.0), Axis::decades("energy", -2.0..0.5)],
+        decay,
+    );
+    figure("contact_thermostat.svg", (370, 330), &[path.named_above(), decay])
 }

@@ -4,7 +4,7 @@
 //! rests; from the lower of these points to the upper one leads every orbit on the sphere. Steps of the splitting keep the axis
 //! exactly, and a surface that is near to the sphere like h²; those of the discrete gradient keep the sphere itself.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -51,26 +51,40 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("on it s comes to rest at √2R", (end - top).abs() < 1e-10)?;
 
     // s − √2R decreases like e^(−√2R t), and (q, p) like e^(−√(R/2) t).
-    let mut orbits = vec![Curve::line("", palette::GREY, circle(top))];
+    let mut orbits = vec![Curve::line("the sphere", palette::GREY, circle(top))];
     let mut arrivals = vec![];
     let colours = [palette::BLUE, palette::GREEN, palette::ORANGE, palette::VERMILION, palette::PURPLE];
     for (i, colour) in (0..).zip(colours) {
         let states = orbit(SYSTEM, ContactSplitting, 0.05, on_sphere(-1.414, 1.2566 * f64::from(i)), 30.0)?;
-        orbits.push(Curve { width: 1.2, ..Curve::line("", colour, states.iter().map(|x| (x.q, x.s)).collect()) });
+        let name = format!("orbit {}", i + 1);
+        orbits.push(Curve::line(name, colour, states.iter().map(|x| (x.q, x.s)).collect()).width(1.2));
         let height = states.last().map_or(f64::NAN, |x| x.s);
         arrivals.push((height - top).abs());
     }
     claim("five orbits from near the lower point end in the upper one", arrivals.iter().all(|gap| *gap < 1e-5))?;
     let mut decay = vec![];
+    let energies = |states: Vec<ContactState<f64>>| {
+        states.iter().skip(1).map(|x| (x.t, SYSTEM.energy(x).abs())).collect::<Vec<_>>()
+    };
     for (h, colour) in [(0.2, palette::VERMILION), (0.1, palette::GREEN), (0.05, palette::BLUE)] {
-        let states = orbit(SYSTEM, ContactSplitting, h, start, 20.0)?;
-        let energies = states.iter().skip(1).map(|x| (x.t, SYSTEM.energy(x).abs()));
-        decay.push(Curve::line(format!("h = {h}"), colour, energies.collect()));
+        let points = energies(orbit(SYSTEM, ContactSplitting, h, start, 20.0)?);
+        decay.push(Curve::line(format!("splitting, h = {h}"), colour, points));
     }
-    let orbits = Panel::new("Orbits on the sphere H = 0, from the side", ["q", "s"], [-1.5..1.5, -1.5..1.5], orbits);
-    let decay = Panel::new("Distance from the sphere", ["time", "|H|"], [0.0..20.0, -15.0..-1.0], decay);
-    let decay = Panel { scale: Scale::Logarithmic, names: Names::Above, ..decay };
-    figure("cosmological_oscillator.svg", (520, 500), &[Panel { scale: Scale::Equal, ..orbits }, decay])
+    let points = energies(orbit(SYSTEM, ContactDiscreteGradient, 0.2, start, 20.0)?);
+    decay.push(Curve::dots("discrete gradient, h = 0.2", palette::BLACK, points).marked(1.6).rounding());
+    let orbits = Panel::new(
+        "From one point of rest to the other",
+        "on the sphere H = 0, from the side; ContactSplitting, h = 0.05, up to t = 30; R = 1, dimensionless",
+        [Axis::linear("q", -1.5..1.5), Axis::linear("s", -1.5..1.5)],
+        orbits,
+    );
+    let decay = Panel::new(
+        "Distance from the sphere",
+        "ContactSplitting leaves it like h², ContactDiscreteGradient by roundings (most of them 0, and not drawn)",
+        [Axis::linear("time", 0.0..20.0), Axis::decades("|H|", -17.0..-1.0)],
+        decay,
+    );
+    figure("cosmological_oscillator.svg", (360, 360), &[orbits.equal().named_above(), decay])
 }
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {

@@ -4,8 +4,8 @@
 //! what friction takes at the mean velocity v = (q₁ − q₀)/h: H₁ − H₀ = −h c v². At big steps that is too little, but it is
 //! never a gain; the midpoint rule, which decays as well, gains energy now and then.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, output, shown, table};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -108,9 +108,8 @@ fn after<M: Method<DampedDuffing>>(method: M, h: f64, t: f64) -> Result<State<f6
 fn draw() -> Result<(), Box<dyn Error>> {
     let curve = |run: &Run, name: String, colour| {
         let points = run.energies.iter().enumerate().map(|(n, energy)| (n as f64 * run.h, *energy));
-        Curve { dot: if run.h < 3.0 { 0.0 } else { 2.2 }, ..Curve::line(name, colour, points.collect()) }
+        Curve::line(name, colour, points.collect()).marked(if run.h < 3.0 { 0.0 } else { 2.8 })
     };
-    let with_dots = |line: Curve| [Curve { width: 0.0, name: String::new(), ..line.clone() }, line];
     let truth =
         |duration: f64| curve(&Run::new(Gauss::<6>, 0.1, (10.0 * duration) as usize), "the flow".into(), palette::GREY);
 
@@ -119,44 +118,29 @@ fn draw() -> Result<(), Box<dyn Error>> {
     let colours = [palette::BLUE, palette::GREEN, palette::ORANGE, palette::VERMILION];
     for (h, colour) in STEP_SIZES.into_iter().zip(colours) {
         let run = Run::new(DiscreteGradient, h, (duration / h) as usize);
-        decay.extend(with_dots(curve(&run, format!("h = {h}"), colour)));
+        decay.push(curve(&run, format!("h = {h}"), colour));
     }
-    let decay = Panel {
-        title: "Duffing's oscillator with friction, DiscreteGradient".into(),
-        x_label: "time".into(),
-        y_label: "energy".into(),
-        x: 0.0..duration,
-        y: -10.0..0.0,
-        scale: Scale::Logarithmic,
-        names: Names::AtEnds,
-        curves: decay,
-    };
+    let decay = Panel::new(
+        "DiscreteGradient loses energy in every step",
+        "q'' = −q − q³ − 0.1 q' from rest at q = 1; dimensionless",
+        [Axis::linear("time", 0.0..duration), Axis::decades("energy", -10.0..0.0)],
+        decay,
+    );
 
     let duration = 60.0;
     let steps = (duration / 3.0) as usize;
-    let mut methods = vec![truth(duration)];
-    methods.extend(with_dots(curve(
-        &Run::new(ImplicitMidpoint, 3.0, steps),
-        "ImplicitMidpoint".into(),
-        palette::PURPLE,
-    )));
-    methods.extend(with_dots(curve(
-        &Run::new(DiscreteGradient, 3.0, steps),
-        "DiscreteGradient".into(),
-        palette::ORANGE,
-    )));
-    let methods = Panel {
-        title: "Steps of 3, two methods".into(),
-        x_label: "time".into(),
-        y_label: "energy".into(),
-        x: 0.0..duration,
-        y: -3.0..0.0,
-        scale: Scale::Logarithmic,
-        names: Names::AtEnds,
-        curves: methods,
-    };
-    let path = output("damped_duffing.svg")?;
-    save(&path, (640, 480), &[decay, methods])?;
-    println!("figure      {}", shown(&path));
-    Ok(())
+    let midpoint = Run::new(ImplicitMidpoint, 3.0, steps);
+    let gradient = Run::new(DiscreteGradient, 3.0, steps);
+    let methods = vec![
+        truth(duration),
+        curve(&midpoint, "ImplicitMidpoint".into(), palette::PURPLE),
+        curve(&gradient, "DiscreteGradient".into(), palette::ORANGE),
+    ];
+    let methods = Panel::new(
+        "ImplicitMidpoint gains some now and then",
+        "the same oscillator, h = 3",
+        [Axis::linear("time", 0.0..duration), Axis::decades("energy", -3.0..0.0)],
+        methods,
+    );
+    figure("damped_duffing.svg", (380, 340), &[decay, methods])
 }

@@ -3,7 +3,7 @@
 //! q'' + γ q' + q = 0 from H = p²/2 + q²/2 + γs. The macro finds that the whole of H has a flow in closed form. Taken apart
 //! into motion, force and friction, as in A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7, it is of order 2.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -59,26 +59,32 @@ fn main() -> Result<(), Box<dyn Error>> {
         let points = states.iter().skip(1).map(|x| (x.t, (x.q - exact(gamma, x.t)).abs()));
         Curve::line(name, colour, points.collect())
     };
-    let positions = |name, colour, states: Vec<ContactState<f64>>| Curve {
-        dot: 2.6,
-        ..Curve::dots(name, colour, states.iter().map(|x| (x.t, x.q)).collect())
+    let positions = |name, colour, states: Vec<ContactState<f64>>| {
+        Curve::dots(name, colour, states.iter().map(|x| (x.t, x.q)).collect())
     };
     let truth = (0..=500).map(|n| (0.1 * f64::from(n), exact(gamma, 0.1 * f64::from(n)))).collect();
+    let one = |h| orbit(Damped { gamma }, ContactSplitting, h, start, 50.0);
+    let three = |h| orbit(ThreePieces { gamma }, ContactSplitting, h, start, 50.0);
     let motion = vec![
-        Curve::line("the flow", palette::GREY, truth),
-        positions("one piece", palette::BLUE, orbit(Damped { gamma }, ContactSplitting, 1.0, start, 50.0)?),
-        positions(
-            "three pieces",
-            palette::VERMILION,
-            orbit(ThreePieces { gamma }, ContactSplitting, 1.0, start, 50.0)?,
-        ),
+        Curve::line("the flow", palette::GREY, truth).width(1.4),
+        positions("one piece", palette::BLUE, one(1.0)?),
+        positions("three pieces", palette::VERMILION, three(1.0)?),
     ];
     let accuracy = vec![
-        errors("three pieces", palette::VERMILION, orbit(ThreePieces { gamma }, ContactSplitting, 0.1, start, 50.0)?),
-        errors("one piece", palette::BLUE, orbit(Damped { gamma }, ContactSplitting, 0.1, start, 50.0)?),
+        errors("three pieces", palette::VERMILION, three(0.1)?).solid().width(1.2),
+        errors("one piece", palette::BLUE, one(0.1)?).width(0.8).rounding(),
     ];
-    let motion = Panel::new("γ = 0.1, steps of 1", ["time", "q"], [0.0..50.0, -0.8..0.8], motion);
-    let accuracy = Panel::new("Steps of 0.1", ["time", "error of q"], [0.0..50.0, -18.0..0.0], accuracy);
-    let accuracy = Panel { scale: Scale::Logarithmic, names: Names::AtEnds, ..accuracy };
-    figure("damped_oscillator.svg", (640, 400), &[motion, accuracy])
+    let motion = Panel::new(
+        "Long steps: h = 1",
+        "ContactSplitting; γ = 0.1; dimensionless",
+        [Axis::linear("time", 0.0..50.0), Axis::linear("q", -0.8..0.8)],
+        motion,
+    );
+    let accuracy = Panel::new(
+        "Errors: h = 0.1",
+        "ContactSplitting; γ = 0.1; one piece errs by rounding",
+        [Axis::linear("time", 0.0..50.0), Axis::decades("|error of q|", -18.0..0.0)],
+        accuracy,
+    );
+    figure("damped_oscillator.svg", (380, 300), &[motion.named_above(), accuracy])
 }

@@ -3,8 +3,8 @@
 //! Kick and drift do not exist here, so explicit methods such as Verlet do not compile for it. Three families do without
 //! them: collocation, the midpoint rule and the discrete gradient, alone or composed to a higher order.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
+use geoint_examples::{claim, evaluations, shortest, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -52,10 +52,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         run("Gauss::<3>", Gauss::<3>, 0.01, &truth)?,
     ];
     println!("Double pendulum, {SECONDS} s\n");
-    let head = ["method", "step / s", "looks", "time / ms", "energy error", "distance / m"];
+    let head = ["method", "step / s", "evaluations", "time / ms", "energy error", "distance / m"];
     println!("{}", table(head, &runs.each_ref().map(Run::row)));
     println!(
-        "looks: points at which the energy is looked at; distance: of the lower bob from its true path, at most\n"
+        "evaluations: points at which the energy is evaluated; distance: of the lower bob from its true path, at most\n"
     );
 
     let [euler, midpoint, midpoint_half, conserve, conserve_half, suzuki, suzuki_half, gauss, gauss_half] = &runs;
@@ -91,7 +91,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 struct Run {
     name: &'static str,
     step_size: f64,
-    looks: u64,
+    evaluations: u64,
     time: Duration,
     samples: Vec<Arms>,
     energy_error: f64,
@@ -103,7 +103,7 @@ impl Run {
         [
             self.name.into(),
             self.step_size.to_string(),
-            self.looks.to_string(),
+            self.evaluations.to_string(),
             format!("{:.1}", self.time.as_secs_f64() * 1e3),
             format!("{:.1e}", self.energy_error),
             format!("{:.1e}", self.distance),
@@ -119,11 +119,11 @@ fn run<M: Method<DoublePendulum, f64>>(
     truth: &[Arms],
 ) -> Result<Run, Box<dyn Error>> {
     let steps = (SECONDS / h).round() as u64;
-    let looks = looks(SYSTEM, method, h, start(), steps)?;
+    let evaluations = evaluations(SYSTEM, method, h, start(), steps)?;
     let time = shortest(|| SYSTEM.integrator(method, h, start()).advance(steps))?;
     let samples = samples(method, h)?;
     let distance = distance(&samples, truth);
-    Ok(Run { name, step_size: h, looks, time, energy_error: energy_error(&samples), samples, distance })
+    Ok(Run { name, step_size: h, evaluations, time, energy_error: energy_error(&samples), samples, distance })
 }
 
 fn samples<M: Method<DoublePendulum, f64>>(method: M, h: f64) -> Result<Vec<Arms>, StepError> {
@@ -159,49 +159,36 @@ fn draw_path() -> Result<(), Box<dyn Error>> {
     let samples: Vec<_> = sim.until(20.0).collect::<Result<_, _>>()?;
     let end = sim.state();
     let path = |bob: usize| samples.iter().map(|state| bobs(state)[bob]).collect();
-    let curve = |name: &str, colour, width, dot, points| Curve { name: name.into(), colour, width, dot, points };
     let [upper, lower] = bobs(&end);
-    let panel = Panel {
-        title: format!("Double pendulum, the first {:.0} seconds", end.t),
-        x_label: "x (m)".into(),
-        y_label: "height (m)".into(),
-        x: -1.1..1.1,
-        y: -1.9..0.1,
-        scale: Scale::Equal,
-        names: Names::Above,
-        curves: vec![
-            curve("lower bob", palette::BLUE, 0.9, 0.0, path(1)),
-            curve("upper bob", palette::ORANGE, 0.9, 0.0, path(0)),
-            curve("arms", palette::BLACK, 2.0, 5.0, vec![(0.0, 0.0), upper, lower]),
+    let panel = Panel::new(
+        format!("Double pendulum, the first {:.0} seconds", end.t),
+        "Gauss::<3>, h = 0.01 s; masses 1 and 0.6 kg, arms 1 and 0.8 m",
+        [Axis::linear("x (m)", -1.1..1.1), Axis::linear("height (m)", -1.9..0.1)],
+        vec![
+            Curve::line("lower bob", palette::BLUE, path(1)).width(0.9),
+            Curve::line("upper bob", palette::VERMILION, path(0)).width(1.4).solid(),
+            Curve::line("arms at the end", palette::BLACK, vec![(0.0, 0.0), upper, lower])
+                .width(2.0)
+                .solid()
+                .marked(4.0),
         ],
-    };
-    let path = output("double_pendulum_path.svg")?;
-    save(&path, (640, 560), &[panel])?;
-    println!("path        {}", shown(&path));
-    Ok(())
+    );
+    figure("double_pendulum_path.svg", (460, 420), &[panel.equal().named_above()])
 }
 
-fn draw_energy_errors(runs: &[(&Run, palette::Colour)]) -> Result<(), Box<dyn Error>> {
-    let curve = |&(run, colour): &(&Run, palette::Colour)| Curve {
-        name: format!("{}, {} s", run.name, run.step_size),
-        colour,
-        width: 1.8,
-        dot: 0.0,
+fn draw_energy_errors(runs: &[(&Run, Ink)]) -> Result<(), Box<dyn Error>> {
+    let curve = |&(run, colour): &(&Run, Ink)| {
         // The error vanishes now and then; its largest values make a curve that can be read.
-        points: run.samples.chunks(100).map(|seconds| (seconds[50].t, energy_error(seconds))).collect(),
+        let points = run.samples.chunks(100).map(|seconds| (seconds[50].t, energy_error(seconds)));
+        let line = Curve::line(format!("{}, h = {} s", run.name, run.step_size), colour, points.collect());
+        // What is below is rounding.
+        if run.energy_error < 1e-12 { line.width(1.0).rounding() } else { line }
     };
-    let panel = Panel {
-        title: "Double pendulum: error of the energy".into(),
-        x_label: "time (s)".into(),
-        y_label: "relative energy error, largest in 4 s".into(),
-        x: 0.0..SECONDS,
-        y: -16.0..2.0,
-        scale: Scale::Logarithmic,
-        names: Names::AtEnds,
-        curves: runs.iter().map(curve).collect(),
-    };
-    let path = output("double_pendulum_energy.svg")?;
-    save(&path, (820, 480), &[panel])?;
-    println!("energies    {}", shown(&path));
-    Ok(())
+    let panel = Panel::new(
+        "Double pendulum: error of the energy",
+        "from rest at angles of 0 and 1.4 rad; masses 1 and 0.6 kg, arms 1 and 0.8 m",
+        [Axis::linear("time (s)", 0.0..SECONDS), Axis::decades("relative error, largest in 4 s", -16.0..2.0)],
+        runs.iter().map(curve).collect(),
+    );
+    figure("double_pendulum_energy.svg", (520, 360), &[panel])
 }

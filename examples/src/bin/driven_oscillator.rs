@@ -3,7 +3,7 @@
 //! q'' + γ q' + q = β sin ωt from H = p²/2 + q²/2 − βq sin ωt + γs. One solution is periodic, and friction draws all others to
 //! it; with little friction an error of the phase stays for long.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -52,19 +52,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     let phase = |x: &[ContactState<f64>]| x.iter().map(|x| (x.q, x.p)).collect::<Vec<_>>();
     let cycle: Vec<_> = (0..=120).map(|n| periodic(&system, 0.05 * f64::from(n))).collect();
     let orbits = vec![
-        Curve { width: 0.8, ..Curve::line("from (3, 0)", palette::SKY, phase(&far)) },
-        Curve { width: 0.8, ..Curve::line("from (−1, −2)", palette::ORANGE, phase(&other)) },
-        Curve { width: 2.6, ..Curve::line("periodic", palette::BLACK, phase(&cycle)) },
+        Curve::line("from (3, 0)", palette::VERMILION, phase(&far)).width(0.7).solid(),
+        Curve::line("from (−1, −2)", palette::BLUE, phase(&other)).width(0.9),
+        Curve::line("periodic solution", palette::BLACK, phase(&cycle)).width(2.6),
     ];
     let distance = vec![
-        Curve { width: 5.0, ..Curve::line("e^(−γt/2)", palette::GREY, law.collect()) },
-        Curve::line("between the orbits", palette::BLUE, decay.collect()),
+        Curve::line("e^(−γt/2)", palette::GREY, law.collect()).width(5.0),
+        Curve::line("ContactSplitting", palette::BLUE, decay.collect()),
     ];
-    let orbits = Panel::new("γ = 0.1, h = 0.1, up to t = 150", ["q", "p"], [-3.2..3.2, -3.2..3.2], orbits);
-    let distance =
-        Panel::new("Two orbits forget where they began", ["time", "distance"], [0.0..150.0, -3.0..1.0], distance);
-    let distance = Panel { scale: Scale::Logarithmic, names: Names::Above, ..distance };
-    figure("driven_oscillator.svg", (560, 480), &[Panel { scale: Scale::Equal, ..orbits }, distance])?;
+    let orbits = Panel::new(
+        "Two orbits and the periodic one",
+        "ContactSplitting, h = 0.1, up to t = 150; γ = 0.1, β = 0.3, ω = π/3; dimensionless",
+        [Axis::linear("q", -3.2..3.2), Axis::linear("p", -3.2..3.2)],
+        orbits,
+    );
+    let distance = Panel::new(
+        "They forget where they began",
+        "distance between the two orbits in (q, p)",
+        [Axis::linear("time", 0.0..150.0), Axis::decades("distance", -3.0..1.0)],
+        distance,
+    );
+    figure("driven_oscillator.svg", (340, 340), &[orbits.equal().named_above(), distance])?;
     let last = far.iter().zip(&other).next_back().map_or(f64::NAN, |(x, y)| apart(x, y));
     let rate = (apart(&a, &b) / last).ln() / 150.0;
     claim(&format!("orbits approach each other like e^(−γt/2): rate {rate:.4}"), (rate - 0.05).abs() < 0.005)

@@ -3,8 +3,8 @@
 //! Duffing's oscillator, x'' = −x − x³, swings the faster the further it swings. The step is the same for all orbits; the
 //! largest goes round in seven.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, output, shown, table};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -132,36 +132,24 @@ fn at<M: Method<Duffing, f64>>(method: M, h: f64, t: f64, start: State<f64>) -> 
 }
 
 fn draw(portraits: &[(&str, &[Orbit; 5])]) -> Result<(), Box<dyn Error>> {
-    let colours = [palette::SKY, palette::GREEN, palette::ORANGE, palette::VERMILION, palette::PURPLE];
+    let colours = [palette::BLUE, palette::VERMILION, palette::GREEN, palette::ORANGE, palette::PURPLE];
     let inside = |point: &(f64, f64)| point.0.abs() < 3.4 && point.1.abs() < 5.6;
     let panel = |(name, orbits): &(&str, &[Orbit; 5])| {
-        let mut curves: Vec<_> =
-            AMPLITUDES.map(|amplitude| Curve { width: 1.2, ..Curve::line("", palette::GREY, level(amplitude)) }).into();
+        let mut curves = vec![];
         for (orbit, colour) in orbits.iter().zip(colours) {
+            let name = if curves.is_empty() { "the flow" } else { "" };
+            curves.push(Curve::line(name, palette::GREY, level(orbit.amplitude)).width(1.0));
             let points: Vec<_> = orbit.points.iter().copied().take(250).filter(inside).collect();
-            // A few points are no curve yet.
-            if points.len() < 30 {
-                curves.push(Curve { width: 0.8, ..Curve::line("", colour, points.clone()) });
-                curves.push(Curve { dot: 2.6, ..Curve::dots("", colour, points) });
-            } else {
-                curves.push(Curve::dots("", colour, points));
-            }
+            let name = format!("A = {}", orbit.amplitude);
+            // A few points show a motion only if they are joined.
+            let width = if points.len() < 30 { 0.8 } else { 0.0 };
+            curves.push(Curve::line(name, colour, points).width(width).solid().marked(2.0));
         }
-        Panel {
-            title: format!("{name}, h = {H}"),
-            x_label: "x".into(),
-            y_label: "x'".into(),
-            x: -3.4..3.4,
-            y: -5.6..5.6,
-            scale: Scale::Linear,
-            names: Names::Above,
-            curves,
-        }
+        let axes = [Axis::linear("x", -3.4..3.4), Axis::linear("y = x'", -5.6..5.6)];
+        Panel::new(format!("{name}, h = {H}"), "250 steps from (A, 0); dimensionless", axes, curves)
     };
-    let path = output("duffing.svg")?;
-    save(&path, (400, 560), &portraits.iter().map(panel).collect::<Vec<_>>())?;
-    println!("figure      {}", shown(&path));
-    Ok(())
+    let panels: Vec<_> = portraits.iter().map(|portrait| panel(portrait).named_above()).collect();
+    figure("duffing.svg", (270, 400), &panels)
 }
 
 /// The level of the energy through x = A: y² = (A² − x²)(1 + (A² + x²)/2).

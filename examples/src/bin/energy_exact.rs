@@ -4,8 +4,8 @@
 //! classical Runge–Kutta method is small and grows like time; Verlet's is there after one oscillation and does not grow;
 //! that of the discrete gradient is rounding.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, output, shown, table};
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
+use geoint_examples::{claim, table};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Separable};
 use std::error::Error;
@@ -28,10 +28,16 @@ const STEPS: u64 = 1_000_000;
 fn main() -> Result<(), Box<dyn Error>> {
     let pendulum = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
     let motions = [
-        Motion::new("Pendulum", pendulum, 0.02, State::new(2.0, 0.0)),
-        Motion::new("Hénon–Heiles", HenonHeiles, 0.1, State::new([0.1, -0.2], [0.3, 0.25])),
+        Motion::new("Pendulum", "s; a swing takes 3 s", pendulum, 0.02, State::new(2.0, 0.0)),
+        Motion::new(
+            "Hénon–Heiles",
+            "(dimensionless); an oscillation takes 6",
+            HenonHeiles,
+            0.1,
+            State::new([0.1, -0.2], [0.3, 0.25]),
+        ),
     ];
-    for Motion { name, h, runs } in &motions {
+    for Motion { name, h, runs, .. } in &motions {
         println!("{name}, steps of {h}: largest relative error of the energy so far\n");
         let head = ["method", "10 steps", "1000", "100 000", "1 000 000"];
         println!("{}", table(head, &runs.each_ref().map(Run::row)));
@@ -55,12 +61,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// A motion by four methods.
 struct Motion {
     name: &'static str,
+    units: &'static str,
     h: f64,
     runs: [Run; 4],
 }
 
 impl Motion {
-    fn new<S>(name: &'static str, system: S, h: f64, start: State<S::Coordinates>) -> Self
+    fn new<S>(name: &'static str, units: &'static str, system: S, h: f64, start: State<S::Coordinates>) -> Self
     where
         S: Hamiltonian + Separable,
         DiscreteGradient: Method<S>,
@@ -71,7 +78,7 @@ impl Motion {
             run("StormerVerlet", system, StormerVerlet, h, start),
             run("DiscreteGradient", system, DiscreteGradient, h, start),
         ];
-        Motion { name, h, runs }
+        Motion { name, units, h, runs }
     }
 }
 
@@ -121,23 +128,19 @@ fn run<S: Hamiltonian, M: Method<S>>(
 }
 
 fn draw(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
-    let colours = [palette::BLACK, palette::ORANGE, palette::VERMILION, palette::GREEN];
-    let curve = |(run, colour): (&Run, palette::Colour)| {
-        let points = run.errors.iter().map(|&(n, error)| (n as f64, error));
-        Curve::line(run.name, colour, points.take_while(|point| point.1 < 100.0).collect())
+    let colours = [palette::BLACK, palette::ORANGE, palette::VERMILION, palette::BLUE];
+    let curve = |(Run { name, errors }, colour): (&Run, Ink)| {
+        let points = errors.iter().map(|&(n, error)| (n as f64, error));
+        let line = Curve::line(*name, colour, points.take_while(|point| point.1 < 100.0).collect());
+        if *name == "DiscreteGradient" { line.rounding() } else { line }
     };
-    let panel = |motion: &Motion| Panel {
-        title: format!("{}, h = {}", motion.name, motion.h),
-        x_label: "steps".into(),
-        y_label: "relative error of the energy, largest so far".into(),
-        x: 0.0..6.0,
-        y: -16.5..2.0,
-        scale: Scale::DoublyLogarithmic,
-        names: Names::AtEnds,
-        curves: motion.runs.iter().zip(colours).map(curve).collect(),
+    let panel = |motion: &Motion| {
+        let axes = [
+            Axis::decades("steps", 0.0..6.0),
+            Axis::decades("relative error of the energy, largest so far", -16.5..2.0),
+        ];
+        let note = format!("h = {} {}", motion.h, motion.units);
+        Panel::new(motion.name, note, axes, motion.runs.iter().zip(colours).map(curve).collect())
     };
-    let path = output("energy_exact.svg")?;
-    save(&path, (640, 480), &motions.iter().map(panel).collect::<Vec<_>>())?;
-    println!("figure      {}", shown(&path));
-    Ok(())
+    figure("energy_exact.svg", (340, 340), &motions.iter().map(panel).collect::<Vec<_>>())
 }

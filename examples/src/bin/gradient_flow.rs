@@ -4,7 +4,7 @@
 //! the others frozen, each obeys an equation that J. Bernoulli solved in 1695. Each of these flows goes downhill, so that
 //! every step does, whatever its length; the accuracy of the path is another matter.
 
-use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, orbit, order, table};
 use geoint_runtime::StepError;
 use geoint_runtime::prelude::*;
@@ -75,30 +75,36 @@ fn main() -> Result<(), Box<dyn Error>> {
     let starts = [[1.6, 0.2], [-1.6, -0.4], [0.1, 0.05], [-0.4, 1.5], [0.9, -1.4], [-0.05, -0.02]];
     let mut curves = vec![];
     for start in starts {
+        let name = if curves.is_empty() { "the flow" } else { "" };
         let flow = path(0.01, start, 40.0)?.into_iter().map(|[x, y]| (x, y)).collect();
-        curves.push(Curve::line("", palette::GREY, flow));
+        curves.push(Curve::line(name, palette::GREY, flow));
     }
-    let mut steps = [vec![], vec![]];
-    for (points, h) in steps.iter_mut().zip([0.2, 2.0]) {
+    for (h, colour, size) in [(0.2, palette::BLUE, 1.6), (2.0, palette::VERMILION, 3.5)] {
+        let mut points = vec![];
         for start in starts {
             points.extend(path(h, start, 40.0)?.into_iter().map(|[x, y]| (x, y)));
         }
+        curves.push(Curve::dots(format!("h = {h}"), colour, points).marked(size).open());
     }
-    let [short, long] = steps;
-    curves.push(Curve { dot: 2.0, ..Curve::dots("h = 0.2", palette::BLUE, short) });
-    curves.push(Curve { dot: 2.6, ..Curve::dots("h = 2", palette::VERMILION, long) });
-    let plane = Panel::new("Descent to two minima; grey: the flow", ["q₀", "q₁"], [-1.7..1.7, -1.6..1.6], curves);
-    let colours = [(0.1, palette::GREEN), (1.0, palette::BLUE), (10.0, palette::VERMILION)];
+    let plane = Panel::new(
+        "Descent to two minima",
+        "ContactSplitting from six points, up to t = 40; dimensionless",
+        [Axis::linear("q₀", -1.7..1.7), Axis::linear("q₁", -1.6..1.6)],
+        curves,
+    );
     let mut heights = vec![];
-    for (h, colour) in colours {
+    for (h, colour) in [(0.1, palette::GREEN), (1.0, palette::BLUE), (10.0, palette::VERMILION)] {
         let points = path(h, start, 40.0 * h)?;
-        let points = points.iter().zip(0..).map(|(x, n)| (f64::from(n), height(*x).max(1e-16))).collect();
-        heights.push(Curve { dot: 2.2, ..Curve::dots(format!("h = {h}"), colour, points) });
+        // A height of zero has no logarithm, and what comes after it is rounding.
+        let points = points.iter().map(|x| height(*x)).take_while(|height| *height > 1e-30).zip(0..);
+        let points = points.map(|(height, n)| (f64::from(n), height)).collect();
+        heights.push(Curve::line(format!("h = {h}"), colour, points).width(0.8).solid().marked(2.5));
     }
-    let heights = Panel::new("Height after each step", ["steps", "U"], [0.0..40.0, -16.0..1.0], heights);
-    figure(
-        "gradient_flow.svg",
-        (520, 480),
-        &[Panel { scale: Scale::Equal, ..plane }, Panel { scale: Scale::Logarithmic, ..heights }],
-    )
+    let heights = Panel::new(
+        "Height after each step",
+        "ContactSplitting from (1.6, 0.2), until U < 10⁻³⁰, which is rounding",
+        [Axis::linear("steps", 0.0..40.0), Axis::decades("U", -30.0..1.0)],
+        heights,
+    );
+    figure("gradient_flow.svg", (400, 380), &[plane.equal().named_above(), heights])
 }

@@ -5,7 +5,7 @@
 //! Written as H = p·x' with `lift` it takes two pieces: {q' = v, heat' = γv²} and {v' = −sin q − γv}. The first adds a
 //! square to the heat: entropy grows in each step with positive weights, exactly. Total energy is kept to the order.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -64,23 +64,28 @@ fn main() -> Result<(), Box<dyn Error>> {
         Curve::line(name, colour, points.collect())
     };
     let energies = vec![
-        curve("total", palette::BLACK, &total),
+        curve("total energy", palette::BLACK, &total),
         curve("heat", palette::VERMILION, &|x| x.q[2]),
-        curve("pendulum", palette::BLUE, &|x| total(x) - x.q[2]),
+        curve("energy of the pendulum", palette::BLUE, &|x| total(x) - x.q[2]),
         curve("entropy", palette::GREEN, &entropy),
     ];
     let mut drifts = vec![];
     for (h, colour) in [(0.2, palette::VERMILION), (0.1, palette::GREEN), (0.05, palette::BLUE)] {
         let states = orbit(SYSTEM, ContactSplitting, h, start, DURATION)?;
         let points = states.iter().skip(1).map(|x| (x.t, (total(x) - total(&start)).abs()));
-        drifts.push(Curve { width: 1.2, ..Curve::line(format!("h = {h}"), colour, points.collect()) });
+        drifts.push(Curve::line(format!("h = {h}"), colour, points.collect()).width(1.0).solid());
     }
-    let energies =
-        Panel::new("Friction turns energy to heat, h = 0.1", ["time", ""], [0.0..DURATION, 0.0..3.2], energies);
-    let drifts = Panel::new("Error of the total energy", ["time", ""], [0.0..DURATION, -7.0..-1.0], drifts);
-    figure(
-        "heat_bath.svg",
-        (620, 440),
-        &[Panel { names: Names::AtEnds, ..energies }, Panel { scale: Scale::Logarithmic, ..drifts }],
-    )
+    let energies = Panel::new(
+        "Friction turns energy to heat",
+        "ContactSplitting, h = 0.1; γ = 0.1, heat capacity 2; unit mass, length, gravity and temperature",
+        [Axis::linear("time", 0.0..DURATION), Axis::linear("energies, entropy", 0.0..3.2)],
+        energies,
+    );
+    let drifts = Panel::new(
+        "Error of the total energy",
+        "ContactSplitting; a half of the step, a quarter of the error",
+        [Axis::linear("time", 0.0..DURATION), Axis::decades("|error|", -7.0..-1.0)],
+        drifts,
+    );
+    figure("heat_bath.svg", (340, 320), &[energies, drifts])
 }

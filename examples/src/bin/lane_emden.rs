@@ -4,7 +4,7 @@
 //! known exactly in its own time, so that it may begin at t = 0. Order 2 is all that there is to gain there; methods of high
 //! order begin a little further out, at a point from the series of the solution.
 
-use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -21,7 +21,8 @@ struct Star {
     system: LaneEmden,
     end: f64,
     exact: fn(f64) -> f64,
-    colour: palette::Colour,
+    /// Of order 2 and of order 6.
+    colours: [Ink; 2],
 }
 
 const STARS: [Star; 3] = [
@@ -30,21 +31,21 @@ const STARS: [Star; 3] = [
         system: LaneEmden { a: 1.0, b: 0.0, c: 0.0 },
         end: 2.4,
         exact: |t| 1.0 - t * t / 6.0,
-        colour: palette::VERMILION,
+        colours: [palette::VERMILION, palette::ORANGE],
     },
     Star {
         n: 1.0,
         system: LaneEmden { a: 0.0, b: 1.0, c: 0.0 },
         end: 3.4,
         exact: |t| if t == 0.0 { 1.0 } else { t.sin() / t },
-        colour: palette::GREEN,
+        colours: [palette::GREEN, palette::BLACK],
     },
     Star {
         n: 5.0,
         system: LaneEmden { a: 0.0, b: 0.0, c: 1.0 },
         end: 30.0,
         exact: |t| 1.0 / (1.0 + t * t / 3.0).sqrt(),
-        colour: palette::BLUE,
+        colours: [palette::BLUE, palette::SKY],
     },
 ];
 
@@ -70,7 +71,7 @@ fn series(n: f64, t: f64) -> ContactState<f64> {
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", LaneEmden::REPORT);
     let (mut rows, mut curves, mut stars, mut worst) = (vec![], vec![], vec![], [0.0_f64; 2]);
-    for Star { n, system, end, exact, colour } in STARS {
+    for Star { n, system, end, exact, colours: [colour, other] } in STARS {
         let error = |x: &[ContactState<f64>]| largest(x.iter().map(|x| x.q - exact(x.t)));
         let errors = |x: &[ContactState<f64>]| x.iter().map(|x| (x.t, (x.q - exact(x.t)).abs())).collect();
         let centre = orbit(system, ContactSplitting, 0.01, CENTRE, end)?;
@@ -80,11 +81,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         worst = [worst[0].max(error(&centre)), worst[1].max(error(&sixth))];
         let [a, b, c] = [&coarse, &centre, &sixth].map(|x| format!("{:.1e}", error(x)));
         rows.push([n.to_string(), end.to_string(), a, b, c]);
-        curves.push(Curve::line(format!("n = {n}"), colour, errors(&centre[1..])));
-        curves.push(Curve::line("", colour, errors(&sixth)));
+        curves.push(Curve::line(format!("order 2, n = {n}"), colour, errors(&centre[1..])));
+        curves.push(Curve::line(format!("order 6, n = {n}"), other, errors(&sixth)).width(1.0).rounding());
         let shown = |x: &[ContactState<f64>]| x.iter().map(|x| (x.t, x.q)).take_while(|x| x.0 <= 10.0).collect();
         stars.push(Curve::line(format!("n = {n}"), colour, shown(&centre)));
-        stars.push(Curve { dot: 2.6, ..Curve::dots("", colour, shown(&coarse)) });
+        stars.push(Curve::dots("", colour, shown(&coarse)).open());
     }
     println!("largest error of q\n");
     let head = ["n", "up to t =", "from t = 0, h = 0.2", "h = 0.01", "order 6 from t = 0.1, h = 0.01"];
@@ -92,12 +93,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("from the centre, steps of 0.01 err by less than 8.5e-6", worst[0] < 8.5e-6)?;
     claim("with a series for the first 0.1, order 6 errs by less than 1e-10", worst[1] < 1e-10)?;
 
-    let stars = Panel::new("Density inside of stars; dots: h = 0.2", ["radius", "q"], [0.0..10.0, -0.2..1.0], stars);
+    let stars = Panel::new(
+        "Inside of stars of index n",
+        "ContactSplitting from the centre; lines: h = 0.01, markers: h = 0.2; the density is qⁿ, lengths in Emden's unit",
+        [Axis::linear("t, the distance from the centre", 0.0..10.0), Axis::linear("q", -0.2..1.0)],
+        stars,
+    );
     let errors = Panel::new(
-        "Errors of order 2 from t = 0, of order 6 from t = 0.1",
-        ["t", "error of q"],
-        [-2.0..1.5, -17.0..-3.0],
+        "Errors",
+        "h = 0.01; order 2: ContactSplitting from t = 0; order 6: Yoshida6a of it from t = 0.1",
+        [Axis::decades("t, the distance from the centre", -2.0..1.5), Axis::decades("|error of q|", -17.0..-3.0)],
         curves,
     );
-    figure("lane_emden.svg", (600, 440), &[stars, Panel { scale: Scale::DoublyLogarithmic, ..errors }])
+    figure("lane_emden.svg", (380, 360), &[stars, errors])
 }

@@ -6,8 +6,8 @@
 //! Initial data: E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration*, 2nd ed. (2006), section I.2.4,
 //! table 2.2: heliocentric, equatorial, for September 5, 1994, at 0h00.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, looks, output, shortest, shown, table};
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
+use geoint_examples::{claim, evaluations, output, shortest, shown, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -154,7 +154,7 @@ fn implicit<M: Method<OuterSolarSystem, f64>>(
     steps: u64,
     bar: &ProgressBar,
 ) -> Result<Run, Box<dyn Error>> {
-    let forces = looks(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
+    let forces = evaluations(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
     Ok(run(name, method, steps, forces, bar)?)
 }
 
@@ -251,29 +251,20 @@ fn write_orbits(run: &Run) -> Result<(), Box<dyn Error>> {
 }
 
 fn draw_orbits(wrong: &Run, right: &Run) -> Result<(), Box<dyn Error>> {
-    let colours = [palette::BLACK, palette::VERMILION, palette::ORANGE, palette::SKY, palette::BLUE, palette::PURPLE];
-    let panel = |run: &Run| Panel {
-        title: format!("{}, {} steps of {:.0} days", run.name, run.steps, run.step_size()),
-        x_label: "x in the ecliptic, towards the vernal equinox (AU)".into(),
-        y_label: "y (AU)".into(),
-        x: -36.0..50.0,
-        y: -36.0..50.0,
-        scale: Scale::Equal,
-        names: Names::Above,
-        curves: (0..6)
-            .map(|i| Curve {
-                name: NAMES[i].into(),
-                colour: colours[i],
-                width: 0.7,
-                dot: 3.5,
-                points: run.samples.iter().map(|state| from_sun(state, i)).map(|q| (q.x, q.y)).collect(),
-            })
-            .collect(),
+    let colours = [palette::BLACK, palette::VERMILION, palette::ORANGE, palette::GREEN, palette::BLUE, palette::PURPLE];
+    let curve = |run: &Run, i: usize| {
+        let points = run.samples.iter().map(|state| from_sun(state, i)).map(|q| (q.x, q.y)).collect();
+        Curve::line(NAMES[i], colours[i], points).width(0.7).solid().marked_at_end(4.0)
     };
-    let path = output("outer_solar_system_orbits.svg")?;
-    save(&path, (560, 600), &[panel(wrong), panel(right)])?;
-    println!("            {}", shown(&path));
-    Ok(())
+    let panel = |run: &Run| {
+        let axes = [
+            Axis::linear("x in the ecliptic, towards the vernal equinox (AU)", -36.0..50.0),
+            Axis::linear("y (AU)", -36.0..50.0),
+        ];
+        let note = format!("{} steps of {:.0} days, one force in 10 days", run.steps, run.step_size());
+        Panel::new(run.name, note, axes, (0..6).map(|i| curve(run, i)).collect()).equal().named_above()
+    };
+    figure("outer_solar_system_orbits.svg", (390, 390), &[panel(wrong), panel(right)])
 }
 
 fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
@@ -281,29 +272,23 @@ fn draw_energy_errors(runs: &[Run]) -> Result<(), Box<dyn Error>> {
         ("ExplicitEuler", palette::BLACK),
         ("StormerVerlet", palette::VERMILION),
         ("BlanesMoan4", palette::ORANGE),
-        ("BceRkn17_8", palette::BLUE),
-        ("DiscreteGradient", palette::GREEN),
+        ("BceRkn17_8", palette::GREEN),
+        ("DiscreteGradient", palette::BLUE),
     ];
-    let curve = |(name, colour): (&str, palette::Colour)| -> Option<Curve> {
+    let curve = |(name, colour): (&str, Ink)| -> Option<Curve> {
         let run = runs.iter().find(|run| run.name == name)?;
         // The error vanishes now and then; its largest values in the rhythm of Jupiter make a curve that can be read.
         let period = |state: &Bodies| (state.t / 5000.0 - 0.001).ceil();
         let periods = run.samples[1..].chunk_by(|a, b| period(a) == period(b));
         let points = periods.map(|period| (period[period.len() / 2].t / 365.25, energy_error(period))).collect();
-        Some(Curve { name: name.into(), colour, width: 1.8, dot: 0.0, points })
+        let line = Curve::line(format!("{name}, h = {:.0} d", run.step_size()), colour, points);
+        Some(if run.energy_error() < 1e-12 { line.width(1.0).rounding() } else { line })
     };
-    let path = output("outer_solar_system_energy.svg")?;
-    let panel = Panel {
-        title: "Outer solar system: error of the energy".into(),
-        x_label: "time (years)".into(),
-        y_label: "relative energy error, largest in 5000 days".into(),
-        x: 0.0..550.0,
-        y: -16.0..0.0,
-        scale: Scale::Logarithmic,
-        names: Names::AtEnds,
-        curves: colours.into_iter().filter_map(curve).collect(),
-    };
-    save(&path, (820, 480), &[panel])?;
-    println!("energies    {}", shown(&path));
-    Ok(())
+    let panel = Panel::new(
+        "Outer solar system: error of the energy",
+        "the explicit methods take one force in 10 days",
+        [Axis::linear("time (years)", 0.0..550.0), Axis::decades("relative error, largest in 5000 days", -16.0..0.0)],
+        colours.into_iter().filter_map(curve).collect(),
+    );
+    figure("outer_solar_system_energy.svg", (520, 360), &[panel])
 }

@@ -4,7 +4,7 @@
 //! Astr. 132 (2020) 7. The flow obeys L = L₀ exp(−α∫sin Ωt dt); a step of the splitting multiplies L by exp(−hα sin Ωt) with the
 //! time in its middle, to rounding, however large the error of the orbit may be.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, StepError};
@@ -70,47 +70,43 @@ fn main() -> Result<(), Box<dyn Error>> {
     let worst = largest(defects.iter().copied());
     claim(&format!("2000 steps keep the law of L to {worst:.1e}"), worst < 2e-14)?;
 
-    let colours = [
-        palette::GREY,
-        palette::VERMILION,
-        palette::PURPLE,
-        palette::ORANGE,
-        palette::SKY,
-        palette::GREEN,
-        palette::BLUE,
-    ];
-    let accuracy = runs.iter().zip(colours).flat_map(|((name, errors, _), colour)| {
-        let line =
-            Curve::line(name.trim_end_matches(" of it"), colour, STEP_SIZES.into_iter().zip(*errors).rev().collect());
-        [Curve { width: 0.0, dot: 2.4, name: String::new(), ..line.clone() }, line]
+    let accuracy = runs.iter().zip(palette::ALL).map(|((name, errors, _), colour)| {
+        Curve::line(*name, colour, STEP_SIZES.into_iter().zip(*errors).rev().collect()).marked(3.0)
     });
-    let accuracy = Panel::new("Error at t = 10", ["step size", ""], [-2.0..-1.0, -12.0..0.0], accuracy.collect());
-    let path = |states: &[Body]| states.iter().map(|x| (x.q[0], x.q[1])).collect();
+    let accuracy = Panel::new(
+        "Error at t = 10",
+        "of (q, p, s), the largest of their entries; it: ContactSplitting",
+        [Axis::decades("step size h", -2.0..-1.0), Axis::decades("largest error", -12.0..0.0)],
+        accuracy.collect(),
+    );
+    let path = |states: &[Body]| states.iter().map(|x| (x.q[0], x.q[1])).collect::<Vec<_>>();
     let smooth = orbit(SYSTEM, Yoshida6a.of(ContactSplitting), 0.01, pericentre(0.4), 40.0)?;
-    let coarse = orbit(SYSTEM, ContactSplitting, h, pericentre(0.4), 40.0)?;
+    let coarse = orbit(SYSTEM, ContactSplitting, 0.2, pericentre(0.4), 40.0)?;
     let orbits = vec![
-        Curve { width: 1.0, ..Curve::line("Yoshida6a, h = 0.01", palette::BLUE, path(&smooth)) },
-        Curve { dot: 1.2, ..Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, path(&coarse)) },
+        Curve::line("Yoshida6a of ContactSplitting, h = 0.01", palette::BLUE, path(&smooth)).width(0.8),
+        Curve::dots("ContactSplitting, h = 0.2", palette::VERMILION, path(&coarse)).marked(2.6).open(),
     ];
-    let orbits = Panel::new("The orbit up to t = 40", ["x", "y"], [-1.7..1.0, -1.3..1.3], orbits);
+    let orbits = Panel::new(
+        "The orbit turns",
+        "up to t = 40; G M = 1, unit axis",
+        [Axis::linear("x", -1.7..1.0), Axis::linear("y", -1.4..1.4)],
+        orbits,
+    );
     let law = |t: f64| SYSTEM.alpha / SYSTEM.omega * ((SYSTEM.omega * t).cos() - 1.0);
     let start = angular_momentum(&states[0]);
-    let law = (0..=1000).map(|n| 0.01 * f64::from(n)).map(|t| (t, start * law(t).exp())).collect();
-    let steps = states.iter().take(201).map(|x| (x.t, angular_momentum(x))).collect();
+    let law = (0..=400).map(|n| 0.01 * f64::from(n)).map(|t| (t, start * law(t).exp())).collect();
+    let steps = states.iter().take_while(|x| x.t <= 4.0).map(|x| (x.t, angular_momentum(x))).collect();
     let momentum = vec![
         Curve::line("the flow", palette::GREY, law),
-        Curve { dot: 2.0, ..Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, steps) },
+        Curve::dots("ContactSplitting, h = 0.05", palette::VERMILION, steps).open(),
     ];
-    let momentum = Panel::new("Angular momentum", ["time", "L"], [0.0..10.0, 0.91..0.945], momentum);
-    figure(
-        "perturbed_kepler.svg",
-        (560, 460),
-        &[
-            Panel { scale: Scale::Equal, ..orbits },
-            momentum,
-            Panel { scale: Scale::DoublyLogarithmic, names: Names::AtEnds, ..accuracy },
-        ],
-    )
+    let momentum = Panel::new(
+        "Angular momentum under friction",
+        "friction α sin Ωt, α = −0.07, Ω = 2π; G M = 1, unit axis",
+        [Axis::linear("time", 0.0..4.0), Axis::linear("L", 0.91..0.945)],
+        momentum,
+    );
+    figure("perturbed_kepler.svg", (300, 300), &[orbits.equal().named_above(), momentum.named_above(), accuracy])
 }
 
 fn after<M: Method<PerturbedKepler, f64>>(method: M, h: f64) -> Result<Body, StepError> {

@@ -4,7 +4,7 @@
 //! Phys. A 52 (2019) 445206). The flows of both parts are known, so that a splitting is explicit: a rotation and a quotient. The
 //! quotient has a pole where a step would be too long, and then the step is refused.
 
-use geoint_examples::plot::{Curve, Panel, Scale, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, largest, orbit, order, table};
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -49,10 +49,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (a, colour) in colours {
         let states = orbit(Quadratic { a }, ContactSplitting, 0.05, START, 50.0)?;
         let name = format!("a = {a}");
-        paths.push(Curve { width: 1.2, ..Curve::line(&name, colour, states.iter().map(|x| (x.q, x.p)).collect()) });
+        paths.push(Curve::line(&name, colour, states.iter().map(|x| (x.q, x.p)).collect()).width(1.2));
         actions.push(Curve::line(&name, colour, states.iter().map(|x| (x.t, x.s)).collect()));
     }
-    let paths = Panel::new("Orbits", ["q", "p"], [-4.0..4.0, -4.8..3.8], paths);
-    let actions = Panel::new("Action", ["time", "s"], [0.0..50.0, -2.4..2.6], actions);
-    figure("quadratic_dissipation.svg", (520, 480), &[Panel { scale: Scale::Equal, ..paths }, actions])
+    let note = "ContactSplitting, h = 0.05, from (q, p, s) = (0.5, 0.5, −0.2) up to t = 50; dimensionless";
+    let axes = [Axis::linear("q", -3.0..3.0), Axis::linear("p", -5.0..4.0)];
+    let paths = Panel::new("Driven while s < 0, damped afterwards", note, axes, paths);
+    let axes = [Axis::linear("time", 0.0..50.0), Axis::linear("action s", -2.4..2.6)];
+    let actions = Panel::new("The action turns the friction on", note, axes, actions);
+    figure("quadratic_dissipation.svg", (380, 360), &[paths.named_above(), actions])
 }

@@ -4,8 +4,8 @@
 //! divided differences keeps H exactly. Two others look nearly the same: one is without its terms in h², the other has
 //! lost the term q of the divided difference over p, and is a scheme for another system.
 
-use geoint_examples::plot::{Curve, Names, Panel, Scale, palette, save};
-use geoint_examples::{claim, output, shown, table};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -176,7 +176,7 @@ fn too_large() -> Result<(), Box<dyn Error>> {
 }
 
 fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
-    let colours = [palette::GREEN, palette::BLUE, palette::BLACK, palette::VERMILION];
+    let colours = [palette::BLUE, palette::GREEN, palette::BLACK, palette::VERMILION];
     let h = 0.05;
     let mut errors = Vec::new();
     for (scheme, colour) in schemes.iter().zip(colours) {
@@ -186,47 +186,37 @@ fn draw(schemes: &[Scheme]) -> Result<(), Box<dyn Error>> {
             largest = largest.max((energy(*x) - energy(START)).abs());
             (n as f64 * h, largest)
         };
-        errors.push(Curve::line(scheme.name, colour, points.iter().enumerate().skip(1).map(error).collect()));
+        let line = Curve::line(scheme.name, colour, points.iter().enumerate().skip(1).map(error).collect());
+        errors.push(if largest < 1e-12 { line.rounding() } else { line });
     }
-    let energies = Panel {
-        title: format!("A saddle: error of the energy, h = {h}"),
-        x_label: "time".into(),
-        y_label: "|H − H₀|, largest so far".into(),
-        x: 0.0..DURATION,
-        y: -17.0..1.0,
-        scale: Scale::Logarithmic,
-        names: Names::AtEnds,
-        curves: errors,
-    };
+    let energies = Panel::new(
+        "A saddle: error of the energy",
+        format!("h = {h}, from (1, 0.5); H = qp + p²/2 − q²/2, dimensionless"),
+        [Axis::linear("time", 0.0..DURATION), Axis::decades("|H − H₀|, largest so far", -17.0..1.0)],
+        errors,
+    );
 
     // Towards the origin on either side of the line that ends there, and away again.
     let h = 0.1;
     let starts = [(-1.4, 4.2), (-1.7, 3.6)];
     let inside = |x: &Phase| x.0.abs() < 5.0 && x.1.abs() < 4.5;
     let mut curves = Vec::new();
-    for start in starts {
+    for (start, name) in starts.into_iter().zip(["the flow", ""]) {
         let truth = (0..400).map(|n| exact(0.01 * f64::from(n), start)).take_while(inside).collect();
-        curves.push(Curve::line("", palette::GREY, truth));
+        curves.push(Curve::line(name, palette::GREY, truth));
     }
     for (scheme, colour) in schemes.iter().zip(colours).filter(|(scheme, _)| scheme.name != "ItohAbe") {
         let mut points = Vec::new();
         for start in starts {
             points.extend((scheme.run)(h, start, 40)?.into_iter().take_while(inside));
         }
-        curves.push(Curve { dot: 2.2, ..Curve::dots(scheme.name, colour, points) });
+        curves.push(Curve::dots(scheme.name, colour, points).marked(2.6));
     }
-    let orbits = Panel {
-        title: format!("Two orbits, h = {h}; grey: the true ones"),
-        x_label: "q".into(),
-        y_label: "p".into(),
-        x: -5.0..5.0,
-        y: -2.6..4.6,
-        scale: Scale::Equal,
-        names: Names::Above,
+    let orbits = Panel::new(
+        "Two orbits, towards the origin and away",
+        format!("h = {h}; dimensionless"),
+        [Axis::linear("q", -5.0..5.0), Axis::linear("p", -2.6..4.6)],
         curves,
-    };
-    let path = output("saddle.svg")?;
-    save(&path, (640, 480), &[energies, orbits])?;
-    println!("figure      {}", shown(&path));
-    Ok(())
+    );
+    figure("saddle.svg", (370, 340), &[energies, orbits.named_above()])
 }

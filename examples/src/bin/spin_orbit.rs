@@ -5,7 +5,7 @@
 //! al., Celest. Mech. Dyn. Astr. 132 (2020) 7. Written with C'/C as friction it is a contact system. Sections at t = 2πk.
 
 use geoint_examples::claim;
-use geoint_examples::plot::{Curve, Panel, figure, palette};
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_runtime::StepError;
 use geoint_runtime::prelude::*;
 use std::error::Error;
@@ -56,11 +56,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     })?;
 
     let resonant = Satellite { tide: [0.0; 2], inertia: [0.01, 1.0], torque: c.map(|c| 0.0075 * c) };
-    let beside = [palette::SKY, palette::BLUE, palette::GREEN, palette::ORANGE];
     let mut portrait = vec![];
-    let starts = [1.135, 1.1106, 0.98, 0.93, 0.9, 0.878, 0.86838, 0.845];
-    for (p, colour) in starts.into_iter().zip(beside.into_iter().cycle()) {
-        portrait.push(Curve { dot: 0.9, ..Curve::dots("", colour, sections(resonant, 0.0, p, 600)?) });
+    let starts = [
+        (1.135, "rotation", palette::BLUE),
+        (0.845, "", palette::BLUE),
+        (1.1106, "beside the separatrix", palette::VERMILION),
+        (0.86838, "", palette::VERMILION),
+        (0.98, "libration from q' = 0.98", palette::GREEN),
+        (0.93, "0.93", palette::ORANGE),
+        (0.9, "0.9", palette::BLACK),
+        (0.878, "0.878", palette::PURPLE),
+    ];
+    for (p, name, colour) in starts {
+        portrait.push(Curve::dots(name, colour, sections(resonant, 0.0, p, 600)?).marked(0.9).rounding());
     }
     let locked = sections(resonant, 0.0, 0.98, 600)?;
     let rotating = sections(resonant, 0.0, 1.135, 600)?;
@@ -69,13 +77,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("from (0, 1.135) it turns past the resonance", turns && locked.iter().all(|x| x.0.abs() < 1.47))?;
 
     let mut chaos = vec![];
-    for (lambda, colour) in [(0.2, palette::SKY), (0.01, palette::VERMILION)] {
+    for (lambda, colour) in [(0.2, palette::BLUE), (0.01, palette::VERMILION)] {
         let torque = coefficients(0.06).map(|c| 0.045 * c);
         let system = Satellite { tide: [0.0; 2], inertia: [lambda, 2.0_f64.sqrt()], torque };
         let points = sections(system, PI, 1.0, 3000)?;
         let (low, high) = points.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x.1), high.max(x.1)));
         claim(&format!("Ω = √2, λ = {lambda}: q' stays between {low:.2} and {high:.2}"), low > 0.0 && high < 2.5)?;
-        chaos.push(Curve { dot: 0.8, ..Curve::dots(format!("λ = {lambda}"), colour, points) });
+        chaos.push(Curve::dots(format!("λ = {lambda}"), colour, points).marked(0.8).rounding());
     }
 
     let captured = Satellite { tide: [1e-3; 2], inertia: [1e-4, 1.0], torque: c.map(|c| 0.0075 * c) };
@@ -83,16 +91,36 @@ fn main() -> Result<(), Box<dyn Error>> {
     let last = &capture[capture.len() - 500..];
     let mean = last.iter().map(|x| x.1).sum::<f64>() / 500.0;
     claim(&format!("friction ends in 1:1: the mean of the last 500 q' is {mean:.4}"), (mean - 1.0).abs() < 0.005)?;
-    let spin = capture.iter().zip(1..).map(|(x, n)| (2.0 * PI * f64::from(n) / 1000.0, x.1)).collect();
-    let spin = vec![Curve { dot: 1.0, ..Curve::dots("", palette::BLUE, spin) }];
+    let spin = capture.iter().zip(1..).map(|(x, n)| (f64::from(n) / 1000.0, x.1)).collect();
+    let spin = vec![Curve::dots("at the pericentre", palette::BLUE, spin).marked(0.9).rounding()];
 
+    let angle = || Axis::linear("q modulo π (rad)", -PI / 2.0..PI / 2.0);
+    let rate = |range| Axis::linear("q' (mean motions of the orbit)", range);
     figure(
         "spin_orbit.svg",
-        (470, 460),
+        (300, 300),
         &[
-            Panel::new("Resonance: Ω = 1, λ = 0.01", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.8..1.2], portrait),
-            Panel::new("No resonance: Ω = √2", ["q modulo π", "q'"], [-PI / 2.0..PI / 2.0, 0.0..2.5], chaos),
-            Panel::new("Capture by friction", ["time/1000", "q'"], [0.0..10.0, 0.8..3.0], spin),
+            Panel::new(
+                "Resonance: Ω = 1, λ = 0.01",
+                "sections at the pericentre from q = 0; ContactSplitting, h = 2π/20",
+                [angle(), rate(0.8..1.2)],
+                portrait,
+            )
+            .named_above(),
+            Panel::new(
+                "No resonance: Ω = √2",
+                "sections at the pericentre from (π, 1); ContactSplitting, h = 2π/20",
+                [angle(), rate(0.0..2.5)],
+                chaos,
+            )
+            .named_above(),
+            Panel::new(
+                "Friction captures in 1:1",
+                "from (2.7, 3), with tidal friction 10⁻³; ContactSplitting, h = 2π/20",
+                [Axis::linear("orbits (thousands)", 0.0..1.6), rate(0.8..3.0)],
+                spin,
+            )
+            .named_above(),
         ],
     )
 }

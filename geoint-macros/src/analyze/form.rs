@@ -11,10 +11,12 @@ pub(super) type Variable = u32;
 /// In place of a coordinate: a polynomial of degree 2 at most is a quadratic form in q, p and 1.
 pub(super) const UNIT: Variable = u32::MAX;
 
-/// What is not known while compiling: a node free of q and p, or a constant that is no small ratio.
+/// What is not known while compiling: a node free of q and p, or a constant that is no short ratio.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Atom {
     Node(Id),
+    /// Numerator and denominator.
+    Long(i128, i128),
     Float(u64),
 }
 
@@ -23,7 +25,7 @@ pub(super) enum Atom {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Monomial {
     pub(super) variables: [Variable; 2],
-    pub(super) atoms: Vec<(Atom, i64)>,
+    pub(super) atoms: Vec<(Atom, i128)>,
     pub(super) number: Ratio,
 }
 
@@ -38,18 +40,20 @@ impl Monomial {
     }
 
     /// numberᵉ.
-    fn number(number: Number, power: i64) -> Option<Monomial> {
-        match number {
-            Number::Exact(_) => match number.pow(Ratio::integer(power))? {
-                Number::Exact(number) => Some(Monomial { number, ..Monomial::ONE }),
-                Number::Float(_) => None,
-            },
-            Number::Float(_) => {
-                let magnitude = Atom::Float(number.to_f64().abs().to_bits());
-                let sign = if number.is_negative() && power % 2 != 0 { -1 } else { 1 };
-                Some(Monomial { number: Ratio::integer(sign), atoms: vec![(magnitude, power)], ..Monomial::ONE })
+    fn number(number: Number, power: i128) -> Option<Monomial> {
+        let magnitude = match number {
+            // Long ratios would soon be too long to be multiplied.
+            Number::Exact(ratio) if ratio.is_short() => {
+                return match number.pow(Ratio::integer(power))? {
+                    Number::Exact(number) => Some(Monomial { number, ..Monomial::ONE }),
+                    Number::Float(_) => None,
+                };
             }
-        }
+            Number::Exact(ratio) => Atom::Long(ratio.numerator.abs(), ratio.denominator),
+            Number::Float(_) => Atom::Float(number.to_f64().abs().to_bits()),
+        };
+        let sign = if number.is_negative() && power % 2 != 0 { -1 } else { 1 };
+        Some(Monomial { number: Ratio::integer(sign), atoms: vec![(magnitude, power)], ..Monomial::ONE })
     }
 
     /// The product; `None` if it is of degree 3, or its number is not exact.

@@ -8,7 +8,7 @@ use crate::parse::Shape;
 pub(super) struct Generator {
     kind: Kind,
     /// Σ coefficient·(product of two variables).
-    pub(super) terms: Vec<(i64, [Variable; 2])>,
+    pub(super) terms: Vec<(i128, [Variable; 2])>,
 }
 
 /// What comes first gives a sum of several its name.

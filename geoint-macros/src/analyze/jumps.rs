@@ -1,16 +1,15 @@
 //! Conditions of an energy: by how much it jumps where one of them changes.
 
 use super::dependence::Dependence;
-use super::enclosable::{enclosable, margin};
+use super::enclosable::enclosable;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Relation};
 
 /// A condition that reads the state.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jump {
-    pub(crate) condition: Id,
-    /// A number that is positive where it holds, and negative where it does not.
-    pub(crate) margin: Id,
+    /// 1 where it holds, −1 where it does not.
+    pub(crate) side: Id,
     /// The energy if it holds, less the energy if it does not, in a form that intervals enclose well.
     pub(crate) height: Id,
 }
@@ -37,8 +36,8 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     let mut jump = |condition| {
         let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
         let height = graph.sub(yes, no);
-        let margin = margin(graph, condition);
-        Jump { condition, margin: enclosable(graph, margin), height: enclosable(graph, height) }
+        let sides = [graph.integer(1), graph.integer(-1)];
+        Jump { side: graph.select(condition, sides[0], sides[1]), height: enclosable(graph, height) }
     };
     conditions.into_iter().map(&mut jump).collect()
 }

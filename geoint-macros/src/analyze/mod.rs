@@ -14,12 +14,14 @@ mod mean_value;
 mod enclosable;
 mod poles;
 mod jumps;
+mod identity;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
+pub(crate) use identity::{Identity, Remainder, identity};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;

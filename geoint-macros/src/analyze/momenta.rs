@@ -53,7 +53,7 @@ fn forms(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) 
 }
 
 /// By variable u the generators J that move it: {u, J} as Σ coefficient·variable.
-type Moves = Vec<Vec<(usize, i64, Variable)>>;
+type Moves = Vec<Vec<(usize, i128, Variable)>>;
 
 fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Moves {
     let mut moves = vec![vec![]; 2 * degrees_of_freedom];

@@ -54,7 +54,7 @@ fn separable(
     let drift = flow(context, graph, "q", Symbol::Q, &shift.p);
     let quadratic = match parts.not_quadratic {
         None if context.energy.degrees() <= FEW => {
-            let kick = quote!(gradient_kick::<Self, R>(prepared, t, q, p););
+            let kick = quote!(gradient_kick(self, prepared, t, q, p););
             quadratic(
                 context,
                 (&quote!((<Self as Collocation<R>>::Constants, [R; 2])), &quote!((self.constants(), [h, g])), &kick),
@@ -91,11 +91,11 @@ fn separable(
                 #prepare_drift
             }
             #[inline(always)]
-            fn kick(prepared: &[R; #kick_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
+            fn kick(&self, prepared: &[R; #kick_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
                 #kick_body
             }
             #[inline(always)]
-            fn drift(prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
+            fn drift(&self, prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
                 #drift_body
             }
         }
@@ -167,7 +167,7 @@ pub(super) fn quadratic(
                 #prepare
             }
             #[inline(always)]
-            fn gradient_kick(prepared: &#prepared, t: R, q: &mut #array, p: &mut #array, s: &mut #action) {
+            fn gradient_kick(&self, prepared: &#prepared, t: R, q: &mut #array, p: &mut #array, s: &mut #action) {
                 #body
             }
         }
@@ -185,7 +185,7 @@ pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> Toke
             fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn gradient_kick(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut #action) {
+            fn gradient_kick(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut #action) {
                 match *never {}
             }
         }
@@ -214,10 +214,10 @@ fn none(
             fn prepare_drift(&self, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn kick(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
+            fn kick(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
                 match *never {}
             }
-            fn drift(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
+            fn drift(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
                 match *never {}
             }
         }

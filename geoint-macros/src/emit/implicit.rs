@@ -121,6 +121,7 @@ pub(super) fn discrete_field(
         quote! {
             #[inline(always)]
             fn equation(
+                &self,
                 _: (&Self::Constants, R),
                 prepared: &[R; #prepared],
                 start: &[R; #started],
@@ -134,7 +135,7 @@ pub(super) fn discrete_field(
     });
     let mean: Vec<Symbol> = (0..drift.len() as u32).map(Symbol::Dp).collect();
     let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
-    let linear = structure.linear();
+    let inverse = if structure.linear() { quote!(Inverted<#unknown>) } else { quote!(()) };
     let mean = match structure.mean_value {
         MeanValue::Gauss(points) => {
             let points = Literal::u32_unsuffixed(points);
@@ -150,7 +151,7 @@ pub(super) fn discrete_field(
         impl<R: #bounds> DiscreteField<R> for #name {
             type Parameters = [R; #prepared];
             type Start = [R; #started];
-            const LINEAR: bool = #linear;
+            type Inverse = #inverse;
             const MEAN: Mean = Mean::#mean;
 
             #[inline]
@@ -158,11 +159,12 @@ pub(super) fn discrete_field(
                 #parameters
             }
             #[inline(always)]
-            fn begin(prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
+            fn begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
                 #begin
             }
             #[inline(always)]
             fn slope(
+                &self,
                 prepared: &[R; #prepared],
                 start: &[R; #started],
                 d: &#unknown,
@@ -173,7 +175,7 @@ pub(super) fn discrete_field(
             }
             #equation
             #[inline(always)]
-            fn drift(prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+            fn drift(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
                 let mut drift = <#unknown as Array>::zero();
                 #drift
                 drift
@@ -231,13 +233,14 @@ pub(super) fn collocation(
                 #start
             }
             #[inline(always)]
-            fn velocity(prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+            fn velocity(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
                 let mut velocity = <#unknown as Array>::zero();
                 #velocity
                 velocity
             }
             #[inline(always)]
             fn field(
+                &self,
                 prepared: &[R; #prepared],
                 t: R,
                 y: &#unknown,
@@ -247,7 +250,7 @@ pub(super) fn collocation(
                 #evaluate
             }
             #[inline(always)]
-            fn add(prepared: &[R; #prepared], w: R, f: &#unknown, y: &mut #unknown) {
+            fn add(&self, prepared: &[R; #prepared], w: R, f: &#unknown, y: &mut #unknown) {
                 #add
             }
             #[inline(always)]

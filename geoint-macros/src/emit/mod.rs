@@ -3,6 +3,7 @@
 //! Tokens are built, never printed and parsed again. They name nothing but `::core` and the runtime, and what the
 //! user's own signature names.
 
+mod attributes;
 mod contact;
 mod damping;
 mod domain;
@@ -38,8 +39,7 @@ pub(crate) fn items(
     derivatives: &Derivatives,
 ) -> TokenStream {
     let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
-    let conditions = context.partial.iter().filter_map(|partial| partial.condition);
-    let roots: Vec<Id> = damping.copied().chain([structure.energy]).chain(conditions).collect();
+    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
     let bounds = system::bounds(graph, &roots);
     let (flows, flow_costs) = flows::flows(context, graph, structure, derivatives, &bounds);
     let field = &derivatives.field;
@@ -59,23 +59,29 @@ pub(crate) fn items(
 fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
-    let structure = system::structure(context, &docs);
-    let function = &context.energy.item.sig.ident;
+    let (structure, assertions) = (system::structure(context, &docs), context.energy.outside.assertions());
+    // The function is the source of all this, and the user need not call it.
+    let used = (!attributes::expected_dead(context.energy)).then(|| {
+        let function = &context.energy.item.sig.ident;
+        quote! {
+            const _: fn() = || {
+                let _ = #function;
+            };
+        }
+    });
     let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
+        #assertions
 
         #[allow(
-            clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, missing_docs, private_bounds,
+            clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, deprecated, missing_docs, private_bounds,
             unreachable_pub, unused_imports, unused_mut, unused_variables, reason = "generated code"
         )]
         const _: () = {
             use #runtime::private::{#(#imported),*};
 
-            // The function is the source of all this, and the user need not call it.
-            const _: fn() = || {
-                let _ = #function;
-            };
+            #used
 
             #implementations
         };

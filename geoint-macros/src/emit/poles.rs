@@ -207,16 +207,16 @@ pub(super) fn jumps(context: &Context<'_>, graph: &mut Graph, jumps: &[Jump]) ->
         .map(|jump| format!("the energy jumps at the end of the step, by {}", printer.excerpt(jump.height)));
     let what: Vec<String> = what.collect();
     let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(jumps.len()));
-    let conditions: Vec<Id> = jumps.iter().map(|jump| jump.condition).collect();
-    let sides = context.routine(graph, &conditions, |values| quote!([#(#values),*]));
-    let roots: Vec<Vec<Id>> = jumps.iter().map(|jump| vec![jump.margin, jump.height]).collect();
+    let sides: Vec<Id> = jumps.iter().map(|jump| jump.side).collect();
+    let sides = context.routine(graph, &sides, |values| quote!([#(#values),*]));
+    let roots: Vec<Vec<Id>> = jumps.iter().map(|jump| vec![jump.side, jump.height]).collect();
     let heights = enclosed(context, graph, "jump", &roots);
     Some(quote! {
         const JUMPS: &'static [&'static str] = &[#(#what),*];
 
         #[inline]
         fn same_sides(&self, t: R, q: [&#array; 2], p: [&#array; 2], s: [&#action; 2]) -> bool {
-            let sides = |q: &#array, p: &#array, s: &#action| -> [bool; #count] { #sides };
+            let sides = |q: &#array, p: &#array, s: &#action| -> [R; #count] { #sides };
             sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
         }
         #heights

@@ -60,35 +60,42 @@ impl Writer<'_> {
                 self.instruction(instruction);
             }
             Statement::SinCos(sin, cos, x) => {
-                self.tuple(&[*sin, *cos]);
+                self.list(Delimiter::Parenthesis, &[*sin, *cos]);
                 self.punct("=");
                 self.method("sin_cos", x, &[]);
             }
             Statement::If { registers, condition, first, second } => {
-                self.tuple(registers);
+                self.list(Delimiter::Bracket, registers);
                 self.punct("=");
-                self.word("if");
-                self.operand(condition);
-                self.branch(first);
-                self.word("else");
-                self.branch(second);
+                self.word("R");
+                self.punct("::");
+                self.word("choose");
+                let arguments = self.inside(|writer| {
+                    writer.operand(condition);
+                    writer.punct(",");
+                    writer.branch(first);
+                    writer.punct(",");
+                    writer.branch(second);
+                });
+                self.group(Delimiter::Parenthesis, arguments);
             }
         }
         self.punct(";");
     }
 
-    /// `{ statements (results,) }`
+    /// `|| { statements [results,] }`
     fn branch(&mut self, block: &Block) {
         let body = self.inside(|writer| {
             let results = writer.block(block);
-            let tuple = writer.inside(|writer| {
+            let list = writer.inside(|writer| {
                 for result in results {
                     writer.tokens.extend(result);
                     writer.punct(",");
                 }
             });
-            writer.group(Delimiter::Parenthesis, tuple);
+            writer.group(Delimiter::Bracket, list);
         });
+        self.punct("||");
         self.group(Delimiter::Brace, body);
     }
 
@@ -100,11 +107,11 @@ impl Writer<'_> {
             Instruction::Sub(a, b) => self.infix(a, "-", b),
             Instruction::Mul(a, b) => self.infix(a, "*", b),
             Instruction::Div(a, b) => self.infix(a, "/", b),
-            Instruction::And(a, b) => self.infix(a, "&&", b),
-            Instruction::Or(a, b) => self.infix(a, "||", b),
-            Instruction::Compare(Relation::Less, a, b) => self.infix(a, "<", b),
-            Instruction::Compare(Relation::LessEqual, a, b) => self.infix(a, "<=", b),
-            Instruction::Compare(Relation::Equal, a, b) => self.infix(a, "==", b),
+            Instruction::And(a, b) => self.infix(a, "&", b),
+            Instruction::Or(a, b) => self.infix(a, "|", b),
+            Instruction::Compare(Relation::Less, a, b) => self.method("less", a, &[*b]),
+            Instruction::Compare(Relation::LessEqual, a, b) => self.method("less_equal", a, &[*b]),
+            Instruction::Compare(Relation::Equal, a, b) => self.method("equal", a, &[*b]),
             Instruction::MulAdd(a, b, c) => self.method("multiply_add", a, &[*b, *c]),
             Instruction::Sqrt(a) => self.method("sqrt", a, &[]),
             Instruction::Call(function, args) => self.call(*function, args),
@@ -246,14 +253,15 @@ impl Writer<'_> {
         }
     }
 
-    fn tuple(&mut self, registers: &[Register]) {
+    /// `(a, b,)` or `[a, b,]`.
+    fn list(&mut self, delimiter: Delimiter, registers: &[Register]) {
         let names = self.inside(|writer| {
             for register in registers {
                 writer.register(*register);
                 writer.punct(",");
             }
         });
-        self.group(Delimiter::Parenthesis, names);
+        self.group(delimiter, names);
     }
 
     fn group(&mut self, delimiter: Delimiter, tokens: TokenStream) {

@@ -1,10 +1,10 @@
 //! The struct, and what every system offers: its energy, its gradient.
 
 use super::kernel::{Context, write};
-use super::{damping, domain};
+use super::{attributes, damping, domain};
 use crate::analyze::Structure;
 use crate::diff::Derivatives;
-use crate::ir::{Function, Graph, Id, Node};
+use crate::ir::{Graph, Id};
 use crate::parse::{Energy, Form, over_scalar};
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -13,7 +13,9 @@ use quote::{format_ident, quote};
 pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     let energy = context.energy;
     let (name, vis, float) = (&energy.name, &energy.item.vis, &energy.float);
-    let own_docs = energy.item.attrs.iter().filter(|attribute| attribute.path().is_ident("doc"));
+    // rustc asks the struct, not the field, whether the name of a field is as it should be.
+    let of_arguments = energy.parameters().flat_map(|parameter| attributes::repeated(&parameter.attributes));
+    let own: Vec<TokenStream> = attributes::repeated(&energy.item.attrs).chain(of_arguments).collect();
     let scalar = format_ident!("R");
     let fields: Vec<TokenStream> = energy
         .parameters()
@@ -26,9 +28,9 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     let derives =
         quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
     if fields.is_empty() {
-        quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name;)
+        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name;)
     } else {
-        quote!(#(#own_docs)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
     }
 }
 
@@ -95,11 +97,9 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
 }
 
-/// What kernels ask of their scalar: comparisons only if the energy, or damping, has branches.
-pub(super) fn bounds(graph: &Graph, roots: &[Id]) -> TokenStream {
-    let compares =
-        |id: &Id| matches!(graph.node(*id), Node::Compare(..) | Node::Call(Function::Min | Function::Max, _));
-    if graph.reachable(roots).iter().any(compares) { quote!(Real + ::core::cmp::PartialOrd) } else { quote!(Real) }
+/// What kernels ask of their scalar.
+pub(super) fn bounds(_: &Graph, _: &[Id]) -> TokenStream {
+    quote!(Real)
 }
 
 pub(super) fn hamiltonian(

@@ -1,4 +1,4 @@
-//! The value of a node: the plain meaning of the graph, against which derivations and schedules are tested.
+//! The value of a node: the plain meaning of the graph, against which derivations and schedules are tested. Nothing is decided by it.
 
 use super::graph::{Graph, Id, Node};
 use super::op::Symbol;

@@ -181,7 +181,7 @@ impl Graph {
         self.intern(Node::Number(value))
     }
 
-    pub(crate) fn integer(&mut self, value: i64) -> Id {
+    pub(crate) fn integer(&mut self, value: i128) -> Id {
         self.number(Number::integer(value))
     }
 

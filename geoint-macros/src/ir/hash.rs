@@ -25,8 +25,12 @@ impl Hasher for Fold {
     fn write_u64(&mut self, word: u64) {
         self.fold(word);
     }
-    fn write_i64(&mut self, word: i64) {
-        self.fold(word.cast_unsigned());
+    fn write_i128(&mut self, word: i128) {
+        self.fold(word as u64);
+        // Most numbers are short.
+        if i64::try_from(word).is_err() {
+            self.fold((word >> 64) as u64);
+        }
     }
     fn write_usize(&mut self, word: usize) {
         self.fold(word as u64);

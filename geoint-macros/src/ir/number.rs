@@ -1,18 +1,21 @@
-//! Constants: exact ratios as long as they are small, floating point otherwise.
+//! Constants: exact ratios unless they are very long, floating point otherwise.
 //!
-//! `9.81`, `1.0 / 3.0` and exponents stay exact while the graph is simplified and are rounded once, when they are
-//! emitted.
+//! `9.81`, `1.0 / 3.0`, `6.674e-11`, the `f64` nearest to π and exponents stay exact while the graph is simplified and are rounded
+//! once, when they are emitted.
 
 use std::cmp::Ordering;
 
-/// A ratio in lowest terms with positive denominator, both parts exact in `f64`.
+/// A ratio in lowest terms with positive denominator.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Ratio {
-    pub(crate) numerator: i64,
-    pub(crate) denominator: i64,
+    pub(crate) numerator: i128,
+    pub(crate) denominator: i128,
 }
 
-/// Integers up to here are exact in `f64`, so that numerator/denominator is rounded once.
+/// Parts are at most so large: a decimal such as 1.380649e-23, and the square of any number of `f64` near one, are exact.
+const LARGEST: u128 = 1 << 126;
+
+/// Integers up to here are exact in `f64`.
 const EXACT: i128 = 1 << 53;
 
 impl Ratio {
@@ -20,49 +23,128 @@ impl Ratio {
     pub(crate) const ONE: Ratio = Ratio::integer(1);
     pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
 
-    pub(crate) const fn integer(n: i64) -> Ratio {
+    pub(crate) const fn integer(n: i128) -> Ratio {
         Ratio { numerator: n, denominator: 1 }
     }
 
-    /// `None` if a part is not exact in `f64`, or the denominator is zero.
+    /// `None` if a part is too large, or the denominator is zero.
     pub(crate) fn new(numerator: i128, denominator: i128) -> Option<Ratio> {
         if denominator == 0 {
             return None;
         }
-        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).max(1) as i128;
-        let sign = denominator.signum();
-        let (n, d) = (sign * numerator / divisor, sign * denominator / divisor);
-        (n.abs() <= EXACT && d <= EXACT).then_some(Ratio { numerator: n as i64, denominator: d as i64 })
+        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).max(1);
+        let (n, d) = (numerator.unsigned_abs() / divisor, denominator.unsigned_abs() / divisor);
+        let sign = if (numerator < 0) == (denominator < 0) { 1 } else { -1 };
+        (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
+    }
+
+    /// The value of an `f64`, if its parts are not too large.
+    fn of_f64(x: f64) -> Option<Ratio> {
+        let bits = x.to_bits();
+        let (biased, mantissa) = ((bits >> 52 & 0x7ff) as i32, i128::from(bits & ((1 << 52) - 1)));
+        // Neither a subnormal number nor infinite.
+        let mantissa = (1..0x7ff).contains(&biased).then_some(mantissa | 1 << 52)?;
+        let zeros = mantissa.trailing_zeros();
+        let (mantissa, exponent) = (mantissa >> zeros, biased - 1075 + zeros as i32);
+        let signed = if x < 0.0 { -mantissa } else { mantissa };
+        let power = 1_i128.checked_shl(exponent.unsigned_abs()).filter(|power| *power > 0)?;
+        if exponent < 0 { Ratio::new(signed, power) } else { Ratio::new(signed.checked_mul(power)?, 1) }
     }
 
     pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
-        let (a, b) = (i128::from(self.numerator), i128::from(self.denominator));
-        let (c, d) = (i128::from(other.numerator), i128::from(other.denominator));
-        Ratio::new(a * d + c * b, b * d)
+        let common = gcd(self.denominator.unsigned_abs(), other.denominator.unsigned_abs()) as i128;
+        let (b, d) = (self.denominator / common, other.denominator / common);
+        let sum = self.numerator.checked_mul(d)?.checked_add(other.numerator.checked_mul(b)?)?;
+        Ratio::new(sum, self.denominator.checked_mul(d)?)
     }
 
     pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
-        let (a, b) = (i128::from(self.numerator), i128::from(self.denominator));
-        let (c, d) = (i128::from(other.numerator), i128::from(other.denominator));
-        Ratio::new(a * c, b * d)
+        let cancelled = |n: i128, d: i128| {
+            let common = gcd(n.unsigned_abs(), d.unsigned_abs()).max(1) as i128;
+            (n / common, d / common)
+        };
+        let ((a, d), (c, b)) =
+            (cancelled(self.numerator, other.denominator), cancelled(other.numerator, self.denominator));
+        Ratio::new(a.checked_mul(c)?, b.checked_mul(d)?)
     }
 
     /// `None` for zero.
     pub(crate) fn recip(self) -> Option<Ratio> {
-        Ratio::new(self.denominator.into(), self.numerator.into())
+        Ratio::new(self.denominator, self.numerator)
+    }
+
+    pub(crate) fn neg(self) -> Ratio {
+        Ratio { numerator: -self.numerator, ..self }
     }
 
     pub(crate) fn is_integer(self) -> bool {
         self.denominator == 1
     }
 
+    /// The largest integer that is not above the ratio.
+    pub(crate) fn floor(self) -> i128 {
+        self.numerator.div_euclid(self.denominator)
+    }
+
+    /// The ratio as an integer of the size of exponents.
+    pub(crate) fn to_integer(self) -> Option<i64> {
+        i64::try_from(self.numerator).ok().filter(|_| self.is_integer())
+    }
+
+    /// Whether both parts are exact in `f64`.
+    pub(crate) fn is_short(self) -> bool {
+        self.numerator.abs() <= EXACT && self.denominator <= EXACT
+    }
+
+    /// The nearest `f64`.
     pub(crate) fn to_f64(self) -> f64 {
-        self.numerator as f64 / self.denominator as f64
+        if self.is_short() {
+            return self.numerator as f64 / self.denominator as f64;
+        }
+        // Long division to at least 55 bits; what remains decides ties as one more bit.
+        let (n, d) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
+        let (mut quotient, mut rest, mut shift) = (n / d, n % d, 0_i32);
+        while quotient < 1 << 54 {
+            rest <<= 1;
+            quotient = quotient << 1 | u128::from(rest >= d);
+            rest = if rest >= d { rest - d } else { rest };
+            shift += 1;
+        }
+        let magnitude = (quotient | u128::from(rest > 0)) as f64 * 2.0_f64.powi(-shift);
+        if self.numerator < 0 { -magnitude } else { magnitude }
+    }
+}
+
+impl Ord for Ratio {
+    fn cmp(&self, other: &Ratio) -> Ordering {
+        // By whole parts, then by the reciprocals of what remains: products of long parts would overflow.
+        let rest = |x: &Ratio| Ratio { numerator: x.numerator.rem_euclid(x.denominator), ..*x };
+        let (a, b) = (rest(self), rest(other));
+        self.floor().cmp(&other.floor()).then_with(|| match (a.recip(), b.recip()) {
+            (Some(a), Some(b)) => b.cmp(&a),
+            _ => a.numerator.cmp(&b.numerator),
+        })
+    }
+}
+
+impl PartialOrd for Ratio {
+    fn partial_cmp(&self, other: &Ratio) -> Option<Ordering> {
+        Some(self.cmp(other))
     }
 }
 
 fn gcd(a: u128, b: u128) -> u128 {
-    if b == 0 { a } else { gcd(b, a % b) }
+    match (u64::try_from(a), u64::try_from(b)) {
+        // Much cheaper.
+        (Ok(mut a), Ok(mut b)) => {
+            while b != 0 {
+                (a, b) = (b, a % b);
+            }
+            a.into()
+        }
+        _ if b == 0 => a,
+        _ => gcd(b, a % b),
+    }
 }
 
 /// A constant.
@@ -79,15 +161,18 @@ impl Number {
     pub(crate) const MINUS_ONE: Number = Number::integer(-1);
     pub(crate) const HALF: Number = Number::Exact(Ratio::HALF);
 
-    pub(crate) const fn integer(n: i64) -> Number {
+    pub(crate) const fn integer(n: i128) -> Number {
         Number::Exact(Ratio::integer(n))
     }
 
     pub(crate) fn float(x: f64) -> Number {
-        if x.fract() == 0.0 && x.abs() <= EXACT as f64 { Number::integer(x as i64) } else { Number::Float(x.to_bits()) }
+        if x == 0.0 {
+            return Number::ZERO;
+        }
+        Ratio::of_f64(x).map_or(Number::Float(x.to_bits()), Number::Exact)
     }
 
-    /// A decimal literal, exact if it is short: `9.81` is 981/100.
+    /// A decimal literal, exact unless it is very long: `9.81` is 981/100.
     pub(crate) fn decimal(text: &str) -> Option<Number> {
         let value: f64 = text.parse().ok()?;
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
@@ -143,7 +228,7 @@ impl Number {
         let exact = || {
             let Number::Exact(base) = self else { return None };
             let n = exponent.is_integer().then(|| u32::try_from(exponent.numerator.unsigned_abs()).ok())??;
-            let power = |x: i64| i128::from(x).checked_pow(n);
+            let power = |x: i128| x.checked_pow(n);
             let (a, b) = (power(base.numerator)?, power(base.denominator)?);
             if exponent.numerator < 0 { Ratio::new(b, a) } else { Ratio::new(a, b) }
         };
@@ -171,7 +256,8 @@ mod tests {
         assert_eq!(Number::decimal("9.81"), Ratio::new(981, 100).map(Number::Exact));
         assert_eq!(Number::decimal("1e3"), Some(Number::integer(1000)));
         assert_eq!(Number::decimal("6.67430e-11"), Ratio::new(66743, 10_i128.pow(15)).map(Number::Exact));
-        let long = "0.12345678901234567890123";
+        assert_eq!(Number::decimal("1.380649e-23"), Ratio::new(1_380_649, 10_i128.pow(29)).map(Number::Exact));
+        let long = "0.12345678901234567890123456789012345678901";
         assert_eq!(Number::decimal(long), Some(Number::float(long.parse().unwrap())));
         assert_eq!(Number::decimal("1e400").map(Number::to_f64), Some(f64::INFINITY));
     }
@@ -190,8 +276,63 @@ mod tests {
     }
 
     #[test]
+    fn ratios_are_in_order() {
+        let of = |n, d| Ratio::new(n, d).unwrap();
+        let long = 1_i128 << 120;
+        let ordered = [
+            of(-7, 2),
+            of(-long - 1, long),
+            of(-1, 1),
+            of(-1, 3),
+            of(0, 1),
+            of(1, 3),
+            of(long - 1, 2 * long),
+            of(1, 2),
+            of(long + 1, 2 * long),
+            of(2, 3),
+            of(5, 1),
+        ];
+        for (i, a) in ordered.iter().enumerate() {
+            for (j, b) in ordered.iter().enumerate() {
+                assert_eq!(a.cmp(b), i.cmp(&j), "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
     fn overflow_falls_back_to_floating_point() {
-        let big = Number::integer(1 << 40);
-        assert_eq!(big.mul(big).to_f64(), 2.0_f64.powi(80));
+        let big = Number::float(2.0_f64.powi(80) + 2.0_f64.powi(30));
+        assert!(matches!(big.mul(big), Number::Float(_)));
+        assert_eq!(big.mul(big).to_f64(), big.to_f64() * big.to_f64());
+    }
+
+    #[test]
+    fn numbers_of_the_machine_are_exact_and_come_back() {
+        for x in [std::f64::consts::PI, -0.1, 1e-20, 3e30, 2.0_f64.powi(-70) * 3.0, 1.5e300, 5e-324, f64::INFINITY] {
+            assert_eq!(Number::float(x).to_f64(), x);
+        }
+        assert!(matches!(Number::float(std::f64::consts::PI), Number::Exact(_)));
+    }
+
+    #[test]
+    fn long_ratios_are_rounded_once_to_the_nearest_even() {
+        let one = 1_i128 << 60;
+        for (numerator, rounded) in [
+            (one + 128, 2.0_f64.powi(60)),
+            (one + 129, 2.0_f64.powi(60) + 256.0),
+            (one + 384, 2.0_f64.powi(60) + 512.0),
+            (-one - 129, -(2.0_f64.powi(60) + 256.0)),
+        ] {
+            assert_eq!(Ratio::new(numerator, 1).unwrap().to_f64(), rounded);
+            let scaled = Ratio::new(numerator, 3 * one).unwrap().to_f64();
+            assert!((scaled * 3.0 * one as f64 / numerator as f64 - 1.0).abs() < 4e-16);
+        }
+        let tenth = Ratio::new(10_i128.pow(30), 10_i128.pow(31) + 1).unwrap();
+        assert_eq!(tenth.to_f64(), 0.1);
+        for text in
+            ["1.380649e-23", "6.62607015e-34", "1.602176634e-19", "0.1234567890123456789", "299792458.123456789"]
+        {
+            assert_eq!(Number::decimal(text).unwrap().to_f64(), text.parse::<f64>().unwrap(), "{text}");
+        }
     }
 }

@@ -184,6 +184,7 @@ functions! {
     StumpffC0 stumpff_c0(x) Neither Everywhere;
     StumpffC1 stumpff_c1(x) Neither Everywhere;
     StumpffC1Derivative stumpff_c1_derivative(x) Neither Everywhere;
+    DecayMean decay_mean(r, k) Neither Everywhere;
     AtMost at_most(x, y) Neither Everywhere;
     Grown grown(x, z, change) Neither Everywhere;
 }

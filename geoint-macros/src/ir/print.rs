@@ -160,7 +160,7 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
     }
 }
 
-fn superscript(n: i64) -> String {
+fn superscript(n: i128) -> String {
     n.to_string()
         .chars()
         .map(|c| c.to_digit(10).and_then(|d| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(d as usize)).unwrap_or(c))
@@ -168,10 +168,14 @@ fn superscript(n: i64) -> String {
 }
 
 fn number(value: Number) -> String {
+    let (decimal, scientific) = (format!("{}", value.to_f64()), format!("{:e}", value.to_f64()));
     match value {
-        // Short decimals are read more easily than fractions.
-        Number::Exact(r) if r.denominator == 1 => r.numerator.to_string(),
-        Number::Exact(r) if format!("{}", r.to_f64()).len() > 8 => format!("{}/{}", r.numerator, r.denominator),
-        _ => format!("{}", value.to_f64()),
+        // Short decimals are read more easily than fractions, and fractions of short numbers than long decimals.
+        _ if decimal.len() <= 8 => decimal,
+        Number::Exact(r) if r.numerator.abs().max(r.denominator) < 100_000 => {
+            format!("{}/{}", r.numerator, r.denominator)
+        }
+        _ if decimal.len() <= scientific.len() + 3 => decimal,
+        _ => scientific,
     }
 }

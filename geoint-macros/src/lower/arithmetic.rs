@@ -115,7 +115,7 @@ impl Lowering {
     }
 
     pub(super) fn integer_power(&mut self, base: Id, n: i64) -> Id {
-        self.graph.pow(base, Ratio::integer(n))
+        self.graph.pow(base, Ratio::integer(n.into()))
     }
 
     pub(super) fn cast(&mut self, cast: &syn::ExprCast) -> Value {
@@ -123,7 +123,7 @@ impl Lowering {
         if matches!(value, Value::Poison) {
             return Value::Poison;
         }
-        let target = match &*cast.ty {
+        let target = match &self.scopes.outside().resolve(&cast.ty) {
             syn::Type::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
@@ -165,7 +165,8 @@ impl Lowering {
             Value::Integer(n) => return Some(n),
             Value::Poison => {}
             Value::Opaque(_) => {
-                self.refuse(syntax, "this bound is not known to the macro: write the number, or a `const` in the body");
+                self.refuse(syntax, "this number is not known to the macro: make it a `const` in the body, or repeat the one outside in the \
+                     attribute: `const N = 3`");
             }
             Value::Real(_) => {
                 self.refuse(

@@ -1,10 +1,11 @@
 //! Calls: of closures and nested functions, which are inlined, and of the few others that are known.
 
-use super::Lowering;
 use super::scope::{Around, Scopes};
 use super::statement::simple_name;
 use super::value::{Callable, Value};
+use super::{Lowering, method};
 use crate::ir::Number;
+use crate::parse::plain_path;
 use quote::ToTokens;
 use std::rc::Rc;
 use syn::Expr;
@@ -54,11 +55,22 @@ impl Lowering {
         let Expr::Path(path) = &*call.func else {
             return self.refuse(&call.func, "only nested functions and closures can be called");
         };
-        let segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let Some(Value::Callable(callable, sees)) = self.named(&call.func, &plain_path(&path.path)) {
+            let arguments = call.args.iter().map(|argument| self.expr(argument)).collect();
+            return self.apply(&call.func, (&callable, &sees), arguments);
+        }
+        let mut segments: Vec<_> = path.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
+        if let [owner, _] = &mut segments[..]
+            && let Some(syn::Type::Path(path)) = self.scopes.outside().alias(owner)
+            && let Some(last) = path.path.segments.last()
+        {
+            *owner = last.ident.to_string();
+        }
         let arguments: Vec<Value> = call.args.iter().map(|argument| self.expr(argument)).collect();
         let (owner, function) = match &segments[..] {
             [.., owner, function] => (owner.as_str(), function.as_str()),
-            _ => ("", ""),
+            [function] => ("", function.as_str()),
+            [] => ("", ""),
         };
         match (owner, function) {
             ("f64" | "f32", _) if segments.len() == 2 && owner != self.float => {
@@ -92,12 +104,44 @@ impl Lowering {
                 };
                 Value::Vector(items.iter().map(|value| self.real(call, value.clone())).collect())
             }
-            _ => self.refuse(
+            (owner, _) if is_matrix(owner) => self.refuse(
                 &call.func,
-                "the macro cannot see into functions outside of the energy: make this a nested `fn` or a closure",
+                "an energy has vectors, but no matrices: write one as an array of arrays, `[[a, b], [c, d]]`, and its products \
+                 as sums",
             ),
+            (_, function) if method::is_of_numbers(function) => {
+                self.refuse(&call.func, format!("this is a method of numbers: `x.{function}()`"))
+            }
+            _ => self.outside_function(call, &plain_path(&path.path)),
         }
     }
+
+    /// A function that is not known.
+    fn outside_function(&mut self, call: &syn::ExprCall, name: &str) -> Value {
+        if self.calls.iter().any(|callable| callable.name.as_deref() == Some(name)) {
+            return self.refuse(&call.func, format!("`{name}` calls itself: functions are inlined and cannot recur"));
+        }
+        let whose =
+            self.calls.iter().rev().find_map(|callable| callable.name.as_deref()).filter(|_| self.scopes.are_foreign());
+        let message = match whose {
+            Some(whose) => format!(
+                "where `{whose}` is inlined nothing is known of `{name}`: put `#[energy_function]` above it, and \
+                 `#[energy_function(with({name}))]` above `{whose}`"
+            ),
+            None => format!(
+                "the macro cannot see into functions outside of the energy: put `#[energy_function]` above this one and name \
+                 it in the attribute, `with({name})`; or make it a nested `fn`, by its formula or an approximation"
+            ),
+        };
+        self.refuse(&call.func, message)
+    }
+}
+
+/// Whether a name is that of a type of nalgebra with rows and columns, or of what turns vectors.
+fn is_matrix(name: &str) -> bool {
+    ["Matrix", "SMatrix", "Rotation", "Quaternion", "UnitQuaternion", "Isometry"]
+        .iter()
+        .any(|start| name.starts_with(start))
 }
 
 /// The length of a vector type of nalgebra that has its length in its name.

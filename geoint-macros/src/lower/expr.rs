@@ -1,6 +1,7 @@
 //! Expressions.
 
 use super::arithmetic::{is_arithmetic, is_comparison};
+use super::assign::compound;
 use super::scope::{Found, Item};
 use super::value::{Callable, Value};
 use super::{Lowering, constants};
@@ -23,7 +24,7 @@ impl Lowering {
         self.depth -= 1;
         match value {
             Value::Real(id) => self.written(id, expr, || super::place(expr)),
-            other => other,
+            other => self.noted(expr, other),
         }
     }
 
@@ -56,13 +57,12 @@ impl Lowering {
                     (_, other) => self.refuse(unary, format!("this operator does not apply to {}", other.kind())),
                 }
             }
-            Expr::Binary(binary) => match binary.op {
-                BinOp::AddAssign(_) | BinOp::SubAssign(_) => self.accumulate(binary),
-                BinOp::MulAssign(_) | BinOp::DivAssign(_) | BinOp::RemAssign(_) => self.assign(binary, &binary.left),
-                BinOp::And(_) | BinOp::Or(_) => self.connective(binary),
+            Expr::Binary(binary) => match (&binary.op, compound(&binary.op)) {
+                (_, Some(op)) => self.assign_with(binary, &op),
+                (BinOp::And(_) | BinOp::Or(_), _) => self.connective(binary),
                 _ => self.chain(binary),
             },
-            Expr::Assign(assign) => self.assign(assign, &assign.left),
+            Expr::Assign(assignment) => self.assign(assignment),
             Expr::Block(block) => self.block(&block.block),
             Expr::If(branch) => self.branch(branch),
             Expr::ForLoop(for_loop) => self.for_loop(for_loop),
@@ -152,15 +152,6 @@ impl Lowering {
         let Some(last) = path.segments.last() else { return Value::Poison };
         let name = last.ident.to_string();
         if path.get_ident().is_some() {
-            if self.scopes.is_accumulating(&name) {
-                return self.refuse(
-                    path,
-                    format!(
-                        "`{name}` is accumulated by this loop and has no value before its end: a loop may only add \
-                         to it with `{name} += …`, in terms of other variables"
-                    ),
-                );
-            }
             if let Some(value) = self.named(path, &name) {
                 return value;
             }
@@ -170,6 +161,18 @@ impl Lowering {
         }
         // A constant outside: the generated code can name it, and rustc knows its value.
         if name.chars().all(|c| c.is_uppercase() || c.is_numeric() || c == '_') {
+            let first = path.segments[0].ident.to_string();
+            let everywhere = path.leading_colon.is_some()
+                || path.segments.len() > 1 && ["crate", "core", "std", "f64", "f32"].contains(&first.as_str());
+            if self.scopes.are_foreign() && !everywhere {
+                return self.refuse(
+                    path,
+                    format!(
+                        "where this function is inlined `{name}` may be another constant: make it an argument or a `const` \
+                         inside, or name it from the root, `crate::…` or `std::f64::consts::…`"
+                    ),
+                );
+            }
             return Value::Opaque(path.to_token_stream());
         }
         self.refuse(
@@ -183,6 +186,7 @@ impl Lowering {
         Some(match self.scopes.get(name)? {
             Found::Variable(value) | Found::Item(Item::Import(value), _) => value,
             Found::Item(Item::Function(callable), sees) => Value::Callable(callable, Rc::new(sees)),
+            Found::Item(Item::Outside(callable, sees), _) => Value::Callable(callable, sees),
             Found::Item(Item::Constant(constant), sees) => self.constant_item(syntax, &constant, sees),
         })
     }
@@ -211,15 +215,10 @@ impl Lowering {
         let base = self.expr(&field.base);
         match (&field.member, base) {
             (_, Value::Poison) => Value::Poison,
-            (Member::Named(name), Value::Vector(ids)) => {
-                let i = ["x", "y", "z", "w"].iter().position(|axis| name == axis);
-                match i.and_then(|i| ids.get(i)) {
-                    Some(id) => Value::Real(*id),
-                    None => {
-                        self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len()))
-                    }
-                }
-            }
+            (Member::Named(name), Value::Vector(ids)) => match axis(name).and_then(|i| ids.get(i)) {
+                Some(id) => Value::Real(*id),
+                None => self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len())),
+            },
             (Member::Unnamed(index), Value::Tuple(items)) => match items.into_iter().nth(index.index as usize) {
                 Some(value) => value,
                 None => self.refuse(&field.member, "the tuple has no such component"),
@@ -246,6 +245,11 @@ impl Lowering {
         self.evaluations += (high - low).max(0) as usize;
         Value::iterator((low..high).map(Value::Integer))
     }
+}
+
+/// The index of a component that is named by its axis.
+pub(super) fn axis(name: &proc_macro2::Ident) -> Option<usize> {
+    ["x", "y", "z", "w"].iter().position(|axis| name == axis)
 }
 
 /// Says that a macro inside the body is not understood.

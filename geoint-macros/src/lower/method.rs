@@ -90,17 +90,14 @@ impl Lowering {
             }
             ("to_radians", []) => Value::Real(graph.scale(Number::float(std::f64::consts::PI / 180.0), x)),
             ("to_degrees", []) => Value::Real(graph.scale(Number::float(180.0 / std::f64::consts::PI), x)),
-            _ => {
-                let names: Vec<_> = FUNCTIONS.iter().filter(|entry| entry.public).map(|entry| entry.name).collect();
-                self.refuse(
-                    syntax,
-                    format!(
-                        "`{name}` has no derivative rule; numbers have {}, sqrt, powi, recip, mul_add, sin_cos, \
-                         to_radians, to_degrees",
-                        names.join(", ")
-                    ),
-                )
-            }
+            _ => self.refuse(
+                syntax,
+                format!(
+                    "`{name}` has no derivative rule; numbers have {}. Write another smooth function as a nested `fn`, by \
+                     its formula or an approximation",
+                    of_numbers().collect::<Vec<_>>().join(", ")
+                ),
+            ),
         }
     }
 
@@ -274,6 +271,16 @@ impl Lowering {
         }
         None
     }
+}
+
+/// The methods of numbers.
+fn of_numbers() -> impl Iterator<Item = &'static str> {
+    let others = ["sqrt", "powi", "recip", "mul_add", "sin_cos", "to_radians", "to_degrees"];
+    FUNCTIONS.iter().filter(|entry| entry.public).map(|entry| entry.name).chain(others)
+}
+
+pub(super) fn is_of_numbers(name: &str) -> bool {
+    of_numbers().any(|method| method == name)
 }
 
 fn is_opaque(arguments: &[Value]) -> bool {

@@ -4,6 +4,7 @@
 //! This is the last stage that sees syntax: it hands on a table from nodes to the places at which they were written.
 
 mod arithmetic;
+mod assign;
 mod branch;
 mod call;
 mod constants;
@@ -73,7 +74,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut lowering = Lowering {
         graph: Graph::default(),
         errors: Diagnostics::default(),
-        scopes: Scopes::default(),
+        scopes: Scopes::of_file(&energy.outside, &energy.functions),
         places: HashMap::new(),
         constants: vec![],
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
@@ -180,6 +181,11 @@ impl Lowering {
     /// Remembers where a node was written first; refuses constants like 1/0, which no derivative survives.
     fn written(&mut self, id: Id, syntax: &impl ToTokens, place: impl FnOnce() -> Place) -> Value {
         self.places.entry(id).or_insert_with(place);
+        self.noted(syntax, Value::Real(id))
+    }
+
+    /// The same for a value that is not a number, but may be made of some.
+    fn noted(&mut self, syntax: &impl ToTokens, value: Value) -> Value {
         let new: Vec<Id> = self.graph.ids().skip(self.heights.len()).collect();
         for id in &new {
             let below = self.graph.node(*id).children().iter().map(|child| self.heights[child.index()]).max();
@@ -193,7 +199,7 @@ impl Lowering {
         if !new.iter().all(|id| self.is_finite(*id)) {
             return self.refuse(syntax, "this is not a finite number, whatever the state is");
         }
-        Value::Real(id)
+        value
     }
 
     /// Notes what has been computed and is not defined everywhere, with the conditions around it.

@@ -1,7 +1,8 @@
 //! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
 
 use super::value::{Callable, Constant, Value};
-use std::collections::{HashMap, HashSet};
+use crate::parse::{Function, Outside};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure
@@ -11,8 +12,10 @@ pub(super) struct Scopes {
     levels: Vec<Rc<Level>>,
     /// Variables of levels below this one may not be assigned to: they are outside of this branch or function.
     closed_below: (usize, Around),
-    /// Accumulators of the loops around, with the level above which the loop's own variables live.
-    accumulators: Vec<(Rc<HashSet<String>>, usize)>,
+    /// What is known of the file around the function.
+    outside: Rc<Outside>,
+    /// Whether that is another file, or module, than the energy's.
+    foreign: bool,
 }
 
 /// A block: variables are visible from their `let` on, items from its first line on.
@@ -26,6 +29,8 @@ struct Level {
 #[derive(Clone)]
 pub(super) enum Item {
     Function(Rc<Callable>),
+    /// A function from outside of the energy, and what it sees.
+    Outside(Rc<Callable>, Rc<Scopes>),
     Constant(Rc<Constant>),
     /// A constant of the standard library under the name that `use` gives it.
     Import(Value),
@@ -40,7 +45,8 @@ pub(super) enum Found {
 
 impl Default for Scopes {
     fn default() -> Self {
-        Scopes { levels: vec![Rc::default()], closed_below: (0, Around::Function), accumulators: vec![] }
+        let levels = vec![Rc::default()];
+        Scopes { levels, closed_below: (0, Around::Function), outside: Rc::default(), foreign: false }
     }
 }
 
@@ -51,13 +57,35 @@ pub(super) enum Around {
     Function,
 }
 
-/// Why a variable cannot be added to.
+/// Why a variable cannot be assigned to.
 pub(super) enum Refused {
     Unknown,
     Outside(Around),
 }
 
 impl Scopes {
+    /// What a function sees that stands in a file by itself.
+    pub(super) fn of_file(outside: &Rc<Outside>, functions: &[Function]) -> Self {
+        let mut scopes = Scopes { outside: outside.clone(), ..Scopes::default() };
+        for (name, value) in outside.constants() {
+            scopes.declare(name, Item::Import(Value::Integer(value)));
+        }
+        for function in functions {
+            let sees = Scopes { foreign: true, ..Scopes::of_file(&function.outside, &function.used) };
+            scopes.declare(&function.path, Item::Outside(Rc::new(Callable::of(&function.item)), Rc::new(sees)));
+        }
+        scopes
+    }
+
+    pub(super) fn outside(&self) -> &Outside {
+        &self.outside
+    }
+
+    /// Whether names that are not known mean something else than they do beside the energy.
+    pub(super) fn are_foreign(&self) -> bool {
+        self.foreign
+    }
+
     pub(super) fn enter(&mut self) {
         self.levels.push(Rc::default());
     }
@@ -93,7 +121,8 @@ impl Scopes {
     /// What an item of a level sees.
     fn items_only(&self, level: usize) -> Scopes {
         let items = |level: &Rc<Level>| Rc::new(Level { items: level.items.clone(), ..Level::default() });
-        Scopes { levels: self.levels[..=level].iter().map(items).collect(), ..Scopes::default() }
+        let levels = self.levels[..=level].iter().map(items).collect();
+        Scopes { levels, closed_below: (0, Around::Function), outside: self.outside.clone(), foreign: self.foreign }
     }
 
     fn level_of_variable(&self, name: &str) -> Option<usize> {
@@ -101,14 +130,8 @@ impl Scopes {
         self.levels[level].variables.contains_key(name).then_some(level)
     }
 
-    /// Whether a name is being accumulated by a loop around, so that its value is not known before the loop ends.
-    pub(super) fn is_accumulating(&self, name: &str) -> bool {
-        let Some(level) = self.level_of_variable(name) else { return false };
-        self.accumulators.iter().any(|(names, outside)| level < *outside && names.contains(name))
-    }
-
-    /// A variable to add to.
-    pub(super) fn accumulator(&mut self, name: &str) -> Result<&mut Value, Refused> {
+    /// A variable to assign to.
+    pub(super) fn assignable(&mut self, name: &str) -> Result<&mut Value, Refused> {
         let level = self.level_of_variable(name).ok_or(Refused::Unknown)?;
         let (outside, around) = self.closed_below;
         if level < outside {
@@ -124,14 +147,6 @@ impl Scopes {
 
     pub(super) fn open(&mut self, before: (usize, Around)) {
         self.closed_below = before;
-    }
-
-    pub(super) fn enter_loop(&mut self, accumulators: HashSet<String>) {
-        self.accumulators.push((Rc::new(accumulators), self.levels.len()));
-    }
-
-    pub(super) fn leave_loop(&mut self) {
-        self.accumulators.pop();
     }
 }
 

@@ -1,18 +1,17 @@
-//! Blocks, `let`, items, loops and accumulation.
+//! Blocks, `let`, items and loops.
 
 use super::constants::imported;
-use super::scope::{self, Around, Refused, Scopes};
+use super::scope::{self, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
 use super::{Lowering, MAX_NODES};
 use crate::ir::Number;
 use quote::ToTokens;
 use std::cell::RefCell;
-use std::collections::HashSet;
 use std::rc::Rc;
 use syn::visit::Visit;
-use syn::{BinOp, Block, Expr, ExprBinary, ExprForLoop, Item, Pat, PatIdent, Stmt};
+use syn::{Block, Expr, ExprForLoop, Item, Pat, PatIdent, Stmt};
 
-const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for` with `+=`, and a last expression";
+const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, assignments, and a last expression";
 
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
@@ -46,15 +45,7 @@ impl Lowering {
         for statement in &block.stmts {
             match statement {
                 Stmt::Item(Item::Fn(item)) => {
-                    let parameters = item.sig.inputs.iter().filter_map(|input| match input {
-                        syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
-                        syn::FnArg::Receiver(_) => None,
-                    });
-                    let callable = Callable {
-                        name: Some(item.sig.ident.to_string()),
-                        parameters: parameters.collect(),
-                        body: Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
-                    };
+                    let callable = Callable::of(item);
                     self.scopes.declare(&item.sig.ident, scope::Item::Function(Rc::new(callable)));
                 }
                 Stmt::Item(Item::Const(item)) => {
@@ -167,7 +158,6 @@ impl Lowering {
     pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
         let domain = self.expr(&for_loop.expr);
         let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
-        self.scopes.enter_loop(accumulated(&for_loop.body));
         let said = self.errors.len();
         for item in items.iter() {
             // The other rounds would say the same.
@@ -179,7 +169,6 @@ impl Lowering {
             self.block(&for_loop.body);
             self.scopes.leave();
         }
-        self.scopes.leave_loop();
         Value::unit()
     }
 
@@ -194,64 +183,6 @@ impl Lowering {
         }
         exhausted
     }
-
-    /// `name += value` or `name -= value`.
-    pub(super) fn accumulate(&mut self, expr: &ExprBinary) -> Value {
-        let Some(name) = simple_name(&expr.left) else {
-            return self.refuse(&expr.left, "only a whole variable can be accumulated: `let mut sum = 0.0;`");
-        };
-        let term = self.expr(&expr.right);
-        let accumulator = match self.scopes.accumulator(&name) {
-            Ok(value) => value.clone(),
-            Err(Refused::Unknown) => return self.expr(&expr.left),
-            Err(Refused::Outside(around)) => return self.refuse(expr, assignment_outside(&name, around)),
-        };
-        let op = match expr.op {
-            BinOp::AddAssign(_) => BinOp::Add(Default::default()),
-            _ => BinOp::Sub(Default::default()),
-        };
-        let total = self.arithmetic(expr, &op, accumulator, term);
-        if let Ok(value) = self.scopes.accumulator(&name) {
-            *value = total;
-        }
-        Value::unit()
-    }
-
-    /// Any other assignment.
-    pub(super) fn assign(&mut self, assignment: &impl ToTokens, target: &Expr) -> Value {
-        let Some(name) = simple_name(target) else {
-            return self.refuse(assignment, "elements cannot be assigned to; build the array in one expression");
-        };
-        let variable = self.scopes.accumulator(&name);
-        if let Ok(Value::Poison) = variable {
-            return Value::Poison;
-        }
-        if let Err(Refused::Outside(around)) = variable {
-            return self.refuse(assignment, assignment_outside(&name, around));
-        }
-        if self.scopes.is_accumulating(&name) {
-            return self.refuse(
-                assignment,
-                format!("`{name}` is a variable outside of this loop, which may only add to it: `{name} += …`"),
-            );
-        }
-        self.refuse(
-            assignment,
-            format!("`{name}` cannot be assigned again: bind a new variable with `let`; sums grow with `{name} += …`"),
-        )
-    }
-}
-
-fn assignment_outside(name: &str, around: Around) -> String {
-    match around {
-        Around::Branch => format!(
-            "`{name}` is a variable outside of this branch: make the branch a value, as in \
-             `{name} += if … {{ … }} else {{ 0.0 }}`"
-        ),
-        Around::Function => format!(
-            "`{name}` is a variable outside of this function: return the value, and add that with `{name} += …`"
-        ),
-    }
 }
 
 pub(super) fn simple_name(expr: &Expr) -> Option<String> {
@@ -262,29 +193,4 @@ pub(super) fn simple_name(expr: &Expr) -> Option<String> {
         Expr::Unary(syn::ExprUnary { op: syn::UnOp::Deref(_), expr, .. }) => simple_name(expr),
         _ => None,
     }
-}
-
-/// Names to which a loop's body assigns.
-fn accumulated(body: &Block) -> HashSet<String> {
-    struct Targets(HashSet<String>);
-    impl Visit<'_> for Targets {
-        fn visit_expr_binary(&mut self, expr: &ExprBinary) {
-            if let (true, Some(name)) = (is_assignment(&expr.op), simple_name(&expr.left)) {
-                self.0.insert(name);
-            }
-            syn::visit::visit_expr_binary(self, expr);
-        }
-        fn visit_expr_assign(&mut self, expr: &syn::ExprAssign) {
-            self.0.extend(simple_name(&expr.left));
-            syn::visit::visit_expr_assign(self, expr);
-        }
-    }
-    let mut targets = Targets(HashSet::new());
-    targets.visit_block(body);
-    targets.0
-}
-
-fn is_assignment(op: &BinOp) -> bool {
-    use BinOp::{AddAssign, DivAssign, MulAssign, RemAssign, SubAssign};
-    matches!(op, AddAssign(_) | SubAssign(_) | MulAssign(_) | DivAssign(_) | RemAssign(_))
 }

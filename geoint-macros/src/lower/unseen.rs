@@ -1,7 +1,7 @@
 //! What rustc accepts, and what would mean something else here: refused before anything is evaluated.
 
 use crate::diagnostics::Diagnostics;
-use crate::parse::Energy;
+use crate::parse::{Energy, Function};
 use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::visit::{self, Visit};
@@ -13,6 +13,14 @@ pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
     let mut unseen = Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors };
     unseen.visit_block(&energy.item.block);
     energy.damping.iter().for_each(|damping| unseen.visit_expr(damping));
+    functions(&mut unseen, &energy.functions);
+}
+
+fn functions(unseen: &mut Unseen<'_>, all: &[Function]) {
+    for function in all {
+        unseen.visit_item_fn(&function.item);
+        functions(unseen, &function.used);
+    }
 }
 
 struct Unseen<'a> {

@@ -40,6 +40,21 @@ pub(super) struct Callable {
     pub(super) body: syn::Expr,
 }
 
+impl Callable {
+    /// A function that is written as an item.
+    pub(super) fn of(item: &syn::ItemFn) -> Self {
+        let parameters = item.sig.inputs.iter().filter_map(|input| match input {
+            syn::FnArg::Typed(typed) => Some((*typed.pat).clone()),
+            syn::FnArg::Receiver(_) => None,
+        });
+        Callable {
+            name: Some(item.sig.ident.to_string()),
+            parameters: parameters.collect(),
+            body: syn::Expr::Block(syn::ExprBlock { attrs: vec![], label: None, block: (*item.block).clone() }),
+        }
+    }
+}
+
 /// A `const` item, evaluated when it is first used: items may refer to later ones.
 pub(super) struct Constant {
     pub(super) expr: syn::Expr,

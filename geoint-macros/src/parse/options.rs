@@ -1,5 +1,6 @@
 //! The arguments of the attribute.
 
+use super::outside::Outside;
 use super::{Form, Role};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
@@ -17,27 +18,38 @@ pub(super) struct Options {
     pub(super) damping: Option<syn::Expr>,
     pub(super) split: Option<Vec<syn::Expr>>,
     pub(super) lift: Option<Span>,
+    pub(super) outside: Outside,
+    pub(super) with: Vec<syn::Path>,
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `crate = path` and `require(separable, quadratic_kinetic)`";
+                           `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
-                       `t = argument`, `split = \"terms | terms\"`, `lift` and `crate = path`";
+                       `t = argument`, `split = \"terms | terms\"`, `lift`, `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
+
+const FUNCTION: &str =
+    "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
+
+/// What may be given several times.
+const REPEATABLE: [&str; 3] = ["require", "const", "type"];
 
 impl Options {
-    pub(super) fn parse(form: Form, input: ParseStream<'_>) -> syn::Result<Self> {
+    /// Those of the attribute of a form, or of `#[energy_function]`.
+    pub(super) fn parse(form: Option<Form>, input: ParseStream<'_>) -> syn::Result<Self> {
         let mut options = Options::default();
         let mut given: Vec<Ident> = vec![];
         while !input.is_empty() {
             let key = input.call(Ident::parse_any)?;
-            if key != "require" && given.contains(&key) {
+            if !REPEATABLE.iter().any(|name| key == name) && given.contains(&key) {
                 return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
             }
             given.push(key.clone());
-            let contact = form == Form::Contact;
+            let (energy, contact) = (form.is_some(), form == Some(Form::Contact));
             match key.to_string().as_str() {
-                "require" if !contact => {
+                "with" => options.with = super::function::with(input)?,
+                "require" if energy && !contact => {
                     let inner;
                     syn::parenthesized!(inner in input);
                     for name in Punctuated::<Ident, Token![,]>::parse_terminated(&inner)? {
@@ -52,6 +64,8 @@ impl Options {
                         options.requirements.push((requirement, name.span()));
                     }
                 }
+                "const" => options.outside.parse_constant(input)?,
+                "type" => options.outside.parse_alias(input)?,
                 "crate" => {
                     input.parse::<Token![=]>()?;
                     options.runtime = Some(input.parse()?);
@@ -68,11 +82,11 @@ impl Options {
                     options.split = Some(groups(&input.parse()?)?);
                 }
                 "lift" if contact => options.lift = Some(key.span()),
-                "damping" => {
+                "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                name @ ("name" | "q" | "p" | "s" | "t") if contact || name != "s" => {
+                name @ ("name" | "q" | "p" | "s" | "t") if energy && (contact || name != "s") => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
@@ -83,7 +97,14 @@ impl Options {
                         _ => options.roles.push((Role::Time, value)),
                     }
                 }
-                _ => return Err(syn::Error::new_spanned(key, if contact { CONTACT } else { HAMILTONIAN })),
+                _ => {
+                    let message = match form {
+                        Some(Form::Hamiltonian) => HAMILTONIAN,
+                        Some(Form::Contact) => CONTACT,
+                        None => FUNCTION,
+                    };
+                    return Err(syn::Error::new_spanned(key, message));
+                }
             }
             if !input.is_empty() {
                 input.parse::<Token![,]>()?;

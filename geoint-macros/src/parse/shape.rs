@@ -36,6 +36,9 @@ const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalge
 
 const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
+/// Names of types of the standard library, which are no aliases.
+const FAMILIAR: [&str; 4] = ["String", "bool", "char", "Self"];
+
 /// The shape of a type.
 pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
     let refuse =
@@ -44,9 +47,7 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
         Type::Paren(inner) => shape(&inner.elem, float),
         Type::Group(inner) => shape(&inner.elem, float),
         Type::Array(array) => {
-            let Some(extent) = length(&array.len) else {
-                return refuse(&array.len, "a length is a number for now, such as `[f64; 3]`".into());
-            };
+            let extent = length(&array.len)?;
             let mut inner = shape(&array.elem, float)?;
             inner.extents.insert(0, extent);
             if inner.extents.len() > 2 {
@@ -68,7 +69,16 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                     "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
                         .into(),
                 ),
-                None => refuse(ty, format!("an argument may be {TYPES}")),
+                None => match path.path.get_ident().filter(|name| !FAMILIAR.iter().any(|known| name == known)) {
+                    Some(name) => refuse(
+                        ty,
+                        format!(
+                            "an argument may be {TYPES}; if `{name}` is a name for one of these, repeat that in the \
+                             attribute: `type {name} = …`"
+                        ),
+                    ),
+                    None => refuse(ty, format!("an argument may be {TYPES}")),
+                },
             }
         }
         Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
@@ -89,20 +99,32 @@ fn vector(path: &syn::TypePath, float: &Ident) -> syn::Result<Option<usize>> {
     let fixed = name.strip_prefix("Vector").and_then(|n| n.parse().ok()).filter(|n| (1..=6).contains(n));
     match (fixed, name.as_str(), arguments.next()) {
         (Some(n), _, None) => Ok(Some(n)),
-        (None, "SVector", Some(GenericArgument::Const(n))) => Ok(length(n)),
-        (None, "SVector", Some(n)) => {
-            Err(syn::Error::new_spanned(n, "a length is a number for now, such as `SVector<f64, 4>`"))
-        }
+        (None, "SVector", Some(GenericArgument::Const(n))) => length(n).map(Some),
+        (None, "SVector", Some(n)) => Err(unknown_length(n)),
         _ => Ok(None),
     }
 }
 
-fn length(expr: &Expr) -> Option<usize> {
+/// A length that is a number: constants have been written out.
+fn length(expr: &Expr) -> syn::Result<usize> {
     match expr {
-        Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => n.base10_parse().ok().filter(|n| (1..=1000).contains(n)),
+        Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) => match n.base10_parse() {
+            Ok(n @ 1..=1000) => Ok(n),
+            _ => Err(syn::Error::new_spanned(n, "a length goes from 1 to 1000: all loops over it are unrolled")),
+        },
         Expr::Group(group) => length(&group.expr),
-        _ => None,
+        other => Err(unknown_length(other)),
     }
+}
+
+fn unknown_length(length: &impl ToTokens) -> syn::Error {
+    let text = length.to_token_stream().to_string();
+    let name = if syn::parse_str::<Ident>(&text).is_ok() { &text } else { "N" };
+    let message = format!(
+        "the attribute cannot see constants outside of the function: repeat this one there, `const {name} = 3`; rustc \
+         checks that both agree"
+    );
+    syn::Error::new_spanned(length, message)
 }
 
 pub(super) fn float_type(ty: &Type) -> Option<Ident> {

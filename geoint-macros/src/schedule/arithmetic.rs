@@ -188,7 +188,7 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// xⁿ for n ≥ 1.
-    fn repeated(&mut self, x: Operand, n: u64) -> Operand {
+    fn repeated(&mut self, x: Operand, n: u128) -> Operand {
         if n <= 1 {
             return x;
         }

@@ -30,7 +30,7 @@ impl std::fmt::Debug for Rule {
 }
 
 /// q, p and s at the end of a flow of length h, in terms of those at its start.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Flow {
     pub(crate) q: Vec<Id>,
     pub(crate) p: Vec<Id>,

@@ -8,6 +8,8 @@ mod time;
 mod flow;
 mod scalar;
 mod kinetic;
+mod damped;
+mod geodesic;
 mod quadratic;
 mod prolongation;
 mod conjugate;

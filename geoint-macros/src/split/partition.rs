@@ -175,7 +175,7 @@ fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
 }
 
 /// Sums that couple are taken apart up to this power.
-const MAX_POWER: i64 = 4;
+const MAX_POWER: i128 = 4;
 
 /// What a flow costs wherever it is applied, after what is computed once a step.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {

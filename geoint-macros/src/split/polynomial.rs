@@ -1,5 +1,6 @@
 //! An expression as a sum of powers of some of its symbols, with coefficients that are free of them.
 
+use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 use std::collections::BTreeMap;
 
@@ -11,7 +12,7 @@ pub(super) type Monomial = BTreeMap<Symbol, Ratio>;
 pub(super) struct Polynomial(BTreeMap<Key, (Monomial, Id)>);
 
 /// A monomial in an order of its own.
-type Key = Vec<(Symbol, (i64, i64))>;
+type Key = Vec<(Symbol, (i128, i128))>;
 
 /// Products of sums have this many terms at most.
 const MAX_TERMS: usize = 64;
@@ -112,7 +113,7 @@ impl Polynomial {
     }
 
     /// The coefficient of a product of powers; zero if there is no such term.
-    pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i64)]) -> Id {
+    pub(super) fn coefficient(&self, graph: &mut Graph, powers: &[(Symbol, i128)]) -> Id {
         let monomial: Monomial = powers.iter().map(|(symbol, power)| (*symbol, Ratio::integer(*power))).collect();
         self.0.get(&key(&monomial)).map_or_else(|| graph.zero(), |(_, coefficient)| *coefficient)
     }
@@ -161,4 +162,60 @@ pub(super) fn factors(graph: &Graph, id: Id) -> Vec<(Id, Ratio)> {
         _ => vec![(base, exponent)],
     };
     graph.factors(id).into_iter().flat_map(within).collect()
+}
+
+/// a/b without the factors that both have: they may be zero.
+pub(super) fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let ((above, a), (below, b)) = (graph.coefficient(a), graph.coefficient(b));
+    let (mut quotient, mut divisors) = (graph.number(above), factors(graph, b));
+    for (base, exponent) in factors(graph, a) {
+        match divisors.iter().position(|divisor| *divisor == (base, exponent)) {
+            Some(i) => drop(divisors.swap_remove(i)),
+            None => {
+                let factor = graph.pow(base, exponent);
+                quotient = graph.mul(quotient, factor);
+            }
+        }
+    }
+    let mut divisor = graph.number(below);
+    for (base, exponent) in divisors {
+        let factor = graph.pow(base, exponent);
+        divisor = graph.mul(divisor, factor);
+    }
+    graph.div(quotient, divisor)
+}
+
+/// A node with a symbol replaced.
+pub(super) fn replaced(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
+    Substitution::new(|_, other| (other == symbol).then_some(value)).apply(graph, id)
+}
+
+/// The only momentum of a monomial, and its power.
+pub(super) fn single_momentum(monomial: &Monomial) -> Option<(u32, Ratio)> {
+    let mut momenta = monomial.iter().filter_map(|(symbol, power)| match symbol {
+        Symbol::P(i) => Some((*i, *power)),
+        _ => None,
+    });
+    momenta.next().filter(|_| momenta.next().is_none())
+}
+
+/// The factors of a product that do not read a symbol, and those that do.
+pub(super) fn parted(graph: &mut Graph, id: Id, symbol: Symbol) -> (Id, Id) {
+    let (c, rest) = graph.coefficient(id);
+    let (mut free, mut reading) = (graph.number(c), graph.integer(1));
+    for (base, exponent) in factors(graph, rest) {
+        let factor = graph.pow(base, exponent);
+        let side = if is_free(graph, factor, &|other| other == symbol) { &mut free } else { &mut reading };
+        *side = graph.mul(*side, factor);
+    }
+    (free, reading)
+}
+
+pub(super) fn is_momentum(symbol: Symbol) -> bool {
+    matches!(symbol, Symbol::P(_))
+}
+
+/// Σ powers, each of the momenta together.
+pub(super) fn degree(powers: impl IntoIterator<Item = Ratio>) -> Option<Ratio> {
+    powers.into_iter().try_fold(Ratio::ZERO, Ratio::add)
 }

@@ -7,11 +7,11 @@ use super::time::Clock;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// The coefficients of every term, if they are constant, and H has no other than these.
-fn coefficients(graph: &mut Graph, group: &Group, allowed: impl Fn(&[(Symbol, i64)]) -> bool) -> Option<Polynomial> {
+fn coefficients(graph: &mut Graph, group: &Group, allowed: impl Fn(&[(Symbol, i128)]) -> bool) -> Option<Polynomial> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| symbol.is_coordinate())?;
     let mut steady = true;
     for (monomial, coefficient) in powers.terms() {
-        let integers: Option<Vec<(Symbol, i64)>> =
+        let integers: Option<Vec<(Symbol, i128)>> =
             monomial.iter().map(|(symbol, power)| power.is_integer().then_some((*symbol, power.numerator))).collect();
         if !integers.is_some_and(|integers| allowed(&integers)) {
             return None;
@@ -105,7 +105,7 @@ pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
         )
     })?;
     let degrees = group.degrees;
-    let of = |graph: &mut Graph, powers_of: &[(Symbol, i64)]| powers.coefficient(graph, powers_of);
+    let of = |graph: &mut Graph, powers_of: &[(Symbol, i128)]| powers.coefficient(graph, powers_of);
     let g: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::Q(i), 1)])).collect();
     let b: Vec<Id> = (0..degrees).map(|i| of(graph, &[(Symbol::P(i), 1)])).collect();
     let c = of(graph, &[]);

@@ -3,16 +3,16 @@
 //! H in terms of q, p, s gives q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
 use super::flow::{Flow, Group, Rule};
-use super::{conjugate, kinetic, prolongation, quadratic};
+use super::{conjugate, damped, geodesic, kinetic, prolongation, quadratic};
 use crate::ir::Graph;
 
 /// In order of preference, where an energy belongs to several.
 pub(crate) static RULES: &[Rule] = &[
     Rule {
         name: "damped drift",
-        family: "p·Wp/2 + g s, g constant or k/t",
+        family: "p·Wp/2 + g s, g constant or k/(t₀ + t)",
         source: "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
-        solve: kinetic::damped,
+        solve: damped::drift,
     },
     Rule {
         name: "damped oscillator",
@@ -35,7 +35,7 @@ pub(crate) static RULES: &[Rule] = &[
         solve: kinetic::weighted,
     },
     Rule { name: "weighted power", family: "s pᵢᵏ", source: SEPARATION, solve: kinetic::power },
-    Rule { name: "geodesic", family: "f(qᵢ) pᵢ²", source: SEPARATION, solve: kinetic::geodesic },
+    Rule { name: "geodesic", family: "f(qᵢ) pᵢ²", source: SEPARATION, solve: geodesic::geodesic },
     Rule {
         name: "Legendre conjugate",
         family: "H(p, −q, s − q·p) for H of another family",

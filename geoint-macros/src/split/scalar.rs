@@ -5,7 +5,7 @@
 mod quadrature;
 
 use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
-use super::time::Clock;
+use super::time::{Clock, OverTime, over_time};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -105,15 +105,15 @@ fn affine(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
 /// exp(∫a dt); (t₀/t₁)^k for a = −k/t.
 fn growth(graph: &mut Graph, equation: &Equation, a: Id) -> Option<Id> {
     if equation.clock == Clock::Own
-        && let Some(k) = super::time::over_time(graph, a)
+        && let Some(OverTime { k, time }) = over_time(graph, a)
     {
         return Some(match graph.as_number(k) {
             Some(Number::Exact(k)) if k.denominator <= 2 => {
-                let ratio = super::time::ratio(graph);
+                let ratio = time.ratio(graph);
                 graph.pow(ratio, k.mul(Ratio::integer(-1))?)
             }
             _ => {
-                let ln = super::time::ln_ratio(graph);
+                let ln = time.ln_ratio(graph);
                 let z = graph.mul(k, ln);
                 graph.call(Function::Exp, &[z])
             }

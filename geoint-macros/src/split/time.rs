@@ -1,6 +1,6 @@
 //! ∫ f dt over a step from t to t + h, where f has an elementary antiderivative.
 
-use super::polynomial::{Monomial, Polynomial, factors, is_free, power};
+use super::polynomial::{Polynomial, factors, is_free, power};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -113,25 +113,63 @@ fn powers(graph: &mut Graph, rate: Id) -> Option<Id> {
     Some(sum)
 }
 
-/// k where a rate is k/t.
-pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<Id> {
-    let powers = Polynomial::of(graph, rate, &|symbol| symbol == Symbol::T)?;
-    let inverse = |monomial: &Monomial| power(monomial, Symbol::T) == Ratio::integer(-1);
-    let k = powers.coefficient(graph, &[(Symbol::T, -1)]);
-    (powers.has_only(inverse) && !graph.is_zero(k)).then_some(k)
+/// A rate k/τ with τ = t₀ + t.
+pub(super) struct OverTime {
+    pub(super) k: Id,
+    pub(super) time: ShiftedTime,
 }
 
-/// t/(t + h); not a number if the singular time 0 lies between both.
-pub(super) fn ratio(graph: &mut Graph) -> Id {
-    let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
-    let end = graph.add(t, h);
-    let ratio = graph.div(t, end);
-    graph.call(Function::NotNegative, &[ratio])
+/// τ = t₀ + t, which is singular where it is zero.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) struct ShiftedTime(Id);
+
+/// k and τ where a rate is k/τ: with a number before t, and whatever else is free of time.
+pub(super) fn over_time(graph: &mut Graph, rate: Id) -> Option<OverTime> {
+    if let Node::Linear(Number::ZERO, terms) = graph.node(rate).clone()
+        && terms.len() > 1
+    {
+        let (mut sum, mut common) = (graph.zero(), None);
+        for (c, term) in terms {
+            let OverTime { k, time } = over_time(graph, term)?;
+            if *common.get_or_insert(time) != time {
+                return None;
+            }
+            let k = graph.scale(c, k);
+            sum = graph.add(sum, k);
+        }
+        return common.map(|time| OverTime { k: sum, time });
+    }
+    let (c, rest) = graph.coefficient(rate);
+    let (mut k, mut found) = (graph.number(c), None);
+    for (base, exponent) in factors(graph, rest) {
+        if is_free(graph, base, &|symbol| symbol == Symbol::T) {
+            let factor = graph.pow(base, exponent);
+            k = graph.mul(k, factor);
+        } else if exponent == Ratio::integer(-1) && found.is_none() {
+            found = Some(base);
+        } else {
+            return None;
+        }
+    }
+    let base = found?;
+    let slope = diff::partial(graph, base, Symbol::T);
+    graph.as_number(slope).filter(|slope| !slope.is_zero())?;
+    Some(OverTime { k: graph.div(k, slope), time: ShiftedTime(graph.div(base, slope)) })
 }
 
-/// ln((t + h)/t); not a number if 0 lies between both.
-pub(super) fn ln_ratio(graph: &mut Graph) -> Id {
-    let [t, h] = [Symbol::T, Symbol::H].map(|symbol| graph.symbol(symbol));
-    let relative = graph.div(h, t);
-    graph.call(Function::Ln1p, &[relative])
+impl ShiftedTime {
+    /// τ/(τ + h); not a number if the singular time lies between both.
+    pub(super) fn ratio(self, graph: &mut Graph) -> Id {
+        let h = graph.symbol(Symbol::H);
+        let end = graph.add(self.0, h);
+        let ratio = graph.div(self.0, end);
+        graph.call(Function::NotNegative, &[ratio])
+    }
+
+    /// ln((τ + h)/τ); not a number if the singular time lies between both.
+    pub(super) fn ln_ratio(self, graph: &mut Graph) -> Id {
+        let h = graph.symbol(Symbol::H);
+        let relative = graph.div(h, self.0);
+        graph.call(Function::Ln1p, &[relative])
+    }
 }

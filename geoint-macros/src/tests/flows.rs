@@ -60,6 +60,37 @@ fn helpers() -> [Helper; 5] {
     ]
 }
 
+/// The mean of a power of r/(r + (1 − r)v), in relation to its value and to how it changes with the last digits of r and k.
+#[test]
+fn means_of_decay_are_accurate() {
+    let exact_mean = |r: &Big, k: &Big| {
+        let (one, ln) = (exact(1.0), r.ln());
+        let above = r - (&ln * k).exp();
+        above / ((k - &one) * (one - r))
+    };
+    let mut noise = Noise(7);
+    for kind in 0..2 * config().cases {
+        let near_one = |noise: &mut Noise| 1.0 + noise.between(-1.0, 1.0).signum() * noise.between(-30.0, -1.0).exp();
+        let r = if kind % 3 == 0 { near_one(&mut noise) } else { noise.between(-12.0, 3.0).exp() };
+        let k = if kind % 2 == 0 { near_one(&mut noise) } else { noise.between(-4.0, 12.0) };
+        let at = |r: f64, k: f64| exact_mean(&exact(r), &exact(k)).to_f64().value();
+        let (found, expected) = (slope::decay_mean(r, k), at(r, k));
+        let gap = 1.0 + 1e-6;
+        let condition = expected.abs()
+            + [at(r * gap, k), at(r, k * gap)].map(|moved| (moved - expected).abs() / 1e-6).iter().sum::<f64>();
+        assert!(
+            (found - expected).abs() <= 4.0 * f64::EPSILON * condition,
+            "r = {r}, k = {k}: {found:e}, not {expected:e}"
+        );
+    }
+    for k in [0.01, 0.5, 1.0, 1.7, 2.0, 40.0] {
+        assert_eq!(slope::decay_mean(0.0, k), 0.0);
+        assert_eq!(slope::decay_mean(0.0_f32, k as f32), 0.0);
+        assert!((slope::decay_mean(1.0_f64, k) - 1.0).abs() <= f64::EPSILON);
+    }
+    assert!((slope::decay_mean(0.25_f64, 1.0) - 0.25 * 4.0_f64.ln() / 0.75).abs() < 1e-16);
+}
+
 /// In relation to the value, and to how it changes with the last digit of x.
 #[test]
 fn helpers_are_accurate() {

@@ -4,6 +4,7 @@ mod cost;
 mod damping;
 mod flows;
 mod fuzz;
+mod identity;
 mod precise;
 mod derivatives;
 mod rounding;

@@ -174,3 +174,62 @@ fn terms_without_a_flow() {
     let item = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p * (1.0 + q * s) - q.cos() } };
     assert_eq!(pieces(item), Err("q·p²·s".to_string()));
 }
+
+/// What is said of pieces that are given.
+fn said_of(split: &str, item: &TokenStream) -> String {
+    let tokens = crate::expand::expand(parse::Form::Contact, quote!(split = #split), item.clone()).to_string();
+    let message = tokens.split_once("compile_error ! {").map_or("", |(_, rest)| rest);
+    message.split('"').nth(1).unwrap_or_default().to_string()
+}
+
+#[test]
+fn pieces_that_are_given_add_up_however_they_are_written() {
+    let item = quote! {
+        fn f(q: f64, p: f64, s: f64, m: f64, k: f64, gamma: f64, big: f64) -> f64 {
+            let v = p / m;
+            (m * v * v + k * (q + 1.0) * (q + 1.0)) / 2.0 + gamma * s - 6.674e-11 * big * q.cos()
+                + if q < 0.0 { 100.0 * q.powi(3) } else { 0.0 }
+        }
+    };
+    let wall = "if q < 0.0 { 100.0 * q * q * q } else { 0.0 }";
+    for split in [
+        &format!("p * p / (2.0 * m) + gamma * s | 0.5 * k * (1.0 + q).powi(2) - 6.674e-11 * big * q.cos() + {wall}"),
+        &format!("{wall} - big * q.cos() * 6.674e-11 | k * (q * q / 2.0 + q + 0.5) | s * gamma | 0.5 * p * p / m"),
+    ] {
+        assert_eq!(said_of(split, &item), "", "{split}");
+    }
+    let missing = "the pieces do not add up to the energy; what is missing";
+    for (split, left) in [
+        // A small term, a branch, a term twice, half of a term, a sign.
+        (format!("p * p / (2.0 * m) + gamma * s | k * (q + 1.0).powi(2) / 2.0 + {wall}"), "is: -6.674e-11·big·cos(q)"),
+        (
+            "p * p / (2.0 * m) + gamma * s | k * (q + 1.0).powi(2) / 2.0 - 6.674e-11 * big * q.cos()".into(),
+            "where q < 0 is: 100·q³",
+        ),
+        (
+            format!(
+                "p * p / (2.0 * m) + gamma * s | gamma * s | k * (q + 1.0).powi(2) / 2.0 - 6.674e-11 * big * q.cos() + {wall}"
+            ),
+            "is: -s·gamma",
+        ),
+        (
+            format!("p * p / (2.0 * m) + gamma * s | k * (q * q + 1.0) / 2.0 - 6.674e-11 * big * q.cos() + {wall}"),
+            "is: q·k",
+        ),
+        (
+            format!("p * p / (2.0 * m) - gamma * s | k * (q + 1.0).powi(2) / 2.0 - 6.674e-11 * big * q.cos() + {wall}"),
+            "is: 2·s·gamma",
+        ),
+    ] {
+        let said = said_of(&split, &item);
+        assert_eq!(said, format!("{missing} {left}"), "{split}");
+    }
+    let logarithm = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s - (q - 5.0).ln() } };
+    assert_eq!(said_of("p * p / 2.0 | s", &logarithm), format!("{missing} is: -ln(q - 5)"));
+    // A relation that is not known is no proof.
+    let angle = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s + (2.0 * q).sin() } };
+    assert!(said_of("p * p / 2.0 | s + 2.0 * q.sin() * q.cos()", &angle).contains("relation between functions"));
+    let long = quote! { fn f(q: f64, p: f64, s: f64, a: f64, b: f64) -> f64 { p + s + (q + a + b + 1.0).powi(60) } };
+    assert!(said_of("p | s + (a + q + b + 1.0).powi(60)", &long).is_empty());
+    assert!(said_of("p | s + (a + q + b + 1.0).powi(60) + q", &long).contains("-q"));
+}

@@ -1,10 +1,15 @@
 //! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
 
+use super::fuzz::{config, energy};
+use super::rounding::rounded;
 use super::{Noise, lowered};
 use crate::diff;
 use crate::ir::eval::eval;
 use crate::ir::{HashMap, Id, Symbol};
+use crate::parse::Form;
 use crate::schedule::{self, Block, Instruction, Operand, Statement};
+use crate::{lower, parse};
+use proptest::prelude::*;
 use quote::quote;
 
 /// Runs statements.
@@ -123,6 +128,70 @@ fn statements_mean_what_the_graph_means() {
             for (root, found) in iteration.iter().zip(results) {
                 let expected = eval(&before, *root, &input);
                 assert!((found - expected).abs() < 1e-12 * (1.0 + expected.abs()), "{found} {expected}");
+            }
+        }
+    }
+}
+
+/// Everything that is derived for the iterations of implicit steps.
+fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
+    let fields = match form {
+        Form::Hamiltonian => {
+            let shape = parse::Shape { extents: vec![], vector: false };
+            let structure = crate::analyze::structure(graph, energy, &shape);
+            let derivatives = diff::derivatives(graph, &structure, 1);
+            vec![derivatives.field, derivatives.discrete]
+        }
+        Form::Contact => [diff::contact::midpoint, diff::contact::discrete]
+            .map(|equation| {
+                let diff::contact::Equation { mut field, end } = equation(graph, energy, 1);
+                field.f.extend(end);
+                field
+            })
+            .into(),
+    };
+    fields.into_iter().flat_map(|field| [field.f, field.jacobian.concat()].concat()).collect()
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    /// Random energies of both kinds, and all that is derived from them: scheduled in levels and interpreted, they have the values that
+    /// the graph has.
+    #[test]
+    fn random_energies_mean_what_the_graph_means(
+        (form, text) in energy(&["q", "p", "q", "p", "t", "a", "w[1]", "0.5", "2.0"]),
+        point in prop::array::uniform8(-1.5..1.5),
+    ) {
+        let energy = parse::energy(form, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
+        // Constants without a value are refused.
+        let Ok(mut lowered) = lower::body(&energy) else { return Ok(()) };
+        let roots = [vec![lowered.energy], derived(form, &mut lowered.graph, lowered.energy)].concat();
+        let before = lowered.graph.clone();
+        let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&roots]);
+        let input = |symbol: Symbol| match symbol {
+            Symbol::Q(_) => point[0],
+            Symbol::P(_) => point[1],
+            Symbol::S => point[2],
+            Symbol::Dq(_) => 0.3 * point[3],
+            Symbol::Dp(_) => 0.3 * point[4],
+            Symbol::Ds => 0.3 * point[5],
+            Symbol::T => point[6],
+            Symbol::H | Symbol::G => 0.1 * point[7],
+            Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),
+        };
+        let mut slots: Vec<Vec<f64>> = vec![];
+        for store in &plan.stores {
+            let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store);
+            slots.push(results);
+        }
+        let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+        for (root, found) in roots.iter().zip(results) {
+            let expected = rounded(&before, *root, &input);
+            // What is not finite, or nothing but rounding, tells nothing.
+            if expected.value.is_finite() && expected.error.is_finite() {
+                let difference = (found - expected.value).abs();
+                prop_assert!(difference <= 4.0 * f64::EPSILON * expected.error + 1e-290, "{found} {expected:?} of {text}");
             }
         }
     }

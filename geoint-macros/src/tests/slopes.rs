@@ -117,6 +117,7 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC1
         | Function::StumpffC1Derivative
         | Function::AtMost
+        | Function::DecayMean
         | Function::Grown => vec![],
     }
 }

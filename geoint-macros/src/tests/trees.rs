@@ -1,6 +1,6 @@
-//! The discrete gradient of whole energies: random ones, and those with branches and angles.
+//! The discrete gradient of whole energies: random ones of both kinds, and those with branches and angles.
 
-use super::fuzz::{arithmetic, config};
+use super::fuzz::{config, energy};
 use super::lowered;
 use super::precise::{self, Big, big};
 use super::rounding::{Rounded, rounded};
@@ -11,11 +11,11 @@ use proc_macro2::TokenStream;
 use proptest::prelude::*;
 use quote::quote;
 
-/// A step in (q, p), and what else the energy reads.
+/// A step in (q, p, s), and what else the energy reads.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    start: [f64; 2],
-    increment: [f64; 2],
+    start: [f64; 3],
+    increment: [f64; 3],
     rest: f64,
 }
 
@@ -24,8 +24,10 @@ impl Step {
         match symbol {
             Symbol::Q(_) => self.start[0],
             Symbol::P(_) => self.start[1],
+            Symbol::S => self.start[2],
             Symbol::Dq(_) => self.increment[0],
             Symbol::Dp(_) => self.increment[1],
+            Symbol::Ds => self.increment[2],
             Symbol::Parameter(i) => self.rest + 0.37 * f64::from(i),
             _ => self.rest,
         }
@@ -38,7 +40,7 @@ impl Step {
 
     /// What starts where this step ends.
     fn reached(&self) -> Step {
-        Step { start: [0, 1].map(|i| self.start[i] + self.increment[i]), ..*self }
+        Step { start: [0, 1, 2].map(|i| self.start[i] + self.increment[i]), ..*self }
     }
 }
 
@@ -49,8 +51,8 @@ const BITS: usize = 400;
 struct Tree {
     graph: Graph,
     energy: Id,
-    gradient: [Id; 2],
-    slopes: [Id; 2],
+    gradient: [Id; 3],
+    slopes: [Id; 3],
 }
 
 impl Tree {
@@ -58,7 +60,7 @@ impl Tree {
         let (graph, energy) = (&mut lowered.graph, lowered.energy);
         let gradient = diff::gradient(graph, energy, 1);
         let slopes = diff::discrete_gradient(graph, energy, 1);
-        let [gradient, slopes] = [gradient, slopes].map(|g| [g.q[0], g.p[0]]);
+        let [gradient, slopes] = [gradient, slopes].map(|g| [g.q[0], g.p[0], g.s]);
         Tree { graph: lowered.graph, energy, gradient, slopes }
     }
 
@@ -66,7 +68,7 @@ impl Tree {
         Tree::new(lowered(item).1)
     }
 
-    fn rounded(&self, roots: [Id; 2], step: &Step) -> [Rounded; 2] {
+    fn rounded(&self, roots: [Id; 3], step: &Step) -> [Rounded; 3] {
         roots.map(|root| rounded(&self.graph, root, &|symbol| step.read(symbol)))
     }
 
@@ -87,6 +89,7 @@ impl Tree {
             match symbol {
                 Symbol::Q(_) if end => start + big(step.increment[0], bits),
                 Symbol::P(_) if end => start + big(step.increment[1], bits),
+                Symbol::S if end => start + big(step.increment[2], bits),
                 _ => start,
             }
         })
@@ -101,8 +104,8 @@ impl Tree {
         }
         let bits = change.precision();
         let along = |i: usize| big(slopes[i].value, bits) * big(step.increment[i], bits);
-        let value = (along(0) + along(1) - change).to_f64().value();
-        let error: f64 = (0..2).map(|i| (slopes[i].error * step.increment[i]).abs()).sum();
+        let value = (along(0) + along(1) + along(2) - change).to_f64().value();
+        let error: f64 = (0..3).map(|i| (slopes[i].error * step.increment[i]).abs()).sum();
         Some(Rounded { value, error: error + 1e-60 * step.smallest() })
     }
 }
@@ -141,7 +144,7 @@ fn check(tree: &mut Tree, step: &Step) {
             assert!(!exists || !gradient || is_singular(tree, step), "there should be slopes");
         }
     }
-    let still = Step { increment: [0.0; 2], ..*step };
+    let still = Step { increment: [0.0; 3], ..*step };
     for (slope, derivative) in tree.rounded(tree.slopes, &still).iter().zip(tree.rounded(tree.gradient, &still)) {
         let error = slope.error + derivative.error;
         let same = is_rounding(slope.value - derivative.value, error);
@@ -158,10 +161,10 @@ fn check(tree: &mut Tree, step: &Step) {
 }
 
 fn step() -> impl Strategy<Value = Step> {
-    let pair = |size: f64| prop::array::uniform2(-size..size);
+    let point = |size: f64| prop::array::uniform3(-size..size);
     // Steps of any size down to the smallest numbers that there are.
     let exponent = prop_oneof![4 => -0.5..0.5, 3 => -16.0..0.0, 1 => -322.0..-16.0];
-    (pair(2.0), pair(1.0), exponent, 0.5..1.5).prop_map(|(start, direction, exponent, rest)| {
+    (point(2.0), point(1.0), exponent, 0.5..1.5).prop_map(|(start, direction, exponent, rest)| {
         let size = 10_f64.powf(exponent);
         Step { start, increment: direction.map(|d| size * d), rest }
     })
@@ -172,10 +175,10 @@ proptest! {
 
     #[test]
     fn random_energies(
-        text in arithmetic(&["q", "p", "q", "p", "t", "a", "w[1]", "0.5", "2.0"]),
+        (form, text) in energy(&["q", "p", "q", "p", "t", "a", "w[1]", "0.5", "2.0"]),
         steps in prop::collection::vec(step(), 2),
     ) {
-        let energy = parse::energy(parse::Form::Hamiltonian, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
+        let energy = parse::energy(form, quote!(), syn::parse_str(&text).expect("a function")).expect("an energy");
         // Constants without a value are refused.
         if let Ok(lowered) = lower::body(&energy) {
             let mut tree = Tree::new(lowered);
@@ -192,8 +195,8 @@ fn steps(mut visit: impl FnMut(&Step)) {
     for [q0, q1] in places.iter().flat_map(|a| places.map(|b| [*a, b])) {
         for [p0, p1] in [[0.3, -0.8], [1.1, 1.1], [-0.2, 0.02]] {
             for size in [1.0, 0.01] {
-                let increment = [size * (q1 - q0), size * (p1 - p0)];
-                visit(&Step { start: [q0, p0], increment, rest: 0.9 });
+                let increment = [size * (q1 - q0), size * (p1 - p0), 0.0];
+                visit(&Step { start: [q0, p0, 0.0], increment, rest: 0.9 });
             }
         }
     }
@@ -260,9 +263,10 @@ fn slopes_across_a_branch_are_consistent() {
         q.sin() * p + if r < 1.0 { (1.0 - r).powi(3) } else { 0.0 }
     } });
     let error = |size: f64| {
-        let step = Step { start: [0.6 - 0.5 * size, 0.8 - 0.2 * size], increment: [size, 0.4 * size], rest: 1.0 };
+        let step =
+            Step { start: [0.6 - 0.5 * size, 0.8 - 0.2 * size, 0.0], increment: [size, 0.4 * size, 0.0], rest: 1.0 };
         assert!(tree.crosses(&step));
-        let middle = Step { start: [0.6, 0.8], ..step };
+        let middle = Step { start: [0.6, 0.8, 0.0], ..step };
         let [found, expected] = [tree.rounded(tree.slopes, &step), tree.rounded(tree.gradient, &middle)];
         (found[0].value - expected[0].value).hypot(found[1].value - expected[1].value)
     };

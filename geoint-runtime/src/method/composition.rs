@@ -1,9 +1,36 @@
 //! Symmetric compositions: Φ(γ_K h) ∘ … ∘ Φ(γ₁h) of a symmetric map Φ of order 2 has the order of the table.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A pendulum on a spring, in polar coordinates: q and p are coupled.
+//! #[hamiltonian]
+//! fn elastic_pendulum(q: [f64; 2], p: [f64; 2], m: f64, k: f64, g: f64) -> f64 {
+//!     let [r, angle] = q;
+//!     (p[0] * p[0] + p[1] * p[1] / (r * r)) / (2.0 * m) + k * (r - 1.0).powi(2) / 2.0 - m * g * r * angle.cos()
+//! }
+//!
+//! let system = ElasticPendulum { m: 0.8, k: 40.0, g: 9.81 };
+//! let start = State::new([1.1, 0.5], [0.0, 0.0]);
+//! let end = |steps: u64| -> Result<f64, StepError> {
+//!     let mut sim = system.integrator(Suzuki4.of(DiscreteGradient), 2.0 / steps as f64, start);
+//!     let energy = sim.energy();
+//!     sim.advance(steps)?;
+//!     // What the map keeps the composition keeps.
+//!     assert!((sim.energy() / energy - 1.0).abs() < 1e-13);
+//!     Ok(sim.state().q[1])
+//! };
+//! let [a, b, c] = [end(100)?, end(200)?, end(400)?];
+//! let order = ((a - b) / (b - c)).log2();
+//! assert!((order - 4.0).abs() < 0.2);
+//! # Ok::<(), StepError>(())
+//! ```
 
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::total::adds_up;
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::Summation;
 use crate::system::PhaseSpace;
 
 /// Weights γ₁, …, γ_K, reading the same from both ends.
@@ -23,6 +50,7 @@ impl<const K: usize> Composition<K> {
             gamma[i] = half[if i < HALF { i } else { K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(&gamma, 1.0), "the weights add up to 1");
         Composition { order, gamma }
     }
 
@@ -99,6 +127,11 @@ pub struct Composed<M, const K: usize> {
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
+    /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all
+    /// substeps, whose lengths and signs differ, Kahan & Li's composition of discrete gradients takes 4.3 times as long
+    /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
+    type Memory = [M::Memory; K];
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         Claims { order: self.composition.order, ..self.map.claims() }
@@ -112,13 +145,18 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         })
     }
 
+    fn memory() -> Self::Memory {
+        core::array::from_fn(|_| M::memory())
+    }
+
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, S::Action>,
-        probe: &mut P,
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        prepared.iter_mut().try_for_each(|(substep, after)| M::step(substep, t + *after, x, probe))
+        let mut substeps = prepared.iter().zip(memory);
+        let t = step.t;
+        substeps.try_for_each(|((substep, after), memory)| M::step(substep, memory, step.part(t + *after)))
     }
 }

@@ -8,11 +8,11 @@ use crate::system::Collocation;
 pub fn modified_verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, q: &S::Array, p: &S::Array) -> R {
     let constants = system.constants();
     let (y, momenta) = S::start(q, p);
-    let velocity = S::velocity(&constants, &momenta);
+    let velocity = system.velocity(&constants, &momenta);
     let (mut force, mut acceleration) = (S::Unknown::zero(), S::Unknown::zero());
     let mut jacobian = S::Unknown::fill(S::Unknown::zero());
-    S::field(&constants, t, &y, &mut force, &mut jacobian);
-    S::add(&constants, R::from_f64(1.0), &force, &mut acceleration);
+    system.field(&constants, t, &y, &mut force, &mut jacobian);
+    system.add(&constants, R::from_f64(1.0), &force, &mut acceleration);
     let dot = |a: &S::Unknown, b: &S::Unknown| {
         a.as_slice().iter().zip(b.as_slice()).fold(zero(), |sum: R, (a, b)| a.multiply_add(*b, sum))
     };
@@ -25,6 +25,7 @@ pub fn modified_verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, q: &S
 /// p ← p + hF + g ∂(F·M⁻¹F)/∂q, with h and g as they are prepared: 2 ∂F/∂q·M⁻¹F, because ∂F/∂q is symmetric.
 #[inline(always)]
 pub fn gradient_kick<S: Collocation<R>, R: Real>(
+    system: &S,
     (constants, [h, g]): &(S::Constants, [R; 2]),
     t: R,
     q: &S::Array,
@@ -33,8 +34,8 @@ pub fn gradient_kick<S: Collocation<R>, R: Real>(
     let (y, _) = S::start(q, p);
     let (mut force, mut acceleration) = (S::Unknown::zero(), S::Unknown::zero());
     let mut jacobian = S::Unknown::fill(S::Unknown::zero());
-    S::field(constants, t, &y, &mut force, &mut jacobian);
-    S::add(constants, *g + *g, &force, &mut acceleration);
+    system.field(constants, t, &y, &mut force, &mut jacobian);
+    system.add(constants, *g + *g, &force, &mut acceleration);
     let rows = S::Unknown::entries::<S::Unknown>(&mut jacobian).iter();
     for (p, (row, force)) in p.as_mut_slice().iter_mut().zip(rows.zip(force.as_slice())) {
         let mut impulse = *h * *force;

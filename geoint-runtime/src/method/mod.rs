@@ -1,5 +1,6 @@
 //! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
 
+mod clock;
 pub mod composition;
 pub mod contact;
 pub mod corrected;
@@ -12,10 +13,12 @@ mod probe;
 pub mod splitting;
 pub mod tableau;
 pub mod tables;
+mod total;
 
+pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
 pub use probe::{Probe, Unwatched};
-pub(crate) use probe::{check_end, check_poles, start};
+pub(crate) use probe::{check_conditions, check_end, check_poles, start};
 
 pub use crate::solving::Refusal;
 
@@ -46,9 +49,13 @@ pub struct Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
-    /// Everything that depends on the method, the parameters and h; and what implicit methods remember of earlier steps to
-    /// guess the next one.
-    type Prepared: Copy;
+    /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
+    type Prepared: Clone;
+    /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
+    /// compensations of sums. `()` for most explicit methods.
+    type Memory: Clone;
+    /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
+    const SCALES_STEPS: bool = false;
 
     /// What the method promises.
     fn claims(&self) -> Claims;
@@ -56,44 +63,57 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
 
-    /// One step from time `t`, in place.
+    /// The memory before the first step.
+    fn memory() -> Self::Memory;
+
+    /// One step, in place. Every point at which the energy is evaluated is shown to `step.probe`.
     ///
-    /// Every point at which the energy is looked at is shown to `probe`.
+    /// # Errors
+    /// Where the step has no result; point and memory are then worth nothing.
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, S::Action>,
-        probe: &mut P,
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal>;
 
     /// `steps` steps, of which the `i`-th starts at `clock.at(i)`.
+    ///
+    /// # Errors
+    /// Where one of them has no result; point and memory are then worth nothing.
     #[inline(always)]
     fn advance<C: Summation<S::Array>>(
-        prepared: &mut Self::Prepared,
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        system: &S,
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Array, C, S::Action>,
     ) -> Result<(), Refusal> {
         for i in 0..steps {
-            let t = clock.at(i) + x.ahead;
-            Self::step(prepared, t, x, &mut Unwatched)?;
+            let t = clock.at(i) + x.ahead.value();
+            Self::step(prepared, memory, Step { system, t, x, probe: &mut Unwatched })?;
         }
         Ok(())
     }
 }
 
-/// The times at which steps start.
-#[derive(Clone, Copy, Debug)]
-pub struct Clock<R> {
-    pub(crate) t0: R,
-    pub(crate) h: R,
-    pub(crate) first: u64,
+/// A step that is about to be taken: of which system, when, from where, and who watches.
+#[derive(Debug)]
+pub struct Step<'a, S: PhaseSpace<R>, R: Real, C, P> {
+    /// The system with its parameters.
+    pub system: &'a S,
+    /// The time at which the step starts.
+    pub t: R,
+    /// The point that is moved.
+    pub x: &'a mut Point<S::Array, C, S::Action>,
+    /// Is shown every point at which the energy is evaluated.
+    pub probe: &'a mut P,
 }
 
-impl<R: Real> Clock<R> {
-    /// The time at which step `i` starts: t₀ + (n + i)·h.
+impl<S: PhaseSpace<R>, R: Real, C, P> Step<'_, S, R, C, P> {
+    /// A part of this step, from time `t` on.
     #[inline(always)]
-    pub fn at(&self, i: u64) -> R {
-        R::time(self.t0, self.first + i, self.h)
+    pub fn part(&mut self, t: R) -> Step<'_, S, R, C, P> {
+        Step { system: self.system, t, x: self.x, probe: self.probe }
     }
 }

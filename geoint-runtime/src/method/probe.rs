@@ -1,27 +1,19 @@
 //! What sees the points at which a step evaluates the energy.
 
+use crate::method::Step;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::space::{Array, Point};
-use crate::system::{Guarded, Known, PhaseSpace};
+use crate::system::{Known, PhaseSpace, Poles, jump_between};
 
-/// Sees every point at which a step looks at the energy.
+/// Is shown every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
     /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
     /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
     const PATIENT: bool = true;
 
-    /// The energy is about to be looked at here.
-    fn look(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
-
-    /// The same, where there is no action.
-    #[inline(always)]
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array)
-    where
-        S: PhaseSpace<R, Action = ()>,
-    {
-        self.look(t, q, p, &());
-    }
+    /// The energy is about to be evaluated here.
+    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
 
     /// An exact flow of a piece of the energy has been applied, with a result that is finite or not.
     #[inline(always)]
@@ -38,21 +30,21 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     const PATIENT: bool = false;
 
     #[inline(always)]
-    fn look(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
+    fn visit(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that look at it in
+/// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
 /// between only.
 #[inline(always)]
 pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
-    guarded: &Guarded<S>,
-    t: [R; 2],
+    poles: &Poles,
+    times: [R; 2],
     before: &Start<S, R>,
-    x: &mut Point<S::Array, C, S::Action>,
-    probe: &P,
+    step: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    Refusal::outside(guarded.system.outside_domain(t[1], &x.q, &x.p, &x.s))?;
-    check_poles(guarded, false, t, before, x, probe)
+    let x = &*step.x;
+    Refusal::outside(step.system.outside_domain(times[1], &x.q, &x.p, &x.s))?;
+    check_poles(poles, false, times, before, step)
 }
 
 /// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
@@ -61,21 +53,32 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 /// would cost a tenth of a short step.
 #[inline(always)]
 pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
-    guarded: &Guarded<S>,
+    poles: &Poles,
     divided: bool,
-    t: [R; 2],
+    times: [R; 2],
     (q, p, s): &Start<S, R>,
-    x: &mut Point<S::Array, C, S::Action>,
-    _: &P,
+    Step { system, x, .. }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let ends = (t, [q, &x.q], [p, &x.p], [s, &x.s]);
+    let ends = (times, [q, &x.q], [p, &x.p], [s, &x.s]);
     if P::PATIENT || Known::<S, R>::SEARCHED {
-        return Refusal::outside(guarded.pole_between(divided, ends));
+        return Refusal::outside(poles.between(system, divided, ends));
     }
-    if !guarded.is_clear(divided, ends) {
+    if !poles.is_clear(system, divided, ends) {
         x.p.as_mut_slice()[0] = R::from_f64(f64::NAN);
     }
     Ok(())
+}
+
+/// Refuses the end of a step where rounding has decided a condition otherwise than the equation of the step has, which decided it at
+/// `decided`, and the energy jumps there.
+#[inline(always)]
+pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
+    system: &S,
+    t: R,
+    [q, p]: &[S::Array; 2],
+    x: &Point<S::Array, C>,
+) -> Result<(), Refusal> {
+    Refusal::outside(jump_between(system, t, [q, &x.q], [p, &x.p], [&(), &()]))
 }
 
 /// Where a step starts: q, p, s.

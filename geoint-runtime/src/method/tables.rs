@@ -377,7 +377,7 @@ pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
     ],
 );
 
-/// Any number of pieces. Order 4, 6 looks at the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₆,
+/// Any number of pieces. Order 4, 6 flows of the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₆,
 /// as a table of maps and adjoints. 3 free parameters.
 pub const BlanesMoan4X: PieceComposition<6> = PieceComposition::palindrome(
     4,
@@ -391,7 +391,7 @@ pub const BlanesMoan4X: PieceComposition<6> = PieceComposition::palindrome(
     ],
 );
 
-/// Any number of pieces. Order 6, 10 looks at the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table
+/// Any number of pieces. Order 6, 10 flows of the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table
 /// 2, S₁₀, as a table of maps and adjoints. 1 free parameter.
 pub const BlanesMoan6X: PieceComposition<10> = PieceComposition::palindrome(
     6,

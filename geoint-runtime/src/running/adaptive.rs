@@ -5,13 +5,14 @@
 
 use super::watch::{Found, Watch};
 use crate::method::corrected::invariants::{plus, size};
-use crate::method::{Method, Probe, Unwatched};
+use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{Reason, StepError};
-use crate::running::integrator::real;
+use crate::running::output::{Samples, Until};
 use crate::running::step_size::{Bounds, Controller};
-use crate::scalar::{Real, zero};
+use crate::running::trajectory::Trajectory;
+use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
-use crate::space::{Compensated, Point, Summation};
+use crate::space::{Compensated, DoubleWord, Point};
 use crate::space::{Coordinates, State};
 use crate::system::Hamiltonian;
 
@@ -27,7 +28,24 @@ type Carried<A> = Point<A, Compensated<A>>;
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
-#[derive(Clone, Copy, Debug)]
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Planar pendulum; q in rad, p in kg m²/s.
+/// #[hamiltonian]
+/// fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+///     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+/// }
+///
+/// let system = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
+/// let mut sim = system.adaptive(DOP853, 1e-10, State::new(3.1, 0.0));
+/// // Almost upside down it takes long steps, and short ones on the way down.
+/// sim.advance_to(10.0)?;
+/// assert_eq!(sim.time(), 10.0);
+/// # Ok::<(), StepError>(())
+/// ```
+#[derive(Clone, Debug)]
 pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
     method: M,
@@ -35,8 +53,9 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     bounds: Bounds,
     controller: Controller,
     prepared: Prepared<M::Prepared>,
-    t: R,
-    t_sum: Compensated<R>,
+    /// Of steps as a whole, and of their halves.
+    memory: [M::Memory; 2],
+    clock: Clock<R>,
     x: Carried<S::Array>,
     /// The largest position and the largest momentum so far.
     largest: [f64; 2],
@@ -45,7 +64,7 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
 }
 
 /// Coefficients of a step as a whole, and of its halves.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 struct Prepared<P> {
     h: f64,
     whole: P,
@@ -66,8 +85,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             bounds: Bounds::default(),
             controller,
             prepared: prepare(&system, &method, 1.0),
-            t: state.t,
-            t_sum: Compensated::new(),
+            memory: [M::memory(), M::memory()],
+            clock: Clock::new(state.t, zero()),
             x,
             largest: [magnitude(&x.q), magnitude(&x.p)],
             steps: 0,
@@ -101,7 +120,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
         let mut slopes = [S::Array::zero(); 2];
         let [by_q, by_p] = &mut slopes;
-        self.system.gradient(self.t, &x.q, &x.p, by_q, by_p);
+        self.system.gradient(self.time(), &x.q, &x.p, by_q, by_p);
         slopes
     }
 
@@ -119,47 +138,75 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// # Errors
     /// See [`StepError`]; the state is then the last good one.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        self.until(t).try_for_each(|state| state.map(drop))
+        let left = self.clock.left(t);
+        if left.is_infinite() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        while self.step_towards(t)? {}
+        Ok(())
     }
 
-    /// The state after every step to the time `t`, before or after now: the last one is there.
-    pub fn until(&mut self, t: R) -> Until<'_, S, M, R> {
-        Until { sim: self, t, failed: false }
-    }
-
-    fn step_towards(&mut self, t: R) -> Result<(), StepError> {
+    /// One step to the time `t`, before or after now, or towards it; `false` if that is now.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        if self.time() == t {
+            return Ok(false);
+        }
         self.check_start()?;
-        let left = self.left(t);
+        let left = self.clock.left(t);
         if left.is_nan() {
             return Err(StepError::InvalidStepSize { h: left });
         }
         self.controller.turn(left < 0.0);
         self.step_within(left.abs())?;
         // Methods that scale their steps end a little beside it, and take another one.
-        if self.left(t).abs() <= R::epsilon() * (real(t).abs() + self.step_size().abs()) {
-            (self.t, self.t_sum) = (t, Compensated::new());
+        if self.clock.left(t).abs() <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
+            self.clock = Clock::new(t, zero());
         }
-        Ok(())
+        Ok(true)
     }
 
-    fn left(&self, t: R) -> f64 {
-        let mut left = t - self.t;
-        left += -self.t_sum.carry();
-        real(left)
+    /// The state after every step to the time `t`, before or after now: the last one is there.
+    pub fn until(&mut self, t: R) -> Until<'_, Self> {
+        Until::new(self, t)
+    }
+
+    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
+        Samples::new(self, k)
+    }
+
+    /// `n` steps, of whatever lengths the tolerance allows.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        (0..n).try_for_each(|_| self.step())
     }
 
     /// A step that is not longer than `left`.
     fn step_within(&mut self, left: f64) -> Result<(), StepError> {
-        let t = real(self.t);
+        let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon());
         loop {
             let regular = self.controller.step(&bounds);
             let h = if regular.abs() < left { regular } else { left.copysign(regular) };
             if h == regular && h != self.prepared.h {
                 self.prepared = prepare(&self.system, &self.method, h);
+                self.memory = [M::memory(), M::memory()];
             }
-            let mut prepared = if h == regular { self.prepared } else { prepare(&self.system, &self.method, h) };
-            let (x, error) = match self.attempt(&mut prepared, &mut Unwatched) {
+            let (mut memory, shorter);
+            let prepared = if h == regular {
+                memory = self.memory.clone();
+                &self.prepared
+            } else {
+                memory = [M::memory(), M::memory()];
+                shorter = prepare(&self.system, &self.method, h);
+                &shorter
+            };
+            let (x, error) = match self.attempt(prepared, &mut memory, &mut Unwatched) {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
@@ -172,13 +219,13 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 }
             };
             if h == regular {
-                self.prepared = prepared;
+                self.memory = memory;
                 self.controller.accept(h, error);
             }
-            self.t_sum.add(&mut self.t, |t| *t += R::from_f64(h) + x.ahead);
+            self.clock.pass_step(R::from_f64(h), x.ahead);
             self.largest = [self.largest[0].max(magnitude(&x.q)), self.largest[1].max(magnitude(&x.p))];
             self.x = x;
-            self.x.ahead = zero();
+            self.x.ahead = DoubleWord::new(zero());
             self.steps += 1;
             return Ok(());
         }
@@ -187,25 +234,27 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// A step in two halves, and its estimated error in units of what is tolerated.
     fn attempt<P: Probe<S, R>>(
         &self,
-        prepared: &mut Prepared<M::Prepared>,
+        prepared: &Prepared<M::Prepared>,
+        [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
     ) -> Result<(Carried<S::Array>, f64), Reason> {
         let half = R::from_f64(0.5 * prepared.h);
         let (mut x, mut whole) = (self.x, self.x);
-        M::step(&mut prepared.whole, self.t, &mut whole, probe)?;
+        let system = &self.system;
+        M::step(&prepared.whole, memory_of_whole, Step { system, t: self.time(), x: &mut whole, probe })?;
         for end in [half, half + half] {
-            let start = self.t + (end - half) + x.ahead;
-            M::step(&mut prepared.half, start, &mut x, probe)?;
+            let start = self.time() + (end - half) + x.ahead.value();
+            M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
-            if let Some(what) = self.system.outside_domain(self.t + end + x.ahead, &x.q, &x.p, &()) {
+            if let Some(what) = self.system.outside_domain(self.time() + end + x.ahead.value(), &x.q, &x.p, &()) {
                 return Err(Reason::OutsideDomain { what });
             }
         }
         let mut gap = plus([x.q, x.p], -1.0, &[whole.q, whole.p]);
         // Where a method scales its steps, the two are at different times.
-        let late = x.ahead - whole.ahead;
+        let late = x.ahead.value() - whole.ahead.value();
         if late.magnitude() != 0.0 {
             let [slope_q, slope_p] = self.gradient(&x);
             gap[0].add_scaled(-late, &slope_p);
@@ -228,8 +277,9 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// Why a step is refused: once more, watched.
     #[cold]
     fn reason(&self, h: f64) -> Reason {
-        let mut watch = Watch::new(&self.system, self.t, &self.x);
-        let outcome = self.attempt(&mut prepare(&self.system, &self.method, h), &mut watch);
+        let mut watch = Watch::new(&self.system, self.time(), &self.x);
+        let outcome =
+            self.attempt(&prepare(&self.system, &self.method, h), &mut [M::memory(), M::memory()], &mut watch);
         match outcome {
             Ok((_, error)) => Reason::Inaccurate { error },
             Err(reason @ Reason::OutsideDomain { .. }) => reason,
@@ -248,12 +298,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
             return Err(StepError::InvalidStepSize { h });
         }
-        let t = real(self.t);
+        let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        match self.system.outside_domain(self.t, &self.x.q, &self.x.p, &()) {
+        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &()) {
             Some(what) if self.steps == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),
         }
@@ -261,22 +311,22 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// Time now.
     pub fn time(&self) -> R {
-        self.t
+        self.clock.now(zero())
     }
 
     /// The state now.
     pub fn state(&self) -> State<S::Coordinates> {
-        State::at(self.t, Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
+        State::at(self.time(), Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.t, &self.x.q, &self.x.p, &())
+        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &())
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
     pub fn step_size(&self) -> f64 {
-        self.controller.step(&self.bounds.at(real(self.t), R::epsilon()))
+        self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
     }
 
     /// The number of steps taken, each in two halves.
@@ -309,22 +359,31 @@ fn magnitude<A: Array>(x: &A) -> f64 {
     size(core::slice::from_ref(x))
 }
 
-/// States along a trajectory; ends at the given time, or after the first error.
-pub struct Until<'a, S: Hamiltonian<R>, M: Method<S, R>, R: Real> {
-    sim: &'a mut Adaptive<S, M, R>,
-    t: R,
-    failed: bool,
-}
+impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
+    type State = State<S::Coordinates>;
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Iterator for Until<'_, S, M, R> {
-    type Item = Result<State<S::Coordinates>, StepError>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        if self.failed || self.sim.t == self.t {
-            return None;
-        }
-        let outcome = self.sim.step_towards(self.t);
-        self.failed = outcome.is_err();
-        Some(outcome.map(|()| self.sim.state()))
+    fn step(&mut self) -> Result<(), StepError> {
+        self.step()
+    }
+    fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.advance(n)
+    }
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.step_towards(t)
+    }
+    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+    fn time(&self) -> R {
+        self.time()
+    }
+    fn state(&self) -> Self::State {
+        self.state()
+    }
+    fn energy(&self) -> R {
+        self.energy()
+    }
+    fn steps(&self) -> u64 {
+        self.steps
     }
 }

@@ -1,11 +1,13 @@
 //! A system under a method: the object that users step.
 
+use super::error::StepError;
+use super::output::{Samples, Until};
+use super::trajectory::Trajectory;
 use super::watch::{Found, Watch};
-use crate::method::{Clock, Method, Probe, Refusal};
-use crate::running::error::StepError;
-use crate::scalar::{Real, zero};
+use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::scalar::{Real, signed, zero};
 use crate::space::{Action, Coordinates};
-use crate::space::{Compensated, Plain, Point, Summation, WithoutAction};
+use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
 use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
@@ -16,15 +18,13 @@ const STEPS_BETWEEN_LOOKS: u64 = 1024;
 ///
 /// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
 /// on, with a smaller step if [`Integrator::set_step_size`] was called.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
     system: S,
     method: M,
     prepared: M::Prepared,
-    t0: R,
-    h: R,
-    /// Steps since `t0`.
-    n: u64,
+    memory: M::Memory,
+    clock: Clock<R>,
     /// Steps since the beginning.
     steps: u64,
     x: Point<S::Array, C, S::Action>,
@@ -40,9 +40,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
             system,
             method,
             prepared: method.prepare(&system, h),
-            t0,
-            h,
-            n: 0,
+            memory: M::memory(),
+            clock: Clock::new(t0, h),
             steps: 0,
             x: Point::with_action(q.into_array(), p.into_array(), s),
         }
@@ -54,8 +53,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     ///
     /// # Errors
     /// See [`StepError`]; the state is then unchanged.
+    #[inline]
     pub fn step(&mut self) -> Result<(), StepError> {
-        self.advance(1)
+        self.check_start()?;
+        self.step_within(None).map(drop)
     }
 
     /// `n` steps: the bare loop, with last and first flows of neighbouring steps merged where the method has such.
@@ -64,113 +65,193 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// See [`StepError`]; the state is then the last good one.
     #[inline]
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        if n == 1 {
+            return self.step();
+        }
         self.check_start()?;
         let mut left = n;
         while left > 0 {
-            let steps = left.min(STEPS_BETWEEN_LOOKS);
-            let (mut prepared, mut x) = (self.prepared, self.x);
-            let outcome = M::advance(&mut prepared, &self.clock(), steps, &mut x);
+            let steps = left.min(if S::EXAMINED { 1 } else { STEPS_BETWEEN_LOOKS });
+            let (mut memory, mut x) = (self.memory.clone(), self.x);
+            let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
             if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
-                self.accept(steps, prepared, x);
+                self.memory = memory;
+                self.accept(steps, x);
             } else {
-                self.creep(steps)?;
+                for _ in 0..steps {
+                    self.step_watched(None)?;
+                }
             }
             left -= steps;
         }
         Ok(())
     }
 
-    /// The same steps one by one, each watched, to stop at the last good state and to say why.
-    #[cold]
-    fn creep(&mut self, steps: u64) -> Result<(), StepError> {
-        for _ in 0..steps {
-            let (mut prepared, mut x) = (self.prepared, self.x);
-            let mut watch = Watch::new(&self.system, self.time(), &self.x);
-            let outcome = M::step(&mut prepared, self.time(), &mut x, &mut watch);
-            let (t, singular) = (real(self.time()), self.singular_time(1));
-            if outcome.is_ok() && self.is_good(1, &x) {
-                if let Some(what) = singular {
-                    return Err(StepError::OutsideDomain { t, what });
-                }
-                self.accept(1, prepared, x);
-                continue;
-            }
-            watch.look(self.clock().at(1), &x.q, &x.p, &x.s);
-            return Err(match (outcome, watch.reason(outcome.err())) {
-                (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
-                (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
-                (Ok(()) | Err(Refusal::OutsideDomain { .. }), None) => StepError::NonFinite { t },
-                (Err(Refusal::Singular), None) => StepError::Singular { t },
-                (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
-                (Err(Refusal::NotConverged { iterations, correction }), None) => {
-                    StepError::NotConverged { t, iterations, correction }
-                }
-            });
+    /// One step, if there is one that does not end beyond the time `t` (before it, if h < 0); else `false`, and nothing changes.
+    ///
+    /// A step that ends at `t` up to the rounding of time ends there: [`time`](Integrator::time) is then `t`.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    #[inline]
+    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.check_start()?;
+        let now = self.time();
+        if !(t == t) {
+            return Err(StepError::InvalidStepSize { h: signed(t - now) });
         }
+        let stepped =
+            (M::SCALES_STEPS || self.clock.leads_to(t, [now, self.clock.at(1)])) && self.step_within(Some(t))?;
+        if stepped && self.clock.is_at(self.time(), t) {
+            self.clock.name(t);
+        }
+        Ok(stepped)
+    }
+
+    /// Whole steps to the last one that is not beyond the time `t` (not before it, if h < 0): up to a step is left.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.check_start()?;
+        let left = signed(t - self.time());
+        if !left.is_finite() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        if !M::SCALES_STEPS {
+            self.advance(self.clock.steps_before(self.time(), t))?;
+        }
+        while self.step_towards(t)? {}
         Ok(())
     }
 
-    fn check_start(&self) -> Result<(), StepError> {
-        let h = self.h.magnitude();
-        if !(h > 0.0 && h < f64::INFINITY) {
-            return Err(StepError::InvalidStepSize { h: real(self.h) });
+    /// One step that does not end beyond `limit`; else `false`.
+    #[inline(always)]
+    fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
+        // Memory is not copied, which may cost more than the step: where the step is refused, it is made anew.
+        let before = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
+        let mut x = self.x;
+        let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut Unwatched };
+        let outcome = M::step(&self.prepared, &mut self.memory, step);
+        if outcome.is_err() || !self.is_good(1, &x) || self.singular_time(1).is_some() {
+            self.memory = before.unwrap_or_else(M::memory);
+            return self.step_watched(limit);
         }
-        if !(self.t0.magnitude() < f64::INFINITY && self.x.is_finite()) {
-            return Err(StepError::NonFiniteState { t: real(self.time()) });
+        if !self.ends_within(limit, &x) {
+            self.memory = before.unwrap_or_else(M::memory);
+            return Ok(false);
+        }
+        self.accept(1, x);
+        Ok(true)
+    }
+
+    /// The same step watched, to say why it is refused, if it is.
+    #[cold]
+    fn step_watched(&mut self, limit: Option<R>) -> Result<bool, StepError> {
+        let (mut memory, mut x) = (self.memory.clone(), self.x);
+        let mut watch = Watch::new(&self.system, self.time(), &self.x);
+        let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
+        let outcome = M::step(&self.prepared, &mut memory, step);
+        let (t, singular) = (signed(self.time()), self.singular_time(1));
+        if outcome.is_ok() && self.is_good(1, &x) {
+            if let Some(what) = singular {
+                return Err(StepError::OutsideDomain { t, what });
+            }
+            if !self.ends_within(limit, &x) {
+                return Ok(false);
+            }
+            self.memory = memory;
+            self.accept(1, x);
+            return Ok(true);
+        }
+        watch.visit(self.clock.at(1), &x.q, &x.p, &x.s);
+        Err(match (outcome, watch.reason(outcome.err())) {
+            (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
+            (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
+            (Ok(()) | Err(Refusal::OutsideDomain { .. }), None) => StepError::NonFinite { t },
+            (Err(Refusal::Singular), None) => StepError::Singular { t },
+            (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
+            (Err(Refusal::NotConverged { iterations, correction }), None) => {
+                StepError::NotConverged { t, iterations, correction }
+            }
+        })
+    }
+
+    #[inline(always)]
+    fn check_start(&self) -> Result<(), StepError> {
+        let h = self.step_size().magnitude();
+        if !(h > 0.0 && h < f64::INFINITY) {
+            return Err(StepError::InvalidStepSize { h: signed(self.step_size()) });
         }
         // Later states are good because the steps that led to them were.
-        if self.steps == 0
-            && let Some(what) = self.system.outside_domain(self.t0, &self.x.q, &self.x.p, &self.x.s)
-        {
-            return Err(StepError::OutsideDomain { t: real(self.t0), what });
+        if self.steps == 0 { self.check_state() } else { Ok(()) }
+    }
+
+    #[cold]
+    fn check_state(&self) -> Result<(), StepError> {
+        let t = signed(self.time());
+        if !(t.is_finite() && self.x.is_finite()) {
+            return Err(StepError::NonFiniteState { t });
         }
-        Ok(())
+        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &self.x.s) {
+            Some(what) => Err(StepError::OutsideDomain { t, what }),
+            None => Ok(()),
+        }
     }
 
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> bool {
-        x.is_finite() && self.system.outside_domain(self.clock().at(steps) + x.ahead, &x.q, &x.p, &x.s).is_none()
+        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.q, &x.p, &x.s).is_none()
+    }
+
+    /// When steps end that led to `x`.
+    #[inline(always)]
+    fn end(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> R {
+        self.clock.at(steps) + x.ahead.value()
+    }
+
+    /// Whether a step to `x` does not end beyond `limit`.
+    #[inline(always)]
+    fn ends_within(&self, limit: Option<R>, x: &Point<S::Array, C, S::Action>) -> bool {
+        limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [self.time(), self.end(1, x)]))
     }
 
     /// The first coefficient, if any, that is singular at a time within one of the next steps.
     #[inline(always)]
     fn singular_time(&self, steps: u64) -> Option<&'static str> {
-        singular_time(&self.system, [self.clock().at(0), self.clock().at(steps)])
+        singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
     }
 
     #[inline(always)]
-    fn accept(&mut self, steps: u64, prepared: M::Prepared, x: Point<S::Array, C, S::Action>) {
-        (self.prepared, self.x) = (prepared, x);
-        self.n += steps;
+    fn accept(&mut self, steps: u64, x: Point<S::Array, C, S::Action>) {
+        self.x = x;
+        self.clock.pass(steps);
         self.steps += steps;
-    }
-
-    #[inline(always)]
-    fn clock(&self) -> Clock<R> {
-        Clock { t0: self.t0, h: self.h, first: self.n }
     }
 
     /// Changes the step size; time goes on from here.
     pub fn set_step_size(&mut self, h: R) {
-        (self.t0, self.x.ahead) = (self.time(), zero());
-        self.n = 0;
-        self.h = h;
+        self.clock.set_step_size(h, self.x.ahead);
+        self.x.ahead = DoubleWord::new(zero());
         self.prepared = self.method.prepare(&self.system, h);
+        self.memory = M::memory();
     }
 
     /// The step size.
+    #[inline(always)]
     pub fn step_size(&self) -> R {
-        self.h
+        self.clock.step_size()
     }
 
     /// `t0 + n·h`.
+    #[inline(always)]
     pub fn time(&self) -> R {
-        // Without steps even an unusable step size leaves time alone.
-        if self.n == 0 { self.t0 } else { self.clock().at(0) + self.x.ahead }
+        self.clock.now(self.x.ahead.value())
     }
 
     /// The state now.
+    #[inline]
     pub fn state(&self) -> StateOf<S, R> {
         let (q, p) = (Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p));
         S::Action::state(self.time(), q, p, if C::ACTION { self.x.s } else { S::Action::unknown() })
@@ -199,21 +280,20 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
 
     /// The state after every step up to the last one that is not after `t` (not before, if h < 0).
     ///
-    /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away.
-    pub fn until(&mut self, t: R) -> Samples<'_, S, M, R, C> {
-        // Counted from t₀, as time is. A whole number of steps may come out a few roundings short.
-        let (from, h) = (real(self.t0), real(self.h));
-        let total = (real(t) - from) / h;
-        let rounding = 4.0 * R::epsilon() * (total.abs() + (real(t).abs() + from.abs()) / h.abs());
-        let left = ((total + rounding) as u64).saturating_sub(self.n);
-        // An unusable step size gets one attempt, to report it.
-        let usable = h != 0.0 && h.is_finite();
-        Samples { sim: self, stride: 1, left: if usable { left } else { 1 } }
+    /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away, up to the rounding of
+    /// time. An infinite `t` is never reached.
+    pub fn until(&mut self, t: R) -> Until<'_, Self> {
+        Until::new(self, t)
     }
 
     /// The state after every `k` steps, without end. `k` = 0 counts as 1.
-    pub fn sampled(&mut self, k: u64) -> Samples<'_, S, M, R, C> {
-        Samples { sim: self, stride: k.max(1), left: u64::MAX }
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
+        Samples::new(self, k)
+    }
+
+    fn with_sums<D: Summation<S::Array>>(self) -> Integrator<S, M, R, D> {
+        let Integrator { system, method, prepared, memory, clock, steps, x } = self;
+        Integrator { system, method, prepared, memory, clock, steps, x: x.with_sums() }
     }
 }
 
@@ -221,8 +301,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integr
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
-        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
-        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+        self.with_sums()
     }
 }
 
@@ -230,32 +309,40 @@ impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The same without the action, which does not act back on positions and momenta: splittings do not compute it, nor what only
     /// it needs, such as the value of the potential. In states it is not a number.
     pub fn without_action(self) -> Integrator<S, M, R, WithoutAction> {
-        let Integrator { system, method, prepared, t0, h, n, steps, x } = self;
-        Integrator { system, method, prepared, t0, h, n, steps, x: x.with_sums() }
+        self.with_sums()
     }
 }
 
-/// A scalar as a plain number, with its sign.
-pub(crate) fn real<R: Real>(x: R) -> f64 {
-    if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
-}
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Trajectory for Integrator<S, M, R, C> {
+    type State = StateOf<S, R>;
 
-/// States along a trajectory; ends after the first error.
-pub struct Samples<'a, S: PhaseSpace<R>, M: Method<S, R>, R: Real, C = Plain> {
-    sim: &'a mut Integrator<S, M, R, C>,
-    stride: u64,
-    left: u64,
-}
-
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Iterator for Samples<'_, S, M, R, C> {
-    type Item = Result<StateOf<S, R>, StepError>;
-
-    fn next(&mut self) -> Option<Self::Item> {
-        self.left = self.left.checked_sub(1)?;
-        let outcome = self.sim.advance(self.stride);
-        if outcome.is_err() {
-            self.left = 0;
-        }
-        Some(outcome.map(|()| self.sim.state()))
+    #[inline]
+    fn step(&mut self) -> Result<(), StepError> {
+        self.step()
+    }
+    #[inline]
+    fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.advance(n)
+    }
+    #[inline]
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.step_towards(t)
+    }
+    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+    #[inline]
+    fn time(&self) -> R {
+        self.time()
+    }
+    #[inline]
+    fn state(&self) -> StateOf<S, R> {
+        self.state()
+    }
+    fn energy(&self) -> R {
+        self.energy()
+    }
+    fn steps(&self) -> u64 {
+        self.steps
     }
 }

@@ -3,11 +3,15 @@
 mod adaptive;
 mod error;
 mod integrator;
+mod output;
 mod run;
 mod step_size;
+mod trajectory;
 mod watch;
 
-pub use adaptive::{Adaptive, Until};
+pub use adaptive::Adaptive;
 pub use error::{Reason, StepError};
-pub use integrator::{Integrator, Samples};
+pub use integrator::Integrator;
+pub use output::{Samples, StatesAt, Until};
 pub use run::Run;
+pub use trajectory::{Scalar, Trajectory};

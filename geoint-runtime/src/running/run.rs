@@ -3,7 +3,6 @@
 use super::{Adaptive, Integrator};
 use crate::method::Method;
 use crate::scalar::Real;
-use crate::space::State;
 use crate::system::{Hamiltonian, PhaseSpace, StateOf};
 
 /// A system that can be put under a method.
@@ -18,12 +17,7 @@ pub trait Run<R: Real = f64>: PhaseSpace<R> {
     /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
     ///
     /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-    fn adaptive<M: Method<Self, R>>(
-        self,
-        method: M,
-        tolerance: f64,
-        state: State<Self::Coordinates>,
-    ) -> Adaptive<Self, M, R>
+    fn adaptive<M: Method<Self, R>>(self, method: M, tolerance: f64, state: StateOf<Self, R>) -> Adaptive<Self, M, R>
     where
         Self: Hamiltonian<R>,
     {

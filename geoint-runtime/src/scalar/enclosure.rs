@@ -4,7 +4,7 @@ use super::Real;
 use super::interval::Interval;
 use core::f64::consts::{LN_2, LN_10};
 use core::marker::PhantomData;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
 /// Intervals that contain the values of a function and its derivative.
 ///
@@ -117,7 +117,62 @@ macro_rules! functions {
     )* };
 }
 
+/// What a comparison of intervals gives: whether it may hold, and whether it may not.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Possible {
+    yes: bool,
+    no: bool,
+}
+
+impl BitAnd for Possible {
+    type Output = Self;
+    fn bitand(self, other: Self) -> Self {
+        Possible { yes: self.yes && other.yes, no: self.no || other.no }
+    }
+}
+
+impl BitOr for Possible {
+    type Output = Self;
+    fn bitor(self, other: Self) -> Self {
+        !(!self & !other)
+    }
+}
+
+impl Not for Possible {
+    type Output = Self;
+    fn not(self) -> Self {
+        Possible { yes: self.no, no: self.yes }
+    }
+}
+
 impl<R: Real> Real for Enclosure<R> {
+    type Mask = Possible;
+
+    fn less(self, y: Self) -> Possible {
+        !y.less_equal(self)
+    }
+    fn less_equal(self, y: Self) -> Possible {
+        let (a, b) = (self.value, y.value);
+        Possible { yes: a.low <= b.high, no: a.high > b.low }
+    }
+    fn equal(self, y: Self) -> Possible {
+        self.less_equal(y) & y.less_equal(self)
+    }
+    fn choose<const N: usize>(
+        mask: Possible,
+        first: impl FnOnce() -> [Self; N],
+        second: impl FnOnce() -> [Self; N],
+    ) -> [Self; N] {
+        match mask {
+            Possible { no: false, .. } => first(),
+            Possible { yes: false, .. } => second(),
+            _ => {
+                let (first, second) = (first(), second());
+                core::array::from_fn(|i| Self::new(first[i].value.hull(second[i].value), Interval::WHOLE))
+            }
+        }
+    }
+
     fn from_f64(x: f64) -> Self {
         Self::new(bounds(R::from_f64(x)).hull(Interval::point(x)), ZERO)
     }

@@ -6,6 +6,27 @@ use super::real::Real;
 macro_rules! floats {
     ($($real:ident, $magnitude:expr, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
         impl Real for $real {
+            type Mask = bool;
+            #[inline(always)]
+            fn less(self, y: Self) -> bool {
+                self < y
+            }
+            #[inline(always)]
+            fn less_equal(self, y: Self) -> bool {
+                self <= y
+            }
+            #[inline(always)]
+            fn equal(self, y: Self) -> bool {
+                self == y
+            }
+            #[inline(always)]
+            fn choose<const N: usize>(
+                mask: bool,
+                first: impl FnOnce() -> [Self; N],
+                second: impl FnOnce() -> [Self; N],
+            ) -> [Self; N] {
+                if mask { first() } else { second() }
+            }
             #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $real
@@ -23,7 +44,7 @@ macro_rules! floats {
                 $real::EPSILON as f64
             }
             #[inline(always)]
-            fn time(t0: Self, n: u64, h: Self) -> Self {
+            fn time(t0: [Self; 2], n: u64, h: Self) -> Self {
                 $time(t0, n, h)
             }
             #[inline(always)]
@@ -58,14 +79,14 @@ macro_rules! floats {
 }
 
 floats! {
-    f64, f64::abs, |t0: f64, n: u64, h: f64| t0 + n as i64 as f64 * h, {
+    f64, f64::abs, |t0: [f64; 2], n: u64, h: f64| t0[0] + (t0[1] + n as i64 as f64 * h), {
         sqrt() = sqrt, cbrt() = cbrt, hypot(y) = hypot,
         sin() = sin, cos() = cos, tan() = tan, asin() = asin, acos() = acos, atan() = atan, atan2(x) = atan2,
         sinh() = sinh, cosh() = cosh, tanh() = tanh, asinh() = asinh, acosh() = acosh, atanh() = atanh,
         exp() = exp, exp2() = exp2, exp_m1() = expm1, ln() = log, ln_1p() = log1p, log2() = log2, log10() = log10,
         powf(y) = pow, abs() = fabs, min(y) = fmin, max(y) = fmax,
     }, sincos;
-    f32, |x: f32| f64::from(x.abs()), |t0: f32, n: u64, h: f32| (f64::from(t0) + n as f64 * f64::from(h)) as f32, {
+    f32, |x: f32| f64::from(x.abs()), |t0: [f32; 2], n: u64, h: f32| (f64::from(t0[0]) + (f64::from(t0[1]) + n as f64 * f64::from(h))) as f32, {
         sqrt() = sqrtf, cbrt() = cbrtf, hypot(y) = hypotf,
         sin() = sinf, cos() = cosf, tan() = tanf, asin() = asinf, acos() = acosf, atan() = atanf, atan2(x) = atan2f,
         sinh() = sinhf, cosh() = coshf, tanh() = tanhf, asinh() = asinhf, acosh() = acoshf, atanh() = atanhf,

@@ -8,4 +8,4 @@ mod enclosure;
 pub(crate) use enclosure::{Enclosure, bounds};
 pub(crate) use interval::Interval;
 pub use real::Real;
-pub(crate) use real::zero;
+pub(crate) use real::{signed, zero};

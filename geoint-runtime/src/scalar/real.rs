@@ -1,12 +1,11 @@
 //! `Real`: the scalar of every kernel.
 //!
-//! Kernels never compare numbers, so that a scalar may stand for many trajectories side by side, or carry derivatives
-//! along. Decisions of the drivers (pivots, convergence, "is this still a number") go through [`Real::magnitude`] and
-//! [`Real::any_below`], which speak for all components at once. Kernels of an energy with `if` ask for `PartialOrd`
-//! on top.
+//! A scalar may stand for many trajectories side by side, or carry derivatives along. So kernels never decide by a comparison:
+//! where an energy has an `if` they ask the scalar to choose ([`Real::choose`]), and drivers ask questions that speak for all
+//! components at once (pivots, convergence, "is this a number": [`Real::magnitude`], [`Real::any_below`]).
 
 use core::fmt::Debug;
-use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, BitAnd, BitOr, Div, DivAssign, Mul, MulAssign, Neg, Not, Sub, SubAssign};
 
 /// The scalar of kernels: `f64`, `f32`, and whatever behaves like them.
 pub trait Real:
@@ -24,6 +23,22 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
+    /// What comparisons give: a `bool`, or one a component.
+    type Mask: Copy + BitAnd<Output = Self::Mask> + BitOr<Output = Self::Mask> + Not<Output = Self::Mask>;
+
+    /// Whether `self < y`.
+    fn less(self, y: Self) -> Self::Mask;
+    /// Whether `self <= y`.
+    fn less_equal(self, y: Self) -> Self::Mask;
+    /// Whether `self == y`.
+    fn equal(self, y: Self) -> Self::Mask;
+    /// `first` where `mask` holds, `second` elsewhere; a branch that no component takes need not be computed.
+    fn choose<const N: usize>(
+        mask: Self::Mask,
+        first: impl FnOnce() -> [Self; N],
+        second: impl FnOnce() -> [Self; N],
+    ) -> [Self; N];
+
     /// The scalar nearest to `x`.
     fn from_f64(x: f64) -> Self;
 
@@ -60,9 +75,10 @@ pub trait Real:
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 
-    /// `t0 + n·h`. Time is never a running sum; a short type may evaluate this in a longer one.
-    fn time(t0: Self, n: u64, h: Self) -> Self {
-        t0 + Self::from_f64(n as f64) * h
+    /// `t0 + n·h` for a t₀ of two words, the larger one first. Time is never a running sum; a short type may evaluate this in a
+    /// longer one.
+    fn time(t0: [Self; 2], n: u64, h: Self) -> Self {
+        t0[0] + (t0[1] + Self::from_f64(n as f64) * h)
     }
 
     /// `self·a + b`, fused where the processor of this build does that in one instruction.
@@ -139,4 +155,10 @@ pub trait Real:
 #[inline(always)]
 pub(crate) fn zero<R: Real>() -> R {
     R::from_f64(0.0)
+}
+
+/// A scalar as a plain number, with its sign.
+#[inline(always)]
+pub(crate) fn signed<R: Real>(x: R) -> f64 {
+    if x.any_below(0.0) { -x.magnitude() } else { x.magnitude() }
 }

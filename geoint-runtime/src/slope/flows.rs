@@ -1,6 +1,6 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
-use super::{either, factorial, polynomial, series};
+use super::{either, factorial, polynomial, series, tiny};
 use crate::scalar::Real;
 
 /// φ₁(x) = (eˣ − 1)/x.
@@ -23,6 +23,16 @@ pub fn grown<R: Real>(x: R, z: R, change: R) -> R {
 #[inline(never)]
 fn far<R: Real>(z: R) -> R {
     z.exp()
+}
+
+/// (r − rᵏ)/((k − 1)(1 − r)), the mean of (r/(r + (1 − r)v))ᵏ over v from 0 to 1, for r ≥ 0: also for k = 1 and r = 1; 0 at r = 0 for k > 0.
+#[inline(always)]
+pub fn decay_mean<R: Real>(r: R, k: R) -> R {
+    let (one, positive) = (R::from_f64(1.0), r + tiny());
+    let rise = (one - r) / positive + tiny();
+    let ln = rise.ln_1p();
+    // The quotient is 1 but at r = 0.
+    r / positive * (ln / rise) * phi_1((one - k) * ln)
 }
 
 /// The derivative of [`phi_1`], (eˣ(x − 1) + 1)/x².

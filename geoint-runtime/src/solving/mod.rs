@@ -1,6 +1,7 @@
 //! Equations of implicit steps: how they are solved, and when a solution is one.
 
 mod damped;
+mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
 mod predictor;
@@ -10,5 +11,6 @@ pub(crate) mod segment;
 mod semidefinite;
 pub(crate) mod stagnation;
 
+pub use inverse::{Inverse, Inverted};
 pub use refusal::Refusal;
 pub use semidefinite::is_positive_semidefinite;

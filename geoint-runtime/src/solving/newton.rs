@@ -38,7 +38,7 @@ const ROUGH: u32 = 3;
 
 /// Solves one equation a step, and remembers what helps with the next one.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Newton<A> {
+pub struct Newton<A> {
     predictor: Predictor<A>,
     /// The steps are too long to be extrapolated.
     rough: bool,

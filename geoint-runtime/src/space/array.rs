@@ -22,6 +22,8 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     fn fill<T: Copy + Debug>(x: T) -> Self::Map<T>;
     /// The entries of a mapped shape, in order.
     fn entries<T: Copy + Debug>(map: &mut Self::Map<T>) -> &mut [T];
+    /// The entries of a mapped shape, in order, to be read.
+    fn entries_of<T: Copy + Debug>(map: &Self::Map<T>) -> &[T];
     /// All zeros.
     fn zero() -> Self;
 
@@ -31,6 +33,8 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     fn flatten_mut(nested: &mut [Self]) -> &mut [Self::Real];
     #[doc(hidden)]
     fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T];
+    #[doc(hidden)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[Self::Map<T>]) -> &[T];
 
     /// self ← self + w·x.
     #[inline(always)]
@@ -90,6 +94,10 @@ impl<R: Real> Array for R {
         core::slice::from_mut(map)
     }
     #[inline(always)]
+    fn entries_of<T: Copy + Debug>(map: &T) -> &[T] {
+        core::slice::from_ref(map)
+    }
+    #[inline(always)]
     fn zero() -> Self {
         zero()
     }
@@ -103,6 +111,10 @@ impl<R: Real> Array for R {
     }
     #[inline(always)]
     fn flatten_entries<T: Copy + Debug>(nested: &mut [T]) -> &mut [T] {
+        nested
+    }
+    #[inline(always)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[T]) -> &[T] {
         nested
     }
 }
@@ -129,6 +141,10 @@ impl<A: Array, const N: usize> Array for [A; N] {
         A::flatten_entries(map)
     }
     #[inline(always)]
+    fn entries_of<T: Copy + Debug>(map: &Self::Map<T>) -> &[T] {
+        A::flatten_entries_of(map)
+    }
+    #[inline(always)]
     fn zero() -> Self {
         [A::zero(); N]
     }
@@ -143,5 +159,9 @@ impl<A: Array, const N: usize> Array for [A; N] {
     #[inline(always)]
     fn flatten_entries<T: Copy + Debug>(nested: &mut [Self::Map<T>]) -> &mut [T] {
         A::flatten_entries(nested.as_flattened_mut())
+    }
+    #[inline(always)]
+    fn flatten_entries_of<T: Copy + Debug>(nested: &[Self::Map<T>]) -> &[T] {
+        A::flatten_entries_of(nested.as_flattened())
     }
 }

@@ -1,12 +1,14 @@
 //! Points of phase space: as users write them, as kernels see them, and while they move.
 
 mod array;
+mod double_word;
 mod point;
 mod state;
 mod summation;
 
 pub use array::{Array, Square};
+pub use double_word::DoubleWord;
 pub use point::Point;
-pub use state::{Action, ContactState, Coordinates, State};
+pub use state::{Action, ContactState, Coordinates, Snapshot, State};
 pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};

@@ -136,10 +136,32 @@ impl<Q: Coordinates> ContactState<Q> {
     }
 }
 
+/// A point of phase space at a time, whatever its kind.
+pub trait Snapshot: Copy + Debug + PartialEq {
+    /// The scalar.
+    type Real: Real;
+    /// Its time.
+    fn time(&self) -> Self::Real;
+}
+
+impl<Q: Coordinates> Snapshot for State<Q> {
+    type Real = Q::Real;
+    fn time(&self) -> Q::Real {
+        self.t
+    }
+}
+
+impl<Q: Coordinates> Snapshot for ContactState<Q> {
+    type Real = Q::Real;
+    fn time(&self) -> Q::Real {
+        self.t
+    }
+}
+
 /// What phase space has beside positions and momenta: nothing, or the action of a contact system.
 pub trait Action<R: Real>: Copy + Debug + PartialEq {
     /// Points of such a phase space.
-    type State<Q: Coordinates<Real = R>>: Copy + Debug + PartialEq;
+    type State<Q: Coordinates<Real = R>>: Snapshot<Real = R>;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
     /// The action, if there is one.

@@ -4,20 +4,20 @@ use super::array::Array;
 use crate::scalar::Real;
 use core::fmt::Debug;
 
-/// How an increment is added to a coordinate.
+/// How increments are added to a coordinate.
 pub trait Summation<A: Array>: Copy + Debug {
-    /// Whether nothing is carried: a flow may then act on its own.
+    /// Whether there is no compensation: a flow may then act on the coordinate itself.
     const PLAIN: bool;
     /// Whether the action of a contact system is followed.
     const ACTION: bool = true;
-    /// Nothing has been rounded off yet.
+    /// A sum without a rounding error so far.
     fn new() -> Self;
-    /// Lets `flow`, which adds something to its argument whatever that is, act on `x`.
+    /// Lets `flow` act on `x`. The increment that `flow` adds does not depend on its argument.
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
-    /// Digits that the last increment has lost, for the next addition.
-    fn owe(&mut self, lost: &A);
-    /// What the sum is too small by.
-    fn carry(&self) -> A;
+    /// Adds the rounding error of an increment to the compensation.
+    fn compensate(&mut self, error: &A);
+    /// The compensation: what the sum is too small by.
+    fn compensation(&self) -> A;
 }
 
 /// Every addition is rounded. The action of a contact system is followed, or not.
@@ -38,47 +38,47 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
         flow(x);
     }
     #[inline(always)]
-    fn owe(&mut self, _: &A) {}
+    fn compensate(&mut self, _: &A) {}
     #[inline(always)]
-    fn carry(&self) -> A {
+    fn compensation(&self) -> A {
         A::zero()
     }
 }
 
-/// What an addition rounds off is carried to the next one: sums of many small increments grow errors of a single rounding.
+/// The rounding error of an addition is added to the next increment: a sum of many small increments has the error of a single rounding.
 /// O. Møller, BIT 5 (1965) 37; the exact error of a sum: D. E. Knuth, *Seminumerical Algorithms*, 4.2.2.
 #[derive(Clone, Copy, Debug)]
 pub struct Compensated<A> {
-    carry: A,
+    compensation: A,
 }
 
 impl<A: Array> Summation<A> for Compensated<A> {
     const PLAIN: bool = false;
     fn new() -> Self {
-        Compensated { carry: A::zero() }
+        Compensated { compensation: A::zero() }
     }
     #[inline(always)]
     fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
         // Acting on zero, the flow gives the increment.
         let mut increment = A::nothing();
         flow(&mut increment);
-        let carry = self.carry.as_mut_slice();
+        let compensation = self.compensation.as_mut_slice();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
-            // Both roundings are kept: an increment has more digits than fit beside the carry. Should it be the smaller one, the
-            // error of the first is lost, which is a rounding of the carry.
-            let (change, first) = sum_with_small(increment.as_slice()[i], carry[i]);
+            // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller
+            // one, the error of the first sum is lost, which is a rounding of the compensation.
+            let (change, first) = sum_with_small(increment.as_slice()[i], compensation[i]);
             let (sum, second) = exact_sum(*x, change);
-            carry[i] = first + second;
+            compensation[i] = first + second;
             *x = sum;
         }
     }
     #[inline(always)]
-    fn owe(&mut self, lost: &A) {
-        self.carry.add_scaled(A::Real::from_f64(1.0), lost);
+    fn compensate(&mut self, error: &A) {
+        self.compensation.add_scaled(A::Real::from_f64(1.0), error);
     }
     #[inline(always)]
-    fn carry(&self) -> A {
-        self.carry
+    fn compensation(&self) -> A {
+        self.compensation
     }
 }
 

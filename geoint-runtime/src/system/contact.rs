@@ -27,16 +27,22 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
 )]
 pub trait Conformal<R: Real = f64>: Contact<R> {}
 
-/// H = T(p, t) + g(t)·s + V(q, t).
+/// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
 pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// What a kick of given length needs from the parameters.
+    type FreeKick: Clone;
     /// What a drift of given length needs from the parameters.
-    type FreeDrift: Copy;
+    type FreeDrift: Clone;
 
+    /// Coefficients of a kick of length `h`.
+    fn prepare_free_kick(&self, h: R) -> Self::FreeKick;
+    /// The flow of V alone.
+    fn free_kick(&self, kick: &Self::FreeKick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
     /// Coefficients of a drift of length `h`.
     fn prepare_free_drift(&self, h: R) -> Self::FreeDrift;
     /// The flow of T alone.
-    fn free_drift(drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
+    fn free_drift(&self, drift: &Self::FreeDrift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut R);
     /// g at time `t`.
     fn damping(&self, t: R) -> R;
 }
@@ -77,9 +83,10 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     /// Coefficients for flows of length `last` of the last piece, and of length `outer` of the others.
     fn prepare_flows(&self, outer: R, last: R) -> Self::Flows;
     /// Freezes time at `t`.
-    fn freeze(flows: &Self::Flows, t: R) -> Self::Frozen;
+    fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
     /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
     fn flow(
+        &self,
         piece: usize,
         flows: &Self::Flows,
         frozen: &Self::Frozen,
@@ -107,9 +114,10 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     /// What depends on parameters and h.
     fn constants(&self, h: R) -> Self::Constants;
     /// What all evaluations of a step from `x` have in common; `t` is the time of its middle.
-    fn begin(constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
+    fn begin(&self, constants: &Self::Constants, t: R, x: &Self::Unknown) -> Self::Start;
     /// Φ and 1 − ∂Φ/∂d.
     fn image(
+        &self,
         constants: &Self::Constants,
         start: &Self::Start,
         d: &Self::Unknown,
@@ -117,5 +125,5 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
         matrix: &mut Square<Self::Unknown>,
     );
     /// What a solution adds to x. Not a number if the step has none.
-    fn end(constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
+    fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
 }

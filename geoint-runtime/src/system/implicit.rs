@@ -2,6 +2,7 @@
 
 use super::Hamiltonian;
 use crate::scalar::Real;
+use crate::solving::Inverse;
 use crate::space::{Array, Square};
 
 /// H is a polynomial of degree 3 at most in (q, p).
@@ -32,9 +33,10 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     /// y, and what f changes: y, or p.
     fn start(q: &Self::Array, p: &Self::Array) -> (Self::Unknown, Self::Unknown);
     /// What y' is apart from f: nothing, or q' = ∂T/∂p.
-    fn velocity(constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
+    fn velocity(&self, constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
     /// f and ∂f/∂y.
     fn field(
+        &self,
         constants: &Self::Constants,
         t: R,
         y: &Self::Unknown,
@@ -42,7 +44,7 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
         jacobian: &mut Square<Self::Unknown>,
     );
     /// y ← y + w·f, or y + w·M⁻¹f.
-    fn add(constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
+    fn add(&self, constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
     /// The increments of (q, p): that of y; or that of q = y, and the impulse.
     fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> [Self::Array; 2];
 }
@@ -72,17 +74,19 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.
     type Start: Copy + core::fmt::Debug;
-    /// Whether H is a polynomial of degree 2 that does not depend on time, and damping is constant: f̄ is affine in d.
-    const LINEAR: bool;
+    /// [`Inverted`](crate::system::Inverted) where f̄ is affine in d, so that the matrix of a step is constant: H is a polynomial of
+    /// degree 2 that does not depend on time, and damping is constant. Elsewhere `()`.
+    type Inverse: Inverse<Self::Unknown>;
     /// How the mean of ∇H along the line from y to y + d is had.
     const MEAN: Mean = Mean::NotClosed;
 
     /// What depends on parameters and h only. f̄ does not depend on h.
     fn parameters(&self, h: R) -> Self::Parameters;
     /// What all evaluations from `y` have in common.
-    fn begin(parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
+    fn begin(&self, parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
     /// f̄ and ∂f̄/∂d.
     fn slope(
+        &self,
         parameters: &Self::Parameters,
         start: &Self::Start,
         d: &Self::Unknown,
@@ -94,6 +98,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     /// A kernel of few unknowns is written with h and masses in its constants instead.
     #[inline(always)]
     fn equation(
+        &self,
         (constants, h): (&Self::Constants, R),
         parameters: &Self::Parameters,
         start: &Self::Start,
@@ -101,17 +106,17 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
         image: &mut Self::Unknown,
         matrix: &mut Square<Self::Unknown>,
     ) {
-        Self::slope(parameters, start, d, image, matrix);
+        self.slope(parameters, start, d, image, matrix);
         for f in image.as_mut_slice() {
             *f = h * *f;
         }
         let w = if Self::DERIVATIVE == 1 { h } else { R::from_f64(0.5) * h * h };
         for (i, row) in Self::Unknown::entries::<Self::Unknown>(matrix).iter_mut().enumerate() {
             let slope = core::mem::replace(row, Self::Unknown::nothing());
-            Self::add(constants, -w, &slope, row);
+            self.add(constants, -w, &slope, row);
             row.as_mut_slice()[i] += R::from_f64(1.0);
         }
     }
     /// h ∂T/∂p, if T is quadratic.
-    fn drift(parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
+    fn drift(&self, parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
 }

@@ -43,7 +43,7 @@ fn search<S: PhaseSpace<R>, R: Real>(
     let (t, s) = (constant(bounds(t)), constant(s[0].hull(s[1])));
     let (q, p) = (S::Array::entries(&mut q), S::Array::entries(&mut p));
     (0..S::JUMPS.len()).find_map(|i| {
-        let [margin, height] = system.jump(i, Enclosure::constant, t, q, p, s);
-        (margin.value.contains_zero() && !height.value.contains_zero()).then_some(S::JUMPS[i])
+        let [side, height] = system.jump(i, Enclosure::constant, t, q, p, s);
+        (side.value.contains_zero() && !height.value.contains_zero()).then_some(S::JUMPS[i])
     })
 }

@@ -15,8 +15,10 @@ pub use modified::ModifiedEnergy;
 pub use poles::Pole;
 mod jumps;
 pub(crate) use jumps::jump_between;
-pub(crate) use poles::{Guarded, Known, singular_time};
+pub(crate) use poles::{Known, Poles, singular_time};
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+
+pub use crate::solving::{Inverse, Inverted};
 
 use crate::scalar::Real;
 use crate::space::{Action, Array, Coordinates};
@@ -77,7 +79,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         true
     }
 
-    /// A number that is positive where a condition of H holds and negative where it does not, and what H jumps by there, in any scalar.
+    /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
     fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]
     }
@@ -97,6 +99,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S as PhaseSpace<R>>::Coordinates>;
 
 /// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]`",
+    label = "this is for those alone",
+    note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
+            `ContactDiscreteGradient`"
+)]
 pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);

@@ -30,26 +30,21 @@ pub(crate) type Ends<'a, S, R> = (
     [&'a <S as PhaseSpace<R>>::Action; 2],
 );
 
-/// A system, and what its parameters say of its poles.
+/// What the parameters of a system say of its poles.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Guarded<S> {
-    pub(crate) system: S,
+pub(crate) struct Poles {
     /// Whether there may be a pole anywhere.
     open: bool,
     /// Whether there may be one of which the structure says nothing.
     searched: bool,
 }
 
-impl<S> Guarded<S> {
-    pub(crate) fn new<R: Real>(system: &S) -> Self
-    where
-        S: PhaseSpace<R>,
-    {
+impl Poles {
+    pub(crate) fn of<S: PhaseSpace<R>, R: Real>(system: &S) -> Self {
         let trusted = system.signs_hold();
         let open = |(i, pole): (usize, &Pole)| !(pole.by_parameters && is_nowhere(system, i));
         let poles = || S::POLES.iter().enumerate();
-        Guarded {
-            system: *system,
+        Poles {
             open: poles().any(open),
             searched: poles().any(|(i, pole)| !(trusted && pole.by_structure) && open((i, pole))),
         }
@@ -58,28 +53,32 @@ impl<S> Guarded<S> {
     /// Whether it is known, without a search, that there is no pole on the straight line between two points; `divided` as in
     /// [`clear_of_poles`](PhaseSpace::clear_of_poles).
     #[inline(always)]
-    pub(crate) fn is_clear<R: Real>(&self, divided: bool, (t, q, p, s): Ends<'_, S, R>) -> bool
-    where
-        S: PhaseSpace<R>,
-    {
+    pub(crate) fn is_clear<S: PhaseSpace<R>, R: Real>(
+        &self,
+        system: &S,
+        divided: bool,
+        (t, q, p, s): Ends<'_, S, R>,
+    ) -> bool {
         if S::POLES.is_empty() {
             return true;
         }
-        let clear = || self.system.clear_of_poles(divided, t, q, p, s);
+        let clear = || system.clear_of_poles(divided, t, q, p, s);
         if Known::<S, R>::FIXED { clear() } else { !self.open || (!self.searched && clear()) }
     }
 
     /// The first pole, if any, that cannot be ruled out there.
     #[inline(always)]
-    pub(crate) fn pole_between<R: Real>(&self, divided: bool, (t, q, p, s): Ends<'_, S, R>) -> Option<&'static str>
-    where
-        S: PhaseSpace<R>,
-    {
-        if self.is_clear(divided, (t, q, p, s)) {
+    pub(crate) fn between<S: PhaseSpace<R>, R: Real>(
+        &self,
+        system: &S,
+        divided: bool,
+        (t, q, p, s): Ends<'_, S, R>,
+    ) -> Option<&'static str> {
+        if self.is_clear(system, divided, (t, q, p, s)) {
             return None;
         }
         // Copies: what is searched is in memory, and a step would otherwise keep its state there.
-        search(self.system, t, copied(q), copied(p), s.map(|s| *s))
+        search(*system, t, copied(q), copied(p), s.map(|s| *s))
     }
 }
 

@@ -3,7 +3,8 @@
 use super::PhaseSpace;
 use crate::scalar::Real;
 
-/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems T + g·s is one part, with quadratic T.
+/// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
+/// quadratic, and T and V + g·s where it is not.
 #[diagnostic::on_unimplemented(
     message = "kick and drift do not exist for `{Self}`",
     label = "H was not proven to be T(p) + V(q)",
@@ -11,9 +12,9 @@ use crate::scalar::Real;
 )]
 pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     /// What a kick of given length needs from the parameters.
-    type Kick: Copy;
+    type Kick: Clone;
     /// What a drift of given length needs from the parameters.
-    type Drift: Copy;
+    type Drift: Clone;
     /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
 
@@ -21,10 +22,10 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     fn prepare_kick(&self, h: R) -> Self::Kick;
     /// Coefficients of a drift of length `h`.
     fn prepare_drift(&self, h: R) -> Self::Drift;
-    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV.
-    fn kick(kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    /// The flow of V at frozen time: p ← p − h ∂V/∂q, s ← s − hV; of V + g·s: p ← e^(−gh)·p − …
+    fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
-    fn drift(drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
 }
 
 /// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.
@@ -47,10 +48,17 @@ pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
 )]
 pub trait ForceGradient<R: Real = f64>: QuadraticKinetic<R> {
     /// What a kick of given weights needs from the parameters.
-    type GradientKick: Copy;
+    type GradientKick: Clone;
 
     /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
     fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
     /// The flow of U = hV − g F·M⁻¹F at frozen time: p ← p + hF + g ∇(F·M⁻¹F), s ← s − U.
-    fn gradient_kick(kick: &Self::GradientKick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    fn gradient_kick(
+        &self,
+        kick: &Self::GradientKick,
+        t: R,
+        q: &mut Self::Array,
+        p: &mut Self::Array,
+        s: &mut Self::Action,
+    );
 }

@@ -76,6 +76,11 @@ poles! { flows_that_end, f64, (q p s t):
     ConjugateSquare at ([0.3, 0.7, 0.8], 0.5) => 0.75 * (s - p * q).powi(2), ends [-1.0 / (0.75 * (0.8 - 0.21))];
     LaneEmden at ([0.3, 0.7, 0.8], 0.5) => p * p * 0.75 + 2.0 / t * s, ends [-0.5];
     LaneEmdenBefore at ([0.3, 0.7, 0.8], -0.5) => p * p * 0.75 + 3.0 / t * s, ends [0.5];
+    DampedByOne at ([0.3, 0.7, 0.8], 0.5) => p * p * 0.75 + s / t, ends [-0.5];
+    DampedByPowerBefore at ([0.3, 0.7, 0.8], -0.5) => p * p * 0.75 + 1.7 / t * s, ends [0.5];
+    DampedOverShiftedTime at ([0.3, 0.7, 0.8], 0.5) => p * p * 0.75 + 2.0 / (0.75 + t) * s, ends [-1.25];
+    DampedOverShiftedTimeByPower at ([0.3, 0.7, 0.8], 0.5) => p * p * 0.75 + 1.7 / (t - 0.75) * s, ends [0.25];
+    DecayOverShiftedTime at ([0.3, 0.7, 0.8], 0.5) => 2.0 / (0.75 + 2.0 * t) * s, ends [-0.875];
     Decay at ([0.3, 0.7, 0.8], 0.5) => 2.0 / t * s, ends [-0.5];
     DecayBefore at ([0.3, 0.7, 0.8], -0.5) => 2.0 / t * s, ends [0.5];
     DecayByPower at ([0.3, 0.7, 0.8], 0.5) => 1.7 / t * s, ends [-0.5];
@@ -103,7 +108,20 @@ fn singular_times() {
     fn decay(q: f64, p: f64, s: f64, t: f64, k: f64) -> f64 {
         k * s / t + 0.0 * p * q
     }
+    #[contact_hamiltonian]
+    fn emden_fowler(q: f64, p: f64, s: f64, t: f64, k: f64, since: f64) -> f64 {
+        p * p * 0.75 + k / (since + t) * s + 0.0 * q
+    }
     let x = [0.3, 0.7, 0.8];
+    for k in [0.01, 0.5, 1.0, 2.0, 3.7] {
+        // With any power of time, from where it is singular; but neither across that, nor to it.
+        let system = EmdenFowler { k, since: 0.25 };
+        assert_eq!(step(system, &x, -0.25, 0.1).unwrap(), [0.3, 0.0, 0.0]);
+        assert!(matches!(step(system, &x, -0.5, 0.5), Err(StepError::Pole { .. })));
+        assert!(matches!(step(system, &x, 0.25, -0.5), Err(StepError::Pole { .. })));
+        assert!(matches!(step(system, &x, 0.25, -0.75), Err(StepError::Pole { .. })));
+        assert!(step(system, &x, -0.5, 0.2).is_ok() && step(system, &x, 0.25, -0.4).is_ok());
+    }
     assert_eq!(step(LaneEmden, &x, 0.0, 0.1).unwrap(), [0.3, 0.0, 0.0]);
     assert_eq!(step(Decay { k: 1.7 }, &x, 0.0, 0.1).unwrap(), [0.3, 0.0, 0.0]);
     for h in [0.5, -0.5] {

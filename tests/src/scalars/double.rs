@@ -8,7 +8,7 @@
 //!
 //! T. J. Dekker, Numer. Math. 18 (1971) 224; D. E. Knuth, *The Art of Computer Programming* 2, 4.2.2.
 
-use super::arithmetic;
+use super::{arithmetic, compared};
 use geoint_runtime::Real;
 
 /// hi + lo with |lo| ≤ ulp(hi)/2.
@@ -126,6 +126,7 @@ impl Double {
 }
 
 impl Real for Double {
+    compared!();
     #[inline]
     fn from_f64(x: f64) -> Self {
         x.into()

@@ -3,7 +3,7 @@
 //! Run through a kernel it differentiates that kernel, run through a step it gives a column of the step's Jacobian. The
 //! rules are those of another crate, so that nothing here can be wrong in the same way as the macro.
 
-use super::arithmetic;
+use super::{arithmetic, compared};
 use core::cmp::Ordering;
 use geoint_runtime::Real;
 use num_dual::{Dual64, DualNum};
@@ -101,6 +101,7 @@ macro_rules! forward {
 }
 
 impl Real for Dual {
+    compared!();
     fn from_f64(x: f64) -> Self {
         x.into()
     }

@@ -43,7 +43,59 @@ macro_rules! each {
     ($x:ident $function:ident $y:ident) => { $x.zip($y, f64::$function) };
 }
 
+/// A choice for each component.
+#[derive(Clone, Copy, Debug)]
+pub struct Choices([bool; 2]);
+
+impl core::ops::BitAnd for Choices {
+    type Output = Self;
+    fn bitand(self, Choices([c, d]): Self) -> Self {
+        let [a, b] = self.0;
+        Choices([a & c, b & d])
+    }
+}
+
+impl core::ops::BitOr for Choices {
+    type Output = Self;
+    fn bitor(self, Choices([c, d]): Self) -> Self {
+        let [a, b] = self.0;
+        Choices([a | c, b | d])
+    }
+}
+
+impl core::ops::Not for Choices {
+    type Output = Self;
+    fn not(self) -> Self {
+        Choices(self.0.map(|choice| !choice))
+    }
+}
+
 impl Real for Lanes {
+    type Mask = Choices;
+    fn less(self, y: Self) -> Choices {
+        Choices([0, 1].map(|i| self.0[i] < y.0[i]))
+    }
+    fn less_equal(self, y: Self) -> Choices {
+        Choices([0, 1].map(|i| self.0[i] <= y.0[i]))
+    }
+    fn equal(self, y: Self) -> Choices {
+        Choices([0, 1].map(|i| self.0[i] == y.0[i]))
+    }
+    fn choose<const N: usize>(
+        Choices(mask): Choices,
+        first: impl FnOnce() -> [Self; N],
+        second: impl FnOnce() -> [Self; N],
+    ) -> [Self; N] {
+        match mask {
+            [true, true] => first(),
+            [false, false] => second(),
+            _ => {
+                let (first, second) = (first(), second());
+                let side = |i: usize, lane: usize| if mask[lane] { first[i].0[lane] } else { second[i].0[lane] };
+                core::array::from_fn(|i| Lanes([side(i, 0), side(i, 1)]))
+            }
+        }
+    }
     fn from_f64(x: f64) -> Self {
         x.into()
     }

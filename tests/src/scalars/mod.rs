@@ -10,9 +10,33 @@ pub use lanes::Lanes;
 
 use geoint_runtime::Real;
 
-/// What kernels of every energy accept, those with branches too.
+/// A scalar that is compared in tests.
 pub trait Scalar: Real + PartialOrd {}
 impl<R: Real + PartialOrd> Scalar for R {}
+
+/// The choices of a scalar that is compared as a whole.
+macro_rules! compared {
+    () => {
+        type Mask = bool;
+        fn less(self, y: Self) -> bool {
+            self < y
+        }
+        fn less_equal(self, y: Self) -> bool {
+            self <= y
+        }
+        fn equal(self, y: Self) -> bool {
+            self == y
+        }
+        fn choose<const N: usize>(
+            mask: bool,
+            first: impl FnOnce() -> [Self; N],
+            second: impl FnOnce() -> [Self; N],
+        ) -> [Self; N] {
+            if mask { first() } else { second() }
+        }
+    };
+}
+use compared;
 
 /// The arithmetic of `std::ops` from functions of two values, the other operand being the same type or `f64`.
 macro_rules! arithmetic {

@@ -1,8 +1,8 @@
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]
-fn energy(q: f64, v: f64) -> f64 {
-    v * v + q
+fn energy(q: f64, w: f64) -> f64 {
+    w * w + q
 }
 
 fn main() {

@@ -120,6 +120,7 @@ impl Slopes {
             | Function::AbsSlopeDerivative
             | Function::NotNegative
             | Function::AtMost
+            | Function::DecayMean
             | Function::Grown
             | Function::Phi1
             | Function::Phi1Derivative
@@ -205,13 +206,13 @@ impl Slopes {
 }
 
 /// constant + coefficient·x
-fn offset(g: &mut Graph, constant: i64, coefficient: i64, x: Id) -> Id {
+fn offset(g: &mut Graph, constant: i128, coefficient: i128, x: Id) -> Id {
     let (constant, term) = (g.integer(constant), g.scale(Number::integer(coefficient), x));
     g.add(constant, term)
 }
 
 /// (constant + coefficient·x)(1 + x)
-fn product_of_sums(g: &mut Graph, [constant, coefficient]: [i64; 2], x: Id) -> Id {
+fn product_of_sums(g: &mut Graph, [constant, coefficient]: [i128; 2], x: Id) -> Id {
     let (first, second) = (offset(g, constant, coefficient, x), offset(g, 1, 1, x));
     g.mul(first, second)
 }

@@ -68,11 +68,12 @@ fn step(
                 #constants
             }
             #[inline(always)]
-            fn begin(prepared: &[R; #prepared], t: R, x: &#unknown) -> [R; #started] {
+            fn begin(&self, prepared: &[R; #prepared], t: R, x: &#unknown) -> [R; #started] {
                 #begin
             }
             #[inline(always)]
             fn image(
+                &self,
                 prepared: &[R; #prepared],
                 start: &[R; #started],
                 d: &#unknown,
@@ -82,7 +83,7 @@ fn step(
                 #image
             }
             #[inline(always)]
-            fn end(prepared: &[R; #prepared], start: &[R; #started], d: &#unknown) -> #unknown {
+            fn end(&self, prepared: &[R; #prepared], start: &[R; #started], d: &#unknown) -> #unknown {
                 #end
             }
         }

@@ -30,7 +30,8 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
     let exact = *clock == Clock::Own;
     let (kick_type, prepare_kick, kick) = flow(context, graph, "kick", &mechanics.kick);
     let (drift_type, prepare_drift, drift) = flow(context, graph, "drift", drift);
-    let (free_type, prepare_free, free) = flow(context, graph, "free_drift", &mechanics.free_drift);
+    let free_kick = free_flow(context, graph, "kick", (&mechanics.free_kick, &mechanics.kick));
+    let free_drift = free_flow(context, graph, "drift", (&mechanics.free_drift, &mechanics.drift.0));
     let damping = context.routine(graph, &[mechanics.damping], |mut values| values.remove(0));
     let nystrom = match &mechanics.gradient_kick {
         Ok(kick) => {
@@ -55,13 +56,36 @@ fn separable(context: &Context<'_>, graph: &mut Graph, mechanics: &Mechanics, bo
         }
         #nystrom
         impl<R: #bounds> MechanicalContact<R> for #name {
-            type FreeDrift = #free_type;
-            #prepare_free
-            #free
+            #free_kick
+            #free_drift
             #[inline(always)]
             fn damping(&self, t: R) -> R {
                 #damping
             }
+        }
+    }
+}
+
+/// A kick or a drift without damping: the other one, if nothing of that is damped.
+fn free_flow(context: &Context<'_>, graph: &mut Graph, name: &str, (own, damped): (&Flow, &Flow)) -> TokenStream {
+    let upper = if name == "kick" { "Kick" } else { "Drift" };
+    let [free_type, other_type] = ["Free", ""].map(|free| format_ident!("{free}{upper}"));
+    let [free, prepare_free, other, prepare_other] =
+        ["free_", "prepare_free_", "", "prepare_"].map(|prefix| format_ident!("{prefix}{name}"));
+    if own != damped {
+        let (prepared, prepare, flow) = flow(context, graph, &format!("free_{name}"), own);
+        return quote!(type #free_type = #prepared; #prepare #flow);
+    }
+    let array = context.array();
+    quote! {
+        type #free_type = <Self as Separable<R>>::#other_type;
+        #[inline]
+        fn #prepare_free(&self, h: R) -> Self::#free_type {
+            self.#prepare_other(h)
+        }
+        #[inline(always)]
+        fn #free(&self, prepared: &Self::#free_type, t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+            self.#other(prepared, t, q, p, s);
         }
     }
 }
@@ -78,7 +102,7 @@ fn flow(context: &Context<'_>, graph: &mut Graph, name: &str, flow: &Flow) -> (T
     };
     let flow = quote! {
         #[inline(always)]
-        fn #name(prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+        fn #name(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, s: &mut R) {
             #body
         }
     };
@@ -117,12 +141,12 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
             fn #prepare(&self, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn #name(never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn #name(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut R) {
                 match *never {}
             }
         }
     };
-    let [kick, drift, free] = ["kick", "drift", "free_drift"].map(flow);
+    let [kick, drift, free_kick, free_drift] = ["kick", "drift", "free_kick", "free_drift"].map(flow);
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
@@ -133,8 +157,10 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
         }
         #not_quadratic
         impl<R: #bounds + #marker> MechanicalContact<R> for #name {
+            type FreeKick = #never;
             type FreeDrift = #never;
-            #free
+            #free_kick
+            #free_drift
             fn damping(&self, t: R) -> R {
                 t
             }

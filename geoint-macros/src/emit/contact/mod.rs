@@ -21,9 +21,7 @@ pub(crate) fn contact_items(
     found: &Pieces,
     mechanics: &Result<Mechanics, Id>,
 ) -> TokenStream {
-    let conditions = context.partial.iter().filter_map(|partial| partial.condition);
-    let roots: Vec<Id> = conditions.chain([energy]).collect();
-    let bounds = super::system::bounds(graph, &roots);
+    let bounds = super::system::bounds(graph, &[energy]);
     let gradient = diff::gradient(graph, energy, context.energy.degrees());
     let system = system::contact(context, graph, (energy, &gradient), &bounds);
     let (pieces, costs) = pieces::pieces(context, graph, found, &bounds);

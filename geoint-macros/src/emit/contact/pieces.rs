@@ -102,11 +102,12 @@ fn splitting(
                 (#(#prepared,)*)
             }
             #[inline(always)]
-            fn freeze(flows: &#types, t: R) -> #frozen_types {
+            fn freeze(&self, flows: &#types, t: R) -> #frozen_types {
                 (#(#frozen,)*)
             }
             #[inline(always)]
             fn flow(
+                &self,
                 piece: usize, flows: &#types, frozen: &#frozen_types, t: R, q: &mut #array, p: &mut #array, s: &mut R,
             ) {
                 match piece {
@@ -131,8 +132,8 @@ fn none(context: &Context<'_>, graph: &Graph, term: Id, bounds: &TokenStream) ->
             fn prepare_flows(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn freeze(_: &#never, _: R) {}
-            fn flow(_: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn freeze(&self, _: &#never, _: R) {}
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
                 match *never {}
             }
         }

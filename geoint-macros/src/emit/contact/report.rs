@@ -55,6 +55,13 @@ fn structure<F: Fn(Symbol) -> String>(
         Ok(Mechanics { gradient_kick: Ok(_), .. }) => {
             writeln!(text, "- T + g·s + V with quadratic T: kick and drift exist, and all tables have their order")
         }
+        Ok(Mechanics { kick, free_kick, .. }) if kick != free_kick => {
+            writeln!(
+                text,
+                "- T + g·s + V: kick and drift exist, with the damping in the kick, because T is no quadratic form; tables of \
+                 Runge–Kutta–Nyström type need one"
+            )
+        }
         Ok(Mechanics { gradient_kick: Err(term), .. }) => {
             let term = printer.excerpt(*term);
             writeln!(

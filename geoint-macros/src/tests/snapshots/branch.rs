@@ -51,6 +51,7 @@ struct Spring;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -64,9 +65,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -102,8 +103,8 @@ const _: () = {
             Adaptive::new(self, method, tolerance, state)
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> Conservative<R> for Spring {}
-    impl<R: Real + ::core::cmp::PartialOrd> PhaseSpace<R> for Spring {
+    impl<R: Real> Conservative<R> for Spring {}
+    impl<R: Real> PhaseSpace<R> for Spring {
         type Coordinates = R;
         type Array = [R; 1];
         type Action = ();
@@ -116,16 +117,18 @@ const _: () = {
             let v0 = p0 * p0;
             let v1 = k1 + v0;
             let v2 = v1.sqrt();
-            let v3 = k2 < q0;
-            let (v8,) = if v3 {
-                let v4 = q0 * q0;
-                let v5 = v4 * v4;
-                let v6 = t.cos();
-                let v7 = v5 * v6;
-                (v7,)
-            } else {
-                (k2,)
-            };
+            let v3 = k2.less(q0);
+            let [v8] = R::choose(
+                v3,
+                || {
+                    let v4 = q0 * q0;
+                    let v5 = v4 * v4;
+                    let v6 = t.cos();
+                    let v7 = v5 * v6;
+                    [v7]
+                },
+                || { [k2] },
+            );
             let v9 = v2 + v8;
             v9
         }
@@ -148,7 +151,7 @@ const _: () = {
             ::core::option::Option::None
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> Hamiltonian<R> for Spring {
+    impl<R: Real> Hamiltonian<R> for Spring {
         #[inline]
         fn gradient(
             &self,
@@ -163,17 +166,19 @@ const _: () = {
             let k2 = R::from_f64(4.0);
             let p0 = p[0];
             let k4 = R::from_f64(1.0);
-            let v0 = k0 < q0;
-            let (v6,) = if v0 {
-                let v1 = t.cos();
-                let v2 = q0 * q0;
-                let v3 = v2 * q0;
-                let v4 = k2 * v3;
-                let v5 = v4 * v1;
-                (v5,)
-            } else {
-                (k0,)
-            };
+            let v0 = k0.less(q0);
+            let [v6] = R::choose(
+                v0,
+                || {
+                    let v1 = t.cos();
+                    let v2 = q0 * q0;
+                    let v3 = v2 * q0;
+                    let v4 = k2 * v3;
+                    let v5 = v4 * v1;
+                    [v5]
+                },
+                || { [k0] },
+            );
             let v7 = p0 * p0;
             let v8 = k4 + v7;
             let v9 = v8.sqrt();
@@ -182,7 +187,7 @@ const _: () = {
             dp[0] = v10;
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> Separable<R> for Spring {
+    impl<R: Real> Separable<R> for Spring {
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -195,28 +200,44 @@ const _: () = {
             [h]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let k0 = R::from_f64(0.0);
             let q0 = q[0];
             let k2 = R::from_f64(4.0);
             let prepared_0 = prepared[0];
             let p0 = p[0];
-            let v0 = k0 < q0;
-            let (v6,) = if v0 {
-                let v1 = t.cos();
-                let v2 = q0 * q0;
-                let v3 = v2 * q0;
-                let v4 = k2 * v3;
-                let v5 = v4 * v1;
-                (v5,)
-            } else {
-                (k0,)
-            };
+            let v0 = k0.less(q0);
+            let [v6] = R::choose(
+                v0,
+                || {
+                    let v1 = t.cos();
+                    let v2 = q0 * q0;
+                    let v3 = v2 * q0;
+                    let v4 = k2 * v3;
+                    let v5 = v4 * v1;
+                    [v5]
+                },
+                || { [k0] },
+            );
             let v7 = prepared_0.multiply_add(v6, p0);
             p[0] = v7;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let p0 = p[0];
             let k1 = R::from_f64(1.0);
             let prepared_0 = prepared[0];
@@ -235,15 +256,14 @@ const _: () = {
         label = "the term is: √(p² + 1)"
     )]
     pub trait QuadraticInSpring {}
-    impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> QuadraticKinetic<R>
-    for Spring {}
-    impl<R: Real + ::core::cmp::PartialOrd + QuadraticInSpring> ForceGradient<R>
-    for Spring {
+    impl<R: Real + QuadraticInSpring> QuadraticKinetic<R> for Spring {}
+    impl<R: Real + QuadraticInSpring> ForceGradient<R> for Spring {
         type GradientKick = ::core::convert::Infallible;
         fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }
         fn gradient_kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 1],
@@ -253,7 +273,7 @@ const _: () = {
             match *never {}
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> ModifiedEnergy<R> for Spring {
+    impl<R: Real> ModifiedEnergy<R> for Spring {
         fn modified_hamiltonian(
             &self,
             h: R,
@@ -273,30 +293,32 @@ const _: () = {
             let v0 = p0 * p0;
             let v1 = k1 + v0;
             let v2 = v1.sqrt();
-            let v3 = k2 < q0;
+            let v3 = k2.less(q0);
             let v12 = k1 / v2;
             let v13 = p0 * v12;
-            let (v23, v24, v25, v26) = if v3 {
-                let v4 = q0 * q0;
-                let v5 = v4 * v4;
-                let (v6, v7) = t.sin_cos();
-                let v8 = v5 * v7;
-                let v9 = v4 * q0;
-                let v10 = k4 * v9;
-                let v11 = v10 * v7;
-                let v14 = k5 * v4;
-                let v15 = v14 * v7;
-                let v16 = v15 * v13;
-                let v17 = -v9;
-                let v18 = v17.multiply_add(v6, v16);
-                let v19 = k4 * v18;
-                let v20 = v10 * v6;
-                let v21 = v20.multiply_add(v13, v8);
-                let v22 = -v21;
-                (v8, v11, v19, v22)
-            } else {
-                (k2, k2, k2, k2)
-            };
+            let [v23, v24, v25, v26] = R::choose(
+                v3,
+                || {
+                    let v4 = q0 * q0;
+                    let v5 = v4 * v4;
+                    let (v6, v7) = t.sin_cos();
+                    let v8 = v5 * v7;
+                    let v9 = v4 * q0;
+                    let v10 = k4 * v9;
+                    let v11 = v10 * v7;
+                    let v14 = k5 * v4;
+                    let v15 = v14 * v7;
+                    let v16 = v15 * v13;
+                    let v17 = -v9;
+                    let v18 = v17.multiply_add(v6, v16);
+                    let v19 = k4 * v18;
+                    let v20 = v10 * v6;
+                    let v21 = v20.multiply_add(v13, v8);
+                    let v22 = -v21;
+                    [v8, v11, v19, v22]
+                },
+                || { [k2, k2, k2, k2] },
+            );
             let v27 = v13.multiply_add(v25, v26);
             let v28 = v12 * v12;
             let v29 = v28 * v12;
@@ -319,17 +341,17 @@ const _: () = {
             ModifiedEnergy::modified_energy(self, h, state)
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> DiscreteField<R> for Spring {
+    impl<R: Real> DiscreteField<R> for Spring {
         type Parameters = [R; 0];
         type Start = [R; 11];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 0] {
             []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
             let p0 = y[1][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -344,23 +366,26 @@ const _: () = {
             let v4 = t.cos();
             let v5 = k2 * q0;
             let v6 = q0 * q0;
-            let v7 = k4 < q0;
-            let (v13, v14) = if v7 {
-                let v8 = v6 * q0;
-                let v9 = k5 * v8;
-                let v10 = v9 * v4;
-                let v11 = v6 * v6;
-                let v12 = v11 * v4;
-                (v10, v12)
-            } else {
-                (k4, k4)
-            };
+            let v7 = k4.less(q0);
+            let [v13, v14] = R::choose(
+                v7,
+                || {
+                    let v8 = v6 * q0;
+                    let v9 = k5 * v8;
+                    let v10 = v9 * v4;
+                    let v11 = v6 * v6;
+                    let v12 = v11 * v4;
+                    [v10, v12]
+                },
+                || { [k4, k4] },
+            );
             let v15 = k5 * v4;
             let v16 = k6 * v4;
             [v2, p0, v3, q0, v4, v5, v6, v13, v15, v16, v14]
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 0],
             start: &[R; 11],
             d: &[[R; 1]; 2],
@@ -393,58 +418,66 @@ const _: () = {
             let v5 = k2 / v4;
             let v6 = start_2 + dp0;
             let v7 = v6 * v5;
-            let v8 = k5 < start_3;
+            let v8 = k5.less(start_3);
             let v9 = start_3 + dq0;
-            let v10 = k5 < v9;
-            let v11 = v8 && v10;
+            let v10 = k5.less(v9);
+            let v11 = v8 & v10;
             let v12 = !v8;
             let v13 = !v10;
-            let v14 = v12 && v13;
-            let v15 = v11 || v14;
-            let (v50, v51) = if v15 {
-                let (v24, v25) = if v8 {
-                    let v16 = start_5 + dq0;
-                    let v17 = v9 * v9;
-                    let v18 = start_6 + v17;
-                    let v19 = start_4 * v16;
-                    let v20 = v19 * v18;
-                    let v21 = k11 * v9;
-                    let v22 = v21.multiply_add(v16, v18);
-                    let v23 = start_4 * v22;
-                    (v20, v23)
-                } else {
-                    (k5, k5)
-                };
-                (v24, v25)
-            } else {
-                let (v32, v33, v34) = if v10 {
-                    let v26 = v9 * v9;
-                    let v27 = v26 * v9;
-                    let v28 = start_8 * v27;
-                    let v29 = v26 * v26;
-                    let v30 = start_4 * v29;
-                    let v31 = start_9 * v26;
-                    (v28, v30, v31)
-                } else {
-                    (k5, k5, k5)
-                };
-                let v35 = start_7 + v32;
-                let v36 = k15 * dq0;
-                let v37 = v33 - start_10;
-                let v38 = -v36;
-                let v39 = v38.multiply_add(v35, v37);
-                let v40 = k2 / dq0;
-                let v41 = k15 * v35;
-                let v42 = v40.multiply_add(v39, v41);
-                let v43 = v40 * v40;
-                let v44 = dq0.multiply_add(v34, v35);
-                let v45 = k17.multiply_add(v44, v32);
-                let v46 = v40 * v45;
-                let v47 = -v43;
-                let v48 = v47.multiply_add(v39, v46);
-                let v49 = k15.multiply_add(v34, v48);
-                (v42, v49)
-            };
+            let v14 = v12 & v13;
+            let v15 = v11 | v14;
+            let [v50, v51] = R::choose(
+                v15,
+                || {
+                    let [v24, v25] = R::choose(
+                        v8,
+                        || {
+                            let v16 = start_5 + dq0;
+                            let v17 = v9 * v9;
+                            let v18 = start_6 + v17;
+                            let v19 = start_4 * v16;
+                            let v20 = v19 * v18;
+                            let v21 = k11 * v9;
+                            let v22 = v21.multiply_add(v16, v18);
+                            let v23 = start_4 * v22;
+                            [v20, v23]
+                        },
+                        || { [k5, k5] },
+                    );
+                    [v24, v25]
+                },
+                || {
+                    let [v32, v33, v34] = R::choose(
+                        v10,
+                        || {
+                            let v26 = v9 * v9;
+                            let v27 = v26 * v9;
+                            let v28 = start_8 * v27;
+                            let v29 = v26 * v26;
+                            let v30 = start_4 * v29;
+                            let v31 = start_9 * v26;
+                            [v28, v30, v31]
+                        },
+                        || { [k5, k5, k5] },
+                    );
+                    let v35 = start_7 + v32;
+                    let v36 = k15 * dq0;
+                    let v37 = v33 - start_10;
+                    let v38 = -v36;
+                    let v39 = v38.multiply_add(v35, v37);
+                    let v40 = k2 / dq0;
+                    let v41 = k15 * v35;
+                    let v42 = v40.multiply_add(v39, v41);
+                    let v43 = v40 * v40;
+                    let v44 = dq0.multiply_add(v34, v35);
+                    let v45 = k17.multiply_add(v44, v32);
+                    let v46 = v40 * v45;
+                    let v47 = -v43;
+                    let v48 = v47.multiply_add(v39, v46);
+                    let v49 = k15.multiply_add(v34, v48);
+                    [v42, v49]
+                },
+            );
             let v52 = -v50;
             let v53 = v5 * v5;
             let v54 = v6 * v0;
@@ -460,12 +493,12 @@ const _: () = {
             jacobian[1][0][1][0] = k5;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn drift(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
         }
     }
-    impl<R: Real + ::core::cmp::PartialOrd> Collocation<R> for Spring {
+    impl<R: Real> Collocation<R> for Spring {
         type Unknown = [[R; 1]; 2];
         type Constants = [R; 0];
         const DERIVATIVE: usize = 1;
@@ -478,12 +511,13 @@ const _: () = {
             ([*q, *p], [*q, *p])
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
+        fn velocity(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut velocity = <[[R; 1]; 2] as Array>::zero();
             velocity
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 0],
             t: R,
             y: &[[R; 1]; 2],
@@ -501,19 +535,21 @@ const _: () = {
             let v2 = v1.sqrt();
             let v3 = k1 / v2;
             let v4 = p0 * v3;
-            let v5 = k2 < q0;
-            let (v13, v14) = if v5 {
-                let v6 = t.cos();
-                let v7 = q0 * q0;
-                let v8 = v7 * q0;
-                let v9 = k4 * v8;
-                let v10 = v9 * v6;
-                let v11 = k5 * v7;
-                let v12 = v11 * v6;
-                (v10, v12)
-            } else {
-                (k2, k2)
-            };
+            let v5 = k2.less(q0);
+            let [v13, v14] = R::choose(
+                v5,
+                || {
+                    let v6 = t.cos();
+                    let v7 = q0 * q0;
+                    let v8 = v7 * q0;
+                    let v9 = k4 * v8;
+                    let v10 = v9 * v6;
+                    let v11 = k5 * v7;
+                    let v12 = v11 * v6;
+                    [v10, v12]
+                },
+                || { [k2, k2] },
+            );
             let v15 = -v13;
             let v16 = v3 * v3;
             let v17 = v16 * v3;
@@ -528,7 +564,7 @@ const _: () = {
             jacobian[1][0][1][0] = k2;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
+        fn add(&self, prepared: &[R; 0], w: R, f: &[[R; 1]; 2], y: &mut [[R; 1]; 2]) {
             y[0][0] = w.multiply_add(f[0][0], y[0][0]);
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);
         }

@@ -48,6 +48,7 @@ struct Coupled;
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -61,9 +62,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -173,6 +174,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -182,6 +184,7 @@ const _: () = {
             match *never {}
         }
         fn drift(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -198,6 +201,7 @@ const _: () = {
             ::core::unreachable!()
         }
         fn gradient_kick(
+            &self,
             never: &::core::convert::Infallible,
             _: R,
             _: &mut [R; 2],
@@ -210,14 +214,14 @@ const _: () = {
     impl<R: Real> DiscreteField<R> for Coupled {
         type Parameters = [R; 0];
         type Start = [R; 8];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Gauss(2);
         #[inline]
         fn parameters(&self, h: R) -> [R; 0] {
             []
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
+        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
             let q0 = y[0][0];
             let k1 = R::from_f64(1.0);
             let k2 = R::from_f64(2.0);
@@ -233,6 +237,7 @@ const _: () = {
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 0],
             start: &[R; 8],
             d: &[[R; 2]; 2],
@@ -300,7 +305,7 @@ const _: () = {
             jacobian[1][1][1][1] = k15;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn drift(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut drift = <[[R; 2]; 2] as Array>::zero();
             drift
         }
@@ -318,12 +323,13 @@ const _: () = {
             ([*q, *p], [*q, *p])
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
+        fn velocity(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut velocity = <[[R; 2]; 2] as Array>::zero();
             velocity
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 0],
             t: R,
             y: &[[R; 2]; 2],
@@ -376,7 +382,7 @@ const _: () = {
             jacobian[1][1][1][1] = k8;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {
+        fn add(&self, prepared: &[R; 0], w: R, f: &[[R; 2]; 2], y: &mut [[R; 2]; 2]) {
             y[0][0] = w.multiply_add(f[0][0], y[0][0]);
             y[0][1] = w.multiply_add(f[0][1], y[0][1]);
             y[1][0] = w.multiply_add(f[1][0], y[1][0]);

@@ -61,6 +61,7 @@ pub struct Pendulum<R = f64> {
     clippy::pedantic,
     clippy::nursery,
     clippy::restriction,
+    deprecated,
     missing_docs,
     private_bounds,
     unreachable_pub,
@@ -74,9 +75,9 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable, Square, State,
-        is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
+        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -205,7 +206,14 @@ const _: () = {
             [v2]
         }
         #[inline(always)]
-        fn kick(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn kick(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let q0 = q[0];
             let prepared_0 = prepared[0];
             let p0 = p[0];
@@ -214,7 +222,14 @@ const _: () = {
             p[0] = v1;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 1], t: R, q: &mut [R; 1], p: &mut [R; 1], _: &mut ()) {
+        fn drift(
+            &self,
+            prepared: &[R; 1],
+            t: R,
+            q: &mut [R; 1],
+            p: &mut [R; 1],
+            _: &mut (),
+        ) {
             let prepared_0 = prepared[0];
             let p0 = p[0];
             let q0 = q[0];
@@ -235,13 +250,14 @@ const _: () = {
         }
         #[inline(always)]
         fn gradient_kick(
+            &self,
             prepared: &(<Self as Collocation<R>>::Constants, [R; 2]),
             t: R,
             q: &mut [R; 1],
             p: &mut [R; 1],
             s: &mut (),
         ) {
-            gradient_kick::<Self, R>(prepared, t, q, p);
+            gradient_kick(self, prepared, t, q, p);
         }
     }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
@@ -265,7 +281,7 @@ const _: () = {
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Parameters = [R; 4];
         type Start = [R; 1];
-        const LINEAR: bool = false;
+        type Inverse = ();
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 4] {
@@ -290,12 +306,13 @@ const _: () = {
             [v2, v4, v11, v12]
         }
         #[inline(always)]
-        fn begin(prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
+        fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
             let q0 = y[0];
             [q0]
         }
         #[inline(always)]
         fn slope(
+            &self,
             prepared: &[R; 4],
             start: &[R; 1],
             d: &[R; 1],
@@ -323,6 +340,7 @@ const _: () = {
         }
         #[inline(always)]
         fn equation(
+            &self,
             _: (&Self::Constants, R),
             prepared: &[R; 4],
             start: &[R; 1],
@@ -352,7 +370,7 @@ const _: () = {
             matrix[0][0] = v12;
         }
         #[inline(always)]
-        fn drift(prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
+        fn drift(&self, prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
             let mut drift = <[R; 1] as Array>::zero();
             let prepared_3 = prepared[3];
             let dp0 = p[0];
@@ -384,7 +402,7 @@ const _: () = {
             (*q, *p)
         }
         #[inline(always)]
-        fn velocity(prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
+        fn velocity(&self, prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
             let mut velocity = <[R; 1] as Array>::zero();
             let prepared_1 = prepared[1];
             let p0 = p[0];
@@ -394,6 +412,7 @@ const _: () = {
         }
         #[inline(always)]
         fn field(
+            &self,
             prepared: &[R; 2],
             t: R,
             y: &[R; 1],
@@ -409,7 +428,7 @@ const _: () = {
             jacobian[0][0] = v3;
         }
         #[inline(always)]
-        fn add(prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
+        fn add(&self, prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
             let prepared_1 = prepared[1];
             let p0 = f[0];
             let v0 = prepared_1 * p0;

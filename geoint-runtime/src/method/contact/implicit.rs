@@ -2,42 +2,30 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, check_end, start};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
-use crate::space::{Array, Square};
-use crate::space::{Point, Summation};
-use crate::system::{Guarded, ImplicitStep};
+use crate::space::{Array, Square, Summation};
+use crate::system::{ImplicitStep, Poles};
 
 /// What a step needs.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<S, P, Y, R> {
-    energy: Guarded<S>,
+pub struct Prepared<P, R> {
     constants: P,
     half: R,
-    newton: Newton<Y>,
+    poles: Poles,
 }
 
 /// What a step of `M` needs.
-type PreparedFor<S, M, R> = Prepared<S, <S as ImplicitStep<M, R>>::Constants, <S as ImplicitStep<M, R>>::Unknown, R>;
+type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
 
-fn prepare<S: ImplicitStep<M, R>, M, R: Real>(system: &S, h: R) -> PreparedFor<S, M, R> {
-    Prepared {
-        energy: Guarded::new(system),
-        constants: system.constants(h),
-        half: R::from_f64(0.5) * h,
-        newton: Newton::new(),
-    }
-}
-
-/// A step that looks at the energy at x + `ahead`·d.
+/// A step that evaluates the energy at x + `ahead`·d.
 #[inline(always)]
 fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    Prepared { energy, constants, half, newton }: &mut PreparedFor<S, M, R>,
+    Prepared { constants, half, poles }: &PreparedFor<S, M, R>,
+    newton: &mut Newton<S::Unknown>,
     ahead: f64,
-    t: R,
-    x: &mut Point<S::Array, C, R>,
-    probe: &mut P,
+    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let (none, n, middle) = (S::Unknown::zero(), S::Array::LEN, t + *half);
     let mut origin = none;
@@ -45,29 +33,29 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     entries[..n].copy_from_slice(x.q.as_slice());
     entries[n..2 * n].copy_from_slice(x.p.as_slice());
     entries[2 * n] = x.s;
-    let begun = S::begin(constants, middle, &origin);
+    let begun = system.begin(constants, middle, &origin);
 
     // Φ(Φ(0)) is the explicit midpoint rule, or as good.
     let explicit = || {
         let [mut once, mut twice] = [none; 2];
         let mut unused = S::Unknown::fill(none);
-        S::image(constants, &begun, &none, &mut once, &mut unused);
-        S::image(constants, &begun, &once, &mut twice, &mut unused);
+        system.image(constants, &begun, &none, &mut once, &mut unused);
+        system.image(constants, &begun, &once, &mut twice, &mut unused);
         twice
     };
-    let look = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
+    let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
         let (mut seen, mut f) = (origin, none);
         seen.add_scaled(R::from_f64(ahead), d);
         let (q, p, s) = apart::<S, M, R>(&seen);
-        probe.look(middle, &q, &p, &s);
-        S::image(constants, &begun, d, &mut f, matrix);
+        probe.visit(middle, &q, &p, &s);
+        system.image(constants, &begun, d, &mut f, matrix);
         f
     };
-    let image = |probe: &mut P, d: &S::Unknown| look(probe, d, &mut S::Unknown::fill(none));
+    let image = |probe: &mut P, d: &S::Unknown| evaluate(probe, d, &mut S::Unknown::fill(none));
     let still = P::PATIENT.then_some(0.0);
-    let (d, _) = newton.solve((&origin, still), explicit, probe, image, look)?;
+    let (d, _) = newton.solve((&origin, still), explicit, probe, image, evaluate)?;
 
-    let end = S::end(constants, &begun, &d);
+    let end = system.end(constants, &begun, &d);
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
@@ -75,7 +63,7 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     let before = start::<S, R, C>(x);
     x.add(&dq, &dp);
     x.s += ds;
-    check_end(energy, [t, middle + *half], &before, x, probe)
+    check_end(poles, [t, middle + *half], &before, Step { system, t, x, probe })
 }
 
 /// Positions, momenta and the action.
@@ -93,23 +81,27 @@ macro_rules! methods {
     ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
         impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
             type Prepared = PreparedFor<S, Self, R>;
+            type Memory = Newton<S::Unknown>;
 
             fn claims(&self) -> Claims {
                 Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
             }
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-                prepare::<S, Self, R>(system, h)
+                Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
+            }
+
+            fn memory() -> Self::Memory {
+                Newton::new()
             }
 
             #[inline(always)]
             fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-                prepared: &mut Self::Prepared,
-                t: R,
-                x: &mut Point<S::Array, C, R>,
-                probe: &mut P,
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                at: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
-                step::<S, Self, R, C, P>(prepared, $ahead, t, x, probe)
+                step::<S, Self, R, C, P>(prepared, memory, $ahead, at)
             }
         }
     )* };

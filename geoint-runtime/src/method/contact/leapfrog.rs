@@ -1,7 +1,7 @@
 //! The variational integrator of Herglotz' principle.
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::{Point, Summation};
@@ -19,48 +19,49 @@ use crate::system::Mechanical;
 pub struct ContactLeapfrog;
 
 /// What a step needs.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Prepared<S: Mechanical<R>, R: Real> {
-    system: S,
     h: R,
-    half_kick: S::Kick,
+    half_kick: S::FreeKick,
     drift: S::FreeDrift,
 }
 
 impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     type Prepared = Prepared<S, R>;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
     }
 
     fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
-        let half_kick = system.prepare_kick(R::from_f64(0.5) * h);
-        Prepared { system: *system, h, half_kick, drift: system.prepare_free_drift(h) }
+        let half_kick = system.prepare_free_kick(R::from_f64(0.5) * h);
+        Prepared { h, half_kick, drift: system.prepare_free_drift(h) }
     }
+
+    fn memory() {}
 
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Prepared<S, R>,
-        t: R,
-        x: &mut Point<S::Array, C, R>,
-        probe: &mut P,
+        prepared: &Prepared<S, R>,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * prepared.h);
         let end = t + prepared.h;
-        let before = one - half * prepared.system.damping(t);
-        let after = one + half * prepared.system.damping(end);
+        let before = one - half * system.damping(t);
+        let after = one + half * system.damping(end);
         if before.any_below(f64::MIN_POSITIVE) || after.any_below(f64::MIN_POSITIVE) {
             return Err(Refusal::Singular);
         }
-        probe.look(t, &x.q, &x.p, &x.s);
+        probe.visit(t, &x.q, &x.p, &x.s);
         scale(before, x);
-        // An action that nobody reads ends here, and with it what it is computed from.
+        // An action that is not followed is dropped here, and with it what it is computed from.
         let unread = x.s;
-        S::kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
-        S::free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
-        probe.look(end, &x.q, &x.p, &x.s);
-        S::kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
+        system.free_kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
+        system.free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
+        probe.visit(end, &x.q, &x.p, &x.s);
+        system.free_kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
         scale(one / after, x);
         if !C::ACTION {
             x.s = unread;

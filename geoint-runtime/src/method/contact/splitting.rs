@@ -2,16 +2,17 @@
 //!
 //! With Φ(h) for all flows in order and Φ*(h) for them in reverse, every table here is Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h). The last
 //! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
-//! before all flows of Φ and after all flows of Φ*: at the turn between both it is the same for all.
+//! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Unwatched};
+use crate::method::total::adds_up;
+use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{Clock as PieceClock, Pieces};
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H, with a kick or else the most
-/// expensive flow in the middle. Order 2, symmetric, a contact map; every piece but the last is looked at twice a step.
+/// expensive flow in the middle. Order 2, symmetric, a contact map; the flow of every piece but the last is applied twice a step.
 ///
 /// Where the flow of a piece ends within a step, as that of H = s² does, the step is refused with the name of the piece.
 /// A. Bravetti, M. Seri, M. Vermeeren & F. Zadra, Celest. Mech. Dyn. Astr. 132 (2020) 7.
@@ -29,6 +30,7 @@ pub struct Prepared<F, R> {
 
 impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
     type Prepared = Prepared<S::Flows, R>;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
@@ -39,83 +41,72 @@ impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
         Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half }
     }
 
+    fn memory() {}
+
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { flows, half, .. }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, R>,
-        probe: &mut P,
+        Prepared { flows, half, .. }: &Self::Prepared,
+        (): &mut (),
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let turn = t + *half;
-        let frozen = S::freeze(flows, turn);
-        probe.look(t, &x.q, &x.p, &x.s);
-        pass::<S, R, C, P>(0..S::PIECES.len(), flows, &frozen, t, x, probe);
-        pass::<S, R, C, P>((0..S::PIECES.len() - 1).rev(), flows, &frozen, turn, x, probe);
+        let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
+        let frozen = step.system.freeze(flows, middle);
+        step.probe.visit(start, &step.x.q, &step.x.p, &step.x.s);
+        pass(0..all, (flows, &frozen), step.part(start));
+        pass((0..all - 1).rev(), (flows, &frozen), step.part(middle));
         Ok(())
     }
 
     #[inline(always)]
     fn advance<C: Summation<S::Array>>(
-        prepared: &mut Self::Prepared,
+        prepared: &Self::Prepared,
+        (): &mut (),
+        system: &S,
         clock: &Clock<R>,
         steps: u64,
         x: &mut Point<S::Array, C, R>,
     ) -> Result<(), Refusal> {
+        let Prepared { flows, merged, half } = prepared;
         let (all, probe) = (S::PIECES.len(), &mut Unwatched);
         // Flows at frozen time begin anew with every step.
         if all < 2 || S::PIECES[0].clock == PieceClock::Stage {
-            return (0..steps).try_for_each(|n| <Self as Method<S, R>>::step(prepared, clock.at(n), x, probe));
+            let step = |n| Self::step(prepared, &mut (), Step { system, t: clock.at(n), x, probe });
+            return (0..steps).try_for_each(step);
         }
         let Some(last) = steps.checked_sub(1) else { return Ok(()) };
-        let Prepared { flows, merged, half } = prepared;
         let start = clock.at(0);
-        pass::<S, R, C, _>(0..1, flows, &S::freeze(flows, start), start, x, probe);
+        pass(0..1, (flows, &system.freeze(flows, start)), Step { system, t: start, x, probe });
         for n in 0..steps {
-            let (t, turn) = (clock.at(n), clock.at(n) + *half);
-            let frozen = S::freeze(flows, turn);
-            pass::<S, R, C, _>(1..all, flows, &frozen, t, x, probe);
-            pass::<S, R, C, _>((1..all - 1).rev(), flows, &frozen, turn, x, probe);
-            let outer = if n == last { &*flows } else { &*merged };
-            pass::<S, R, C, _>(0..1, outer, &frozen, turn, x, probe);
+            let (t, middle) = (clock.at(n), clock.at(n) + *half);
+            let frozen = system.freeze(flows, middle);
+            let outer = if n == last { flows } else { merged };
+            pass(1..all, (flows, &frozen), Step { system, t, x, probe });
+            pass((1..all - 1).rev(), (flows, &frozen), Step { system, t: middle, x, probe });
+            pass(0..1, (outer, &frozen), Step { system, t: middle, x, probe });
         }
         Ok(())
     }
 }
 
-/// The flows of some pieces one after the other, each from time t on.
+/// The flows of some pieces one after the other, each from the time of `step` on.
 #[inline(always)]
 fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
     pieces: impl Iterator<Item = usize>,
-    flows: &S::Flows,
-    frozen: &S::Frozen,
-    t: R,
-    x: &mut Point<S::Array, C, R>,
-    probe: &mut P,
+    (flows, frozen): (&S::Flows, &S::Frozen),
+    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) {
     for piece in pieces {
-        flow::<S, R, C, P>(piece, flows, frozen, t, x, probe);
+        // An action that is not followed is dropped here, and with it what it is computed from.
+        let mut unread = x.s;
+        let s = if C::ACTION { &mut x.s } else { &mut unread };
+        system.flow(piece, flows, frozen, t, &mut x.q, &mut x.p, s);
+        probe.flown(S::PIECES[piece].name, || x.is_finite());
     }
-}
-
-#[inline(always)]
-fn flow<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    piece: usize,
-    flows: &S::Flows,
-    frozen: &S::Frozen,
-    t: R,
-    x: &mut Point<S::Array, C, R>,
-    probe: &mut P,
-) {
-    // An action that nobody reads ends here, and with it what it is computed from.
-    let mut unread = x.s;
-    let s = if C::ACTION { &mut x.s } else { &mut unread };
-    S::flow(piece, flows, frozen, t, &mut x.q, &mut x.p, s);
-    probe.flown(S::PIECES[piece].name, || x.is_finite());
 }
 
 substeps!([] ContactSplitting);
 
-/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K looks at the last piece a step.
+/// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
 ///
 /// For three pieces and more these are better than compositions of [`ContactSplitting`]. S. Blanes, F. Casas & A. Murua,
 /// arXiv:2006.06317; that tables for two pieces serve for any number: R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
@@ -135,6 +126,7 @@ impl<const K: usize> PieceComposition<K> {
             weights[i / 2][i % 2] = half[if i < K { i } else { 2 * K - 1 - i }];
             i += 1;
         }
+        assert!(adds_up(weights.as_flattened(), 1.0), "the weights add up to 1");
         PieceComposition { order, weights }
     }
 
@@ -154,12 +146,13 @@ impl<const K: usize> PieceComposition<K> {
 pub struct Pair<F, R> {
     forth: F,
     back: F,
-    /// Where Φ begins, and the turn, after the start of the step.
+    /// Where Φ begins, and where it meets Φ*, after the start of the step.
     at: [R; 2],
 }
 
 impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K> {
     type Prepared = [Pair<S::Flows, R>; K];
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: self.order, symmetric: true, symplectic: true, conserves_energy: false }
@@ -178,19 +171,21 @@ impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K>
         })
     }
 
+    fn memory() {}
+
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C, R>,
-        probe: &mut P,
+        prepared: &Self::Prepared,
+        (): &mut (),
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        for Pair { forth: there, back: again, at: [start, turn] } in prepared {
-            let (start, turn) = (t + *start, t + *turn);
-            probe.look(start, &x.q, &x.p, &x.s);
-            let all = S::PIECES.len();
-            pass::<S, R, C, P>(0..all, there, &S::freeze(there, turn), start, x, probe);
-            pass::<S, R, C, P>((0..all - 1).rev(), again, &S::freeze(again, turn), turn, x, probe);
+        let all = S::PIECES.len();
+        for Pair { forth, back, at: [start, middle] } in prepared {
+            let (start, middle) = (step.t + *start, step.t + *middle);
+            let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
+            step.probe.visit(start, &step.x.q, &step.x.p, &step.x.s);
+            pass(0..all, (forth, &frozen[0]), step.part(start));
+            pass((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
         }
         Ok(())
     }

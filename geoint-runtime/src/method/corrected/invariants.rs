@@ -44,8 +44,8 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
         let ((y, mut changed), (d, change)) = (S::start(q, p), S::start(dq, dp));
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
         let parameters = system.parameters(zero());
-        let start = S::begin(&parameters, zero(), &y);
-        S::slope(&parameters, &start, &d, &mut f, &mut jacobian);
+        let start = system.begin(&parameters, zero(), &y);
+        system.slope(&parameters, &start, &d, &mut f, &mut jacobian);
         if S::DERIVATIVE == 1 {
             // f̄ = J∇̄H: the rates of q and of p.
             let (rate_q, rate_p) = f.as_slice().split_at(S::Array::LEN);
@@ -53,7 +53,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
         }
         // f̄ = −∇̄V, and the mean gradient of a quadratic T is that of the mean momentum.
         changed.add_scaled(R::from_f64(0.5), &change);
-        let velocity = S::velocity(&system.constants(), &changed);
+        let velocity = system.velocity(&system.constants(), &changed);
         dot(velocity.as_slice(), change.as_slice()) - dot(f.as_slice(), d.as_slice())
     }
 

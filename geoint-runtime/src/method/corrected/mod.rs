@@ -1,4 +1,30 @@
 //! Steps of any method, put right: projected to invariants, or lengthened until the energy is what it was.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// Planar pendulum; q in rad, p in kg m²/s.
+//! #[hamiltonian]
+//! fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+//!     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+//! }
+//!
+//! let system = Pendulum { m: 0.7, l: 1.2, g: 9.81 };
+//! let start = State::new(2.0, 0.0);
+//! let mut plain = system.integrator(RK4, 0.05, start);
+//! let mut projected = system.integrator(Projection(RK4, Energy), 0.05, start);
+//! let mut relaxed = system.integrator(Relaxation(RK4), 0.05, start);
+//! let energy = plain.energy();
+//! plain.advance(10_000)?;
+//! projected.advance(10_000)?;
+//! relaxed.advance(10_000)?;
+//! let error = |now: f64| (now / energy - 1.0).abs();
+//! assert!(error(plain.energy()) > 1e-5);
+//! assert!(error(projected.energy()) < 1e-12 && error(relaxed.energy()) < 1e-12);
+//! # Ok::<(), StepError>(())
+//! ```
+//!
+//! Invariants of one's own implement [`Invariants`]: the front page of the crate has an example.
 
 pub mod invariants;
 pub mod projection;

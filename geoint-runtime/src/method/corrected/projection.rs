@@ -1,13 +1,13 @@
 //! x₁ = y + Σ λᵢ∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::{Invariants, plus, product, size};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::stagnation::Stagnation;
+use crate::space::Summation;
 use crate::space::{Array, Square};
-use crate::space::{Point, Summation};
-use crate::system::Hamiltonian;
+use crate::system::{Hamiltonian, Poles};
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
@@ -17,16 +17,18 @@ use crate::system::Hamiltonian;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 
-/// What the method prepared, and what invariants are computed from.
+/// What the method prepared, and the invariants.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, S, I> {
+pub struct Prepared<P, I> {
     method: P,
-    system: S,
+    poles: Poles,
     invariants: I,
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
-    type Prepared = Prepared<M::Prepared, S, I>;
+    type Prepared = Prepared<M::Prepared, I>;
+    type Memory = M::Memory;
+    const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
@@ -34,19 +36,23 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), system: *system, invariants: self.1 }
+        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
+    }
+
+    fn memory() -> M::Memory {
+        M::memory()
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { method, system, invariants }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        Prepared { method, poles, invariants }: &Self::Prepared,
+        memory: &mut M::Memory,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let before = [x.q, x.p];
-        M::step(method, t, x, probe)?;
-        probe.visit(t, &x.q, &x.p);
+        let before = [step.x.q, step.x.p];
+        M::step(method, memory, step.part(step.t))?;
+        let Step { system, t, x, probe } = step;
+        probe.visit(t, &x.q, &x.p, &());
         let moved = plus([x.q, x.p], -1.0, &before);
         let mut gradients = invariants.gradients(system, &[x.q, x.p]);
         let gradients = I::Values::entries(&mut gradients);
@@ -56,9 +62,13 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         fill::<I::Values>(&mut matrix, |i, j| product(&gradients[i], &gradients[j]));
         let scale = size(&before) + size(&moved);
         let mut back = [S::Array::zero(); 2];
+        // Where conditions of the energy were decided last.
+        let mut decided;
         let mut stagnation = Stagnation::new();
         loop {
-            let mut lambda = invariants.changes(system, &before, &plus(moved, 1.0, &back));
+            let change = plus(moved, 1.0, &back);
+            decided = plus(before, 1.0, &change);
+            let mut lambda = invariants.changes(system, &before, &change);
             // Also where gradients vanish there may be nothing to do.
             let nothing = lambda.as_slice().iter().all(|change| change.magnitude() == 0.0);
             if !nothing && linear::solve::<I::Values>(&mut matrix.clone(), &mut lambda).is_none() {
@@ -77,7 +87,10 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         }
         let [dq, dp] = back;
         x.add(&dq, &dp);
-        Ok(())
+        if I::KEEP_ENERGY {
+            check_conditions(system, t, &decided, x)?;
+        }
+        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }
 }
 

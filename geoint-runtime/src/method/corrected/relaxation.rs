@@ -1,12 +1,13 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product, size};
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::{Real, zero};
 use crate::solving::stagnation::Stagnation;
 use crate::space::Array;
-use crate::space::{Point, Summation};
-use crate::system::{Autonomous, DiscreteField};
+use crate::space::Summation;
+use crate::system::{Autonomous, DiscreteField, Poles};
+use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
 const FARTHEST: f64 = 0.5;
@@ -21,16 +22,18 @@ const FARTHEST: f64 = 0.5;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Relaxation<M>(pub M);
 
-/// What the method prepared, and what the energy is computed from.
+/// What the method prepared, and h.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, S, R> {
+pub struct Prepared<P, R> {
     method: P,
-    system: S,
+    poles: Poles,
     h: R,
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
-    type Prepared = Prepared<M::Prepared, S, R>;
+    type Prepared = Prepared<M::Prepared, R>;
+    type Memory = M::Memory;
+    const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
@@ -38,31 +41,39 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), system: *system, h }
+        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), h }
+    }
+
+    fn memory() -> M::Memory {
+        M::memory()
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { method, system, h }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        Prepared { method, poles, h }: &Self::Prepared,
+        memory: &mut M::Memory,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let before = [x.q, x.p];
-        M::step(method, t, x, probe)?;
-        probe.visit(t, &x.q, &x.p);
+        let before = [step.x.q, step.x.p];
+        M::step(method, memory, step.part(step.t))?;
+        let Step { system, t, x, probe } = step;
+        probe.visit(t, &x.q, &x.p, &());
         let moved = plus([x.q, x.p], -1.0, &before);
         let gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
-        let excess = match excess(system, &before, &moved, whole, whole - product(&gradient, &moved)) {
+        // Where conditions of the energy were decided last.
+        let decided = Cell::new(moved);
+        let secant = whole - product(&gradient, &moved);
+        let excess = match excess(system, &before, &moved, (whole, secant), &decided) {
             // A step so short, or an energy so straight, that there is nothing but rounding to put right.
             Err(_) if whole.magnitude() <= R::epsilon() * size(&gradient) * size(&before) => zero(),
             outcome => outcome?,
         };
         let [dq, dp] = moved.map(|d| scaled(excess, &d));
         x.add(&dq, &dp);
-        x.ahead += excess * *h;
-        Ok(())
+        x.ahead.add(excess * *h);
+        check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
+        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }
 }
 
@@ -75,15 +86,16 @@ fn excess<S, R: Real>(
     system: &S,
     x: &[S::Array; 2],
     d: &[S::Array; 2],
-    mut value: R,
-    mut secant: R,
+    (mut value, mut secant): (R, R),
+    decided: &Cell<[S::Array; 2]>,
 ) -> Result<R, Refusal>
 where
     S: DiscreteField<R> + Autonomous<R>,
 {
     let value_at = |excess: R| {
         let gamma = R::from_f64(1.0) + excess;
-        Energy.changes(system, x, &d.map(|d| scaled(gamma, &d))) / gamma
+        decided.set(d.map(|d| scaled(gamma, &d)));
+        Energy.changes(system, x, &decided.get()) / gamma
     };
     let mut excess = zero::<R>();
     let mut stagnation = Stagnation::new();

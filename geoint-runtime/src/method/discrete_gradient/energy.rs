@@ -29,6 +29,7 @@ pub struct Staircase<A: Array> {
 /// An energy seen during one step, at the time of its middle unless said otherwise.
 #[derive(Debug)]
 pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
+    pub(super) system: &'a S,
     pub(super) constants: &'a S::Constants,
     pub(super) parameters: &'a S::Parameters,
     pub(super) probe: &'a mut P,
@@ -43,12 +44,13 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
     #[inline]
     pub fn tree(&mut self, x: &[S::Array; 2], d: &[S::Array; 2]) -> Slope<S::Array> {
         let end = moved(x, R::from_f64(1.0), d);
-        self.probe.visit(self.t, &x[0], &x[1]);
-        self.probe.visit(self.t, &end[0], &end[1]);
+        self.probe.visit(self.t, &x[0], &x[1], &());
+        self.probe.visit(self.t, &end[0], &end[1], &());
         let (y, mut mean) = S::start(&x[0], &x[1]);
         let (change, impulse) = S::start(&d[0], &d[1]);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        S::slope(self.parameters, &S::begin(self.parameters, self.t, &y), &change, &mut f, &mut jacobian);
+        let start = self.system.begin(self.parameters, self.t, &y);
+        self.system.slope(self.parameters, &start, &change, &mut f, &mut jacobian);
         let half = R::from_f64(0.5);
         mean.add_scaled(half, &impulse);
         self.slope(&mean, half, &f, &mut jacobian)
@@ -57,10 +59,10 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
     /// ∇H and the Hessian at a point.
     #[inline]
     pub fn gradient(&mut self, t: R, x: &[S::Array; 2]) -> Slope<S::Array> {
-        self.probe.visit(t, &x[0], &x[1]);
+        self.probe.visit(t, &x[0], &x[1], &());
         let (y, p) = S::start(&x[0], &x[1]);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        S::field(self.constants, t, &y, &mut f, &mut jacobian);
+        self.system.field(self.constants, t, &y, &mut f, &mut jacobian);
         self.slope(&p, R::from_f64(1.0), &f, &mut jacobian)
     }
 
@@ -69,7 +71,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
     fn slope(&self, p: &S::Unknown, w: R, f: &S::Unknown, jacobian: &mut Square<S::Unknown>) -> Slope<S::Array> {
         let (none, n) = (S::Unknown::zero(), S::Array::LEN);
         let first_order = S::DERIVATIVE == 1;
-        let rate = if first_order { *f } else { S::velocity(self.constants, p) };
+        let rate = if first_order { *f } else { self.system.velocity(self.constants, p) };
         let [rate, force] = S::increments(&rate, f);
         let mut slope = Slope { g: [opposite(&force), rate], derivative: Matrix::zero() };
         let rows = slope.derivative.rows();
@@ -86,7 +88,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
             for i in 0..n {
                 let (mut unit, mut row) = (none, none);
                 unit.as_mut_slice()[i] = R::from_f64(1.0);
-                S::add(self.constants, w, &unit, &mut row);
+                self.system.add(self.constants, w, &unit, &mut row);
                 rows[n + i] = S::increments(&none, &row);
             }
         }

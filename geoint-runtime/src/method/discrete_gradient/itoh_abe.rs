@@ -4,9 +4,9 @@ use super::energy::{Energy, Slope, Staircase};
 use super::matrix::{Matrix, moved, opposite, scaled};
 use super::mean::{MeanGradient, Prepared};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::{Compensated, Summation};
 use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J g with gᵢ = H\[…, x₁ᵢ₋₁, (x₀ᵢ, x₁ᵢ), x₀ᵢ₊₁, …\], the divided difference in one coordinate after the other:
@@ -78,6 +78,8 @@ impl MeanGradient for SymmetrisedItohAbe {
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
     /// Both halves, and h/2.
     type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
+    /// The compensations of the sums of q and p.
+    type Memory = [Compensated<S::Array>; 2];
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
@@ -88,15 +90,18 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
         (Prepared::new(ItohAbe, system, half), Prepared::new(ItohAbeAdjoint, system, half), half)
     }
 
+    fn memory() -> Self::Memory {
+        [Compensated::new(); 2]
+    }
+
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        (first, second, half): &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        (first, second, half): &Self::Prepared,
+        memory: &mut Self::Memory,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        first.step(t, x, probe)?;
-        second.step(t + *half, x, probe)
+        first.step(memory, step.part(step.t))?;
+        second.step(memory, step.part(step.t + *half))
     }
 }
 

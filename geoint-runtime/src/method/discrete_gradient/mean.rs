@@ -5,12 +5,12 @@ use super::matrix::{entries, moved, scaled, turned};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Claims, Method, Probe, Refusal, check_end};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton;
 use crate::space::Array;
-use crate::space::{Compensated, Point, Summation};
-use crate::system::{Conservative, DiscreteField, Guarded};
+use crate::space::{Compensated, Summation};
+use crate::system::{Conservative, DiscreteField, Poles};
 
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
 ///
@@ -41,40 +41,42 @@ pub trait MeanGradient: Copy {
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
-/// What a step needs.
-#[derive(Clone, Copy, Debug)]
+/// Coefficients of a step.
+#[derive(Clone, Debug)]
 pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
     mean: G,
-    energy: Guarded<S>,
     constants: S::Constants,
     parameters: S::Parameters,
     h: R,
-    sums: [Compensated<S::Array>; 2],
+    poles: Poles,
 }
 
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
-        let (constants, parameters) = (system.constants(), system.parameters(h));
-        Prepared { mean, energy: Guarded::new(system), constants, parameters, h, sums: [Compensated::new(); 2] }
+        Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h, poles: Poles::of(system) }
     }
 
     #[inline]
     pub(super) fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        &mut self,
-        t: R,
-        point: &mut Point<S::Array, C>,
-        probe: &mut P,
+        &self,
+        sums: &mut [Compensated<S::Array>; 2],
+        Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let Prepared { mean, energy: guarded, constants, parameters, h, sums } = self;
+        let Prepared { mean, constants, parameters, h, poles } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
-        let mut energy = Energy { constants, parameters, probe, t: t + half, h: *h };
+        let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
         let x = [point.q, point.p];
         // The explicit midpoint rule.
         let rate = turned(&energy.gradient(t, &x).g);
         let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
         let guess = scaled(*h, &rate);
+        // The end of the step at which conditions of the energy were decided last.
+        let mut decided = x;
         let d = quasi_newton::solve(&x, guess, |d, residual, matrix| {
             let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
+            if !S::JUMPS.is_empty() {
+                decided = moved(&x, R::from_f64(1.0), d);
+            }
             // d − h J g and 1 − h J ∂g/∂d.
             *residual = moved(d, -*h, &turned(&g));
             let (derivative, rows) = (derivative.rows(), <[S::Array; 2]>::entries::<[S::Array; 2]>(matrix));
@@ -88,7 +90,8 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        check_end(guarded, [t, t + *h], &(x[0], x[1], ()), point, energy.probe)
+        check_conditions(system, t + half, &decided, point)?;
+        check_end(poles, [t, t + *h], &(x[0], x[1], ()), Step { system, t, x: point, probe })
     }
 }
 
@@ -102,6 +105,8 @@ macro_rules! methods {
             $($bounded: $bound,)?
         {
             type Prepared = Prepared<Self, $system, R>;
+            /// The compensations of the sums of q and p.
+            type Memory = [Compensated<$system::Array>; 2];
 
             fn claims(&self) -> Claims {
                 Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy }
@@ -111,14 +116,17 @@ macro_rules! methods {
                 Prepared::new(*self, system, h)
             }
 
+            fn memory() -> Self::Memory {
+                [Compensated::new(); 2]
+            }
+
             #[inline]
             fn step<C: Summation<$system::Array>, P: Probe<$system, R>>(
-                prepared: &mut Self::Prepared,
-                t: R,
-                x: &mut Point<$system::Array, C>,
-                probe: &mut P,
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                step: Step<'_, $system, R, C, P>,
             ) -> Result<(), Refusal> {
-                prepared.step(t, x, probe)
+                prepared.step(memory, step)
             }
         }
     )* };

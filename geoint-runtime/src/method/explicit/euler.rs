@@ -1,9 +1,9 @@
 //! Methods that keep nothing, as a control: what they lose shows what the others keep.
 
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
-use crate::space::{Point, Summation};
+use crate::space::Summation;
 use crate::system::Hamiltonian;
 
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
@@ -13,24 +13,27 @@ use crate::system::Hamiltonian;
 pub struct ExplicitEuler;
 
 impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
-    type Prepared = (S, R);
+    /// h.
+    type Prepared = R;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: 1, symmetric: false, symplectic: false, conserves_energy: false }
     }
 
-    fn prepare(&self, system: &S, h: R) -> (S, R) {
-        (*system, h)
+    fn prepare(&self, _: &S, h: R) -> R {
+        h
     }
+
+    fn memory() {}
 
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        (system, h): &mut (S, R),
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        h: &R,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        probe.visit(t, &x.q, &x.p);
+        probe.visit(t, &x.q, &x.p, &());
         let (mut rate_q, mut rate_p) = (S::Array::zero(), S::Array::zero());
         system.rate(t, &x.q, &x.p, &mut rate_q, &mut rate_p);
         let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());

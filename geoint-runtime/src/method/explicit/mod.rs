@@ -1,4 +1,21 @@
 //! Explicit methods that keep nothing by themselves.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// Two bodies; q is the vector between them.
+//! #[hamiltonian]
+//! fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+//!     (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
+//! }
+//!
+//! let mut sim = Kepler { m: 2.0, k: 3.0 }.integrator(DOP853, 0.05, State::new([1.0, 0.0], [0.0, 2.5]));
+//! let energy = sim.energy();
+//! sim.advance(200)?;
+//! // Accurate on a short way; on a long one the error grows like time.
+//! assert!((sim.energy() / energy - 1.0).abs() < 1e-9);
+//! # Ok::<(), StepError>(())
+//! ```
 
 mod euler;
 pub mod runge_kutta;

@@ -7,13 +7,28 @@
 #![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
 
 use crate::method::tableau::Tableau;
-use crate::method::{Claims, Method, Probe, Refusal};
+use crate::method::total::adds_up;
+use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
-use crate::space::{Point, Summation};
+use crate::space::Summation;
 use crate::system::Hamiltonian;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
+///
+/// ```
+/// use geoint_runtime::RungeKutta;
+///
+/// /// The explicit midpoint rule.
+/// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.5]], [0.0, 1.0]);
+/// ```
+///
+/// A row that does not add up to its node, or weights that do not add up to 1, do not compile:
+///
+/// ```compile_fail,E0080
+/// # use geoint_runtime::RungeKutta;
+/// const MIDPOINT: RungeKutta<2> = RungeKutta::new(2, [0.0, 0.5], [&[], &[0.4]], [0.0, 1.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKutta<const K: usize> {
     order: u32,
@@ -137,12 +152,16 @@ impl<const K: usize> RungeKutta<K> {
     /// A method of order `order` with nodes `c`, weights `b` and, in row i, the i coefficients aᵢⱼ of stage i.
     ///
     /// # Panics
-    /// If a row is longer than the stages before it.
+    /// When the program is compiled, if the table is a constant: if K is 0, if a row is longer than the stages before it, if a row
+    /// does not add up to its node, or if the weights do not add up to 1.
     pub const fn new(order: u32, c: [f64; K], rows: [&[f64]; K], b: [f64; K]) -> Self {
+        assert!(K >= 1, "a method has at least one stage");
+        assert!(adds_up(&b, 1.0), "the weights add up to 1");
         let mut a = [[0.0; K]; K];
         let mut i = 0;
         while i < K {
             assert!(rows[i].len() <= i, "stage i of an explicit method knows those before it");
+            assert!(adds_up(rows[i], c[i]), "a row adds up to its node");
             let mut j = 0;
             while j < rows[i].len() {
                 a[i][j] = rows[i][j];
@@ -159,34 +178,35 @@ impl<const K: usize> RungeKutta<K> {
     }
 }
 
-/// The system, and the coefficients times h.
+/// The coefficients times h.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<S, R, const K: usize> {
-    system: S,
+pub struct Prepared<R, const K: usize> {
     a: [[R; K]; K],
     b: [R; K],
     c: [R; K],
 }
 
 impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
-    type Prepared = Prepared<S, R, K>;
+    type Prepared = Prepared<R, K>;
+    type Memory = ();
 
     fn claims(&self) -> Claims {
         Claims { order: self.order, symmetric: false, symplectic: false, conserves_energy: false }
     }
 
-    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+    fn prepare(&self, _: &S, h: R) -> Self::Prepared {
         let times_h = |row: [f64; K]| row.map(|x| R::from_f64(x) * h);
         let Tableau { a, b, c } = self.tableau;
-        Prepared { system: *system, a: a.map(times_h), b: times_h(b), c: times_h(c) }
+        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c) }
     }
+
+    fn memory() {}
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { system, a, b, c }: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<S::Array, C>,
-        probe: &mut P,
+        Prepared { a, b, c }: &Self::Prepared,
+        (): &mut (),
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let none = S::Array::zero();
         let (mut rates_q, mut rates_p) = ([none; K], [none; K]);
@@ -201,7 +221,7 @@ impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
             let (mut q, mut p) = (x.q, x.p);
             q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_q));
             p.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_p));
-            probe.visit(t + c[i], &q, &p);
+            probe.visit(t + c[i], &q, &p, &());
             system.rate(t + c[i], &q, &p, &mut rates_q[i], &mut rates_p[i]);
         }
         x.add(&sum(b, &rates_q), &sum(b, &rates_p));

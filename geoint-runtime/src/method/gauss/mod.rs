@@ -1,16 +1,37 @@
 //! Gauss collocation, the implicit midpoint rule among it, for every H.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A particle that is bound to a ring on a plane which turns: T depends on the position.
+//! #[hamiltonian]
+//! fn coupled(q: f64, p: f64, m: f64) -> f64 {
+//!     p * p / (2.0 * m * (1.0 + q * q)) + q.powi(4) / 4.0
+//! }
+//!
+//! let system = Coupled { m: 0.7 };
+//! let end = |steps: u64| -> Result<f64, StepError> {
+//!     let mut sim = system.integrator(Gauss::<3>, 4.0 / steps as f64, State::new(1.0, 0.3));
+//!     sim.advance(steps)?;
+//!     Ok(sim.state().q)
+//! };
+//! let [a, b, c] = [end(20)?, end(40)?, end(80)?];
+//! let order = ((a - b) / (b - c)).log2();
+//! assert!((order - 6.0).abs() < 0.3);
+//! # Ok::<(), StepError>(())
+//! ```
 
 mod tableau;
 
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal, check_end, start};
+use crate::method::{Claims, Method, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Plain, Point, Summation};
-use crate::system::{Collocation, Guarded};
+use crate::system::{Collocation, Poles};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -28,9 +49,9 @@ pub struct ImplicitMidpoint;
 
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<E, P, Y, R, const S: usize> {
-    energy: Guarded<E>,
-    system: P,
+pub struct Prepared<P, R, const S: usize> {
+    poles: Poles,
+    constants: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
     coupling: [[R; S]; S],
@@ -40,14 +61,14 @@ pub struct Prepared<E, P, Y, R, const S: usize> {
     weights: [R; S],
     /// What a stage adds to the end: h·b, or h²·b(1 − c).
     increments: [R; S],
-    newton: Newton<[Y; S]>,
 }
 
 impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y, Y::Constants, Y::Unknown, R, S>;
+    type Prepared = Prepared<Y::Constants, R, S>;
+    type Memory = Newton<[Y::Unknown; S]>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
@@ -65,41 +86,42 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
-            energy: Guarded::new(system),
-            system: system.constants(),
+            poles: Poles::of(system),
+            constants: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
             nodes: tableau.c.map(|c| R::from_f64(c) * h),
             weights: tableau.b.map(|b| R::from_f64(b) * h),
             increments: core::array::from_fn(increment),
-            newton: Newton::new(),
         }
+    }
+
+    fn memory() -> Self::Memory {
+        Newton::new()
     }
 
     #[inline(always)]
     fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<Y::Array, C>,
-        probe: &mut P,
+        Prepared { poles, constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
+        newton: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        let Prepared { energy, system, h, coupling, nodes, weights, increments, newton } = prepared;
         let zero = Y::Unknown::zero();
         let (y0, changed) = Y::start(&x.q, &x.p);
-        let velocity = Y::velocity(system, &changed);
-        probe.visit(t, &x.q, &x.p);
+        let velocity = system.velocity(constants, &changed);
+        probe.visit(t, &x.q, &x.p, &());
 
         // The stages as if y' were constant.
-        let (system, nodes) = (*system, *nodes);
+        let nodes = *nodes;
         let explicit = move || {
             let (mut rate, mut slope) = (velocity, Y::Unknown::fill(zero));
             if Y::DERIVATIVE == 1 {
-                Y::field(&system, t, &y0, &mut rate, &mut slope);
+                system.field(constants, t, &y0, &mut rate, &mut slope);
             }
             core::array::from_fn(|i| {
                 let (mut y, mut f) = (y0, zero);
                 y.add_scaled(nodes[i], &rate);
-                Y::field(&system, t + nodes[i], &y, &mut f, &mut slope);
+                system.field(constants, t + nodes[i], &y, &mut f, &mut slope);
                 f
             })
         };
@@ -108,24 +130,24 @@ where
         let mut visible = zero;
         visible.add_scaled(R::from_f64(1.0) / *h, &changed);
         // f(Yᵢ) and f'(Yᵢ) of a stage.
-        let (coupling, point) = (&*coupling, &*x);
-        let look = |probe: &mut P, i: usize, k: &[Y::Unknown; S], slope: &mut Square<Y::Unknown>| {
+        let point = &*x;
+        let stage = |probe: &mut P, i: usize, k: &[Y::Unknown; S], slope: &mut Square<Y::Unknown>| {
             let (mut change, mut f) = (zero, zero);
             change.add_scaled(nodes[i], &velocity);
             for j in 0..S {
-                Y::add(&system, coupling[i][j], &k[j], &mut change);
+                system.add(constants, coupling[i][j], &k[j], &mut change);
             }
-            let mut stage = Point::<Y::Array, Plain>::new(point.q, point.p);
+            let mut at = Point::<Y::Array, Plain>::new(point.q, point.p);
             let [dq, dp] = Y::increments(&change, &zero);
-            stage.add(&dq, &dp);
-            probe.visit(t + nodes[i], &stage.q, &stage.p);
+            at.add(&dq, &dp);
+            probe.visit(t + nodes[i], &at.q, &at.p, &());
             let mut y = y0;
             y.add_scaled(R::from_f64(1.0), &change);
-            Y::field(&system, t + nodes[i], &y, &mut f, slope);
+            system.field(constants, t + nodes[i], &y, &mut f, slope);
             f
         };
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {
-            core::array::from_fn(|i| look(probe, i, k, &mut Y::Unknown::fill(zero)))
+            core::array::from_fn(|i| stage(probe, i, k, &mut Y::Unknown::fill(zero)))
         };
         // −2p/h turns p round in the middle of the step.
         let still = P::PATIENT.then_some(if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 });
@@ -134,12 +156,12 @@ where
             core::array::from_fn(|i| {
                 // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
                 let mut slope = Y::Unknown::fill(zero);
-                let f = look(probe, i, k, &mut slope);
+                let f = stage(probe, i, k, &mut slope);
                 for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
                     let row = &mut rows[i * Y::Unknown::LEN + r];
                     for j in 0..S {
                         row[j] = zero;
-                        Y::add(&system, -coupling[i][j], slope_row, &mut row[j]);
+                        system.add(constants, -coupling[i][j], slope_row, &mut row[j]);
                     }
                     row[i].as_mut_slice()[r] += R::from_f64(1.0);
                 }
@@ -150,18 +172,19 @@ where
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {
-            Y::add(&system, increments[i], &k[i], &mut change);
+            system.add(constants, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
         let before = start::<Y, R, C>(x);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        check_end(energy, [t, t + *h], &before, x, probe)
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
 
 impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
+    type Memory = <Gauss<1> as Method<Y, R>>::Memory;
 
     fn claims(&self) -> Claims {
         Method::<Y, R>::claims(&Gauss::<1>)
@@ -171,14 +194,17 @@ impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
         Gauss::<1>.prepare(system, h)
     }
 
+    fn memory() -> Self::Memory {
+        <Gauss<1> as Method<Y, R>>::memory()
+    }
+
     #[inline(always)]
     fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
-        prepared: &mut Self::Prepared,
-        t: R,
-        x: &mut Point<Y::Array, C>,
-        probe: &mut P,
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        Gauss::<1>::step(prepared, t, x, probe)
+        Gauss::<1>::step(prepared, memory, step)
     }
 }
 

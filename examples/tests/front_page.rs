@@ -1,0 +1,82 @@
+//! What the front pages say, they say alike, and what they show is there.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("")
+}
+
+fn read(path: &str) -> String {
+    fs::read_to_string(root().join(path)).unwrap_or_else(|error| panic!("{path}: {error}"))
+}
+
+/// A page of the documentation as it stands in the README: code without links, headings one level lower.
+fn without_links(page: &str) -> String {
+    let mut text = String::new();
+    let mut rest = page;
+    while let Some((before, link)) = rest.split_once("[`") {
+        let (code, after) = link.split_once("`]").expect("a link ends");
+        text.push_str(&format!("{before}`{code}`"));
+        rest = after.strip_prefix('(').map_or(after, |target| target.split_once(')').expect("a target ends").1);
+    }
+    text.push_str(rest);
+    text.lines().map(|line| if line.starts_with("# ") { format!("#{line}\n") } else { format!("{line}\n") }).collect()
+}
+
+#[test]
+fn the_readme_has_the_tables_of_the_documentation() {
+    let readme = read("README.md");
+    for page in ["which_method", "contact"] {
+        let text = without_links(&read(&format!("geoint-runtime/docs/{page}.md")));
+        assert!(
+            readme.contains(&text),
+            "README.md and geoint-runtime/docs/{page}.md differ; in README.md belongs\n\n{text}"
+        );
+    }
+}
+
+#[test]
+fn links_are_taken_away() {
+    assert_eq!(without_links("# A\n[`B`] and [`C::<1>`](C), [D](E)"), "## A\n`B` and `C::<1>`, [D](E)\n");
+}
+
+#[test]
+fn every_example_is_listed_run_and_shown() {
+    let (page, manifest) = (read("examples/README.md"), read("examples/Cargo.toml"));
+    for file in fs::read_dir(root().join("examples/src/bin")).unwrap() {
+        let name = file.unwrap().file_name().into_string().unwrap();
+        let example = name.trim_end_matches(".rs");
+        assert!(manifest.contains(&format!("name = \"{example}\"")), "{example} is no example in the manifest");
+        assert!(page.contains(&format!("(src/bin/{name})")), "{example} is not in the list");
+        assert!(page.contains(&format!("--example {example}\n")), "how to run {example} is not said");
+    }
+    for file in fs::read_dir(root().join("examples/figures")).unwrap() {
+        let name = file.unwrap().file_name().into_string().unwrap();
+        assert!(page.contains(&format!("](figures/{name})")), "{name} is not shown");
+    }
+}
+
+#[test]
+fn links_of_the_pages_lead_to_files() {
+    for (page, folder) in [("README.md", ""), ("examples/README.md", "examples/"), ("CONTRIBUTING.md", "")] {
+        let text = read(page);
+        let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|link| link.0);
+        for target in targets.filter(|target| !target.contains("://") && !target.starts_with('#')) {
+            assert!(root().join(folder).join(target).exists(), "{page}: {target} is not there");
+        }
+    }
+}
+
+/// CONTRIBUTING names files and folders as code.
+#[test]
+fn paths_of_the_contributing_page_are_true() {
+    let page = read("CONTRIBUTING.md");
+    let paths = page.split('`').skip(1).step_by(2).filter(|code| code.contains('/') && !code.contains(' '));
+    let mut count = 0;
+    for path in paths {
+        assert!(root().join(path).exists(), "{path} is not there");
+        count += 1;
+    }
+    assert!(count > 5);
+}

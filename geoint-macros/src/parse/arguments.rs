@@ -1,0 +1,210 @@
+//! Arguments: who is q, p, s and t, and who is a parameter.
+
+use super::options::Options;
+use super::shape::{plain, shape};
+use super::{Argument, Form, Role};
+use crate::diagnostics::Diagnostics;
+use proc_macro2::Ident;
+use quote::{ToTokens, format_ident};
+use syn::{Attribute, FnArg, ItemFn, Pat};
+
+/// All arguments that are understood, in the order of the signature.
+pub(super) fn arguments(
+    form: Form,
+    item: &ItemFn,
+    options: &Options,
+    float: &Ident,
+    errors: &mut Diagnostics,
+) -> Vec<(Role, Argument)> {
+    let renamed = |role: Role| options.roles.iter().find(|(r, _)| *r == role).map(|(_, name)| name);
+    let mut refused: Vec<String> = vec![];
+    let mut arguments: Vec<(Role, Argument)> = vec![];
+    for input in &item.sig.inputs {
+        let FnArg::Typed(typed) = input else { continue };
+        let Pat::Ident(pattern) = &*typed.pat else {
+            errors.at(&typed.pat, "an argument of an energy is a name; take it apart with `let` in the body");
+            continue;
+        };
+        let name = &pattern.ident;
+        attributes_of_argument(&typed.attrs, errors);
+        let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
+        let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
+        if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
+            errors.at(name, ACTION);
+            continue;
+        }
+        let role = match (explicit, by_name) {
+            (Some(role), _) => role,
+            (None, Some((default, letter, _))) => match renamed(*default) {
+                Some(other) if exists(item, other) => {
+                    errors.at(
+                        name,
+                        format!("`{letter}` is `{other}` here, so that no other argument can have that name"),
+                    );
+                    continue;
+                }
+                _ => *default,
+            },
+            (None, None) => Role::Parameter,
+        };
+        let ty = options.outside.resolve(&typed.ty);
+        match shape(&ty, float) {
+            Ok(shape) if role == Role::Time && !shape.extents.is_empty() => {
+                errors
+                    .at(&typed.ty, format!("`{name}` is time, a scalar; for a coordinate of that name write `t = …`"));
+            }
+            Ok(shape) if role == Role::Action && !shape.extents.is_empty() => {
+                errors.at(
+                    &typed.ty,
+                    format!("`{name}` is the action, a scalar; for a parameter of that name write `s = …`"),
+                );
+            }
+            Ok(shape) => {
+                let (name, attributes) = (name.clone(), typed.attrs.clone());
+                arguments.push((role, Argument { name, ty, shape, attributes }));
+            }
+            // One message a type: q and p share theirs.
+            Err(error) => {
+                let ty = typed.ty.to_token_stream().to_string();
+                if !refused.contains(&ty) {
+                    refused.push(ty);
+                    errors.extend(error);
+                }
+            }
+        }
+    }
+    for (i, (role, name)) in options.roles.iter().enumerate() {
+        if let Some((other, _)) = options.roles[..i].iter().find(|(_, n)| n == name) {
+            let message = match (role, other) {
+                (Role::Time, _) | (_, Role::Time) => format!("`{name}` is time and cannot be a coordinate as well"),
+                (Role::Action, _) | (_, Role::Action) => {
+                    format!("`{name}` is the action and cannot be a coordinate as well")
+                }
+                _ => format!("`{name}` cannot be both positions and momenta"),
+            };
+            errors.at(name, message);
+        } else if !exists(item, name) {
+            errors.at(name, format!("the function has no argument `{name}`"));
+        } else if let Some((_, letter, what)) = DEFAULTS.iter().find(|(r, letter, _)| {
+            // The name says one thing and the attribute another.
+            r != role && name == letter && renamed(*r).is_none()
+        }) {
+            let message = match letter {
+                &"t" => {
+                    "`t` is time and cannot be a coordinate: rename it, or name another argument with `t = …`".into()
+                }
+                _ => format!("`{name}` is the name of {what}: say which argument that is with `{letter} = …`"),
+            };
+            errors.at(name, message);
+        }
+    }
+    arguments
+}
+
+/// An argument may come with lints, and with nothing that could take it away.
+fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
+    let is_lint = |attribute: &&Attribute| {
+        ["allow", "expect", "warn", "deny", "forbid"].iter().any(|lint| attribute.path().is_ident(lint))
+    };
+    for attribute in attributes.iter().filter(|attribute| !is_lint(attribute)) {
+        let name = attribute.path().to_token_stream();
+        errors.at(
+            attribute,
+            format!(
+                "`{name}` may change or remove this argument after it was read: leave it out; of two variants make two \
+                 functions, with the condition above each"
+            ),
+        );
+    }
+}
+
+/// Who an argument is by its name alone.
+const DEFAULTS: [(Role, &str, &str); 4] = [
+    (Role::Position, "q", "the positions"),
+    (Role::Momentum, "p", "the momenta"),
+    (Role::Action, "s", "the action"),
+    (Role::Time, "t", "time"),
+];
+
+const ACTION: &str = "`s` is the action of a contact system: for a system that dissipates by it use `#[contact_hamiltonian]`; a \
+                      parameter needs another name";
+
+/// Whether an argument has a name, or that name as an argument that is not used.
+fn is_called(name: &Ident, default: &str) -> bool {
+    name == default || name.to_string().strip_prefix('_') == Some(default)
+}
+
+fn exists(item: &ItemFn, name: &Ident) -> bool {
+    item.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if names(&typed.pat, name)))
+}
+
+fn names(pattern: &Pat, name: &Ident) -> bool {
+    matches!(pattern, Pat::Ident(pattern) if pattern.ident == *name)
+}
+
+/// Whether an argument has the name that a velocity has in a Lagrangian.
+fn is_velocity(name: &Ident) -> bool {
+    let name = name.to_string();
+    let name = name.trim_start_matches('_');
+    ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
+}
+
+const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
+
+const MOMENTA: &str = "momenta are missing: call an argument `p`, or name one with `p = …`";
+
+const VELOCITY: &str = "is the name of a velocity, but an energy is a function of momenta, `p`. Of the Lagrangian L(q, v) it is \
+                        H = p·v − L with p = ∂L/∂v: for L = m v²/2 − V(q) write p²/(2m) + V(q)";
+
+const MISSING_ACTION: &str = "the action is missing: call an argument `s`, or name one with `s = …`";
+
+const NO_ACTION: &str = "an energy without it is one for `#[hamiltonian]`";
+
+const UNREAD_ACTION: &str = "a lift of q' = X(q), which does not read it, has the argument `_s`";
+
+/// The shape that q and p share.
+pub(super) fn coordinates(
+    form: Form,
+    item: &ItemFn,
+    options: &Options,
+    arguments: &[(Role, Argument)],
+    errors: &mut Diagnostics,
+) -> Option<Argument> {
+    let mut find = |role: Role, default: &str, missing: &dyn Fn(&mut Diagnostics)| {
+        let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
+        // A wrong name in the attribute, or a wrong type, has been reported.
+        let named = options.roles.iter().any(|(r, _)| *r == role);
+        let written = exists(item, &format_ident!("{default}")) || exists(item, &format_ident!("_{default}"));
+        if found.is_none() && !named && !written {
+            missing(errors);
+        }
+        found
+    };
+    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
+    let p = find(Role::Momentum, "p", &|errors| {
+        let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
+        match velocity {
+            Some(name) => errors.at(name, format!("`{name}` {VELOCITY}")),
+            None => errors.at(&item.sig.ident, MOMENTA),
+        }
+    });
+    if form == Form::Contact {
+        find(Role::Action, "s", &|errors| {
+            let rest = if options.lift.is_some() { UNREAD_ACTION } else { NO_ACTION };
+            errors.at(&item.sig.ident, format!("{MISSING_ACTION}; {rest}"));
+        });
+    }
+    let (q, p) = (q?, p?);
+    if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
+        errors.at(
+            &p.ty,
+            format!(
+                "`{}` must have the type of `{}`, `{}`: each position has its momentum",
+                p.name,
+                q.name,
+                plain(&q.ty)
+            ),
+        );
+    }
+    Some(q)
+}

@@ -1,0 +1,64 @@
+//! Names of generated structs.
+
+use proc_macro2::Ident;
+use quote::format_ident;
+use syn::ext::IdentExt;
+
+/// What emitted code imports: no struct can have such a name.
+pub(crate) const IMPORTED: &[&str] = &[
+    "Adaptive",
+    "Array",
+    "Autonomous",
+    "Collocation",
+    "ConformalContact",
+    "Conservative",
+    "ContactDiscreteGradient",
+    "ContactMidpoint",
+    "ContactPiece",
+    "ContactPieces",
+    "ContactState",
+    "ContactSystem",
+    "Cubic",
+    "DiscreteField",
+    "ForceGradient",
+    "Hamiltonian",
+    "ImplicitStep",
+    "Integrator",
+    "Inverted",
+    "Mean",
+    "MechanicalContact",
+    "Method",
+    "ModifiedEnergy",
+    "PhaseSpace",
+    "PieceClock",
+    "QuadraticKinetic",
+    "Real",
+    "Separable",
+    "Square",
+    "State",
+    "is_positive_semidefinite",
+    "modified_verlet",
+    "gradient_kick",
+    "slope",
+];
+
+/// Whether emitted code has a name for something else.
+pub(super) fn is_taken(name: &Ident) -> bool {
+    IMPORTED.iter().any(|taken| name == taken)
+}
+
+/// `henon_heiles` → `HenonHeiles`.
+pub(super) fn camel_case(name: &Ident) -> Ident {
+    let text = name.unraw().to_string();
+    let camel: String = text
+        .split('_')
+        .flat_map(|word| {
+            let mut letters = word.chars();
+            letters.next().into_iter().flat_map(char::to_uppercase).chain(letters).collect::<Vec<_>>()
+        })
+        .collect();
+    match camel.chars().next() {
+        Some(first) if first.is_alphabetic() && camel != "Self" => Ident::new(&camel, name.span()),
+        _ => format_ident!("Energy{camel}", span = name.span()),
+    }
+}

@@ -1,0 +1,178 @@
+//! What the attribute repeats of the file, because it cannot see it: integer constants and aliases of types.
+//!
+//! `const N = 3` and `type P = [f64; N]` say what the function's `N` and `P` are. Types are written out with that before anything
+//! else reads them, and emitted code asks rustc whether it is true.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{ToTokens, quote, quote_spanned};
+use syn::parse::ParseStream;
+use syn::spanned::Spanned;
+use syn::{Expr, ExprLit, GenericArgument, Lit, PathArguments, Token, Type};
+
+/// Constants and aliases that live outside of the function.
+#[derive(Default)]
+pub(crate) struct Outside {
+    constants: Vec<Constant>,
+    aliases: Vec<Alias>,
+}
+
+struct Constant {
+    name: Ident,
+    /// As it is written.
+    expr: Expr,
+    value: i128,
+}
+
+struct Alias {
+    name: Ident,
+    ty: Type,
+}
+
+impl Outside {
+    /// `N = 3` or `N: usize = 3`, behind `const`.
+    pub(super) fn parse_constant(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        let name: Ident = input.parse()?;
+        if input.parse::<Option<Token![:]>>()?.is_some() {
+            // rustc knows the type.
+            input.parse::<Type>()?;
+        }
+        input.parse::<Token![=]>()?;
+        let expr: Expr = input.parse()?;
+        let Some(value) = self.integer(&expr) else { return Err(syn::Error::new_spanned(expr, NOT_AN_INTEGER)) };
+        self.constants.push(Constant { name, expr, value });
+        Ok(())
+    }
+
+    /// `P = [f64; 2]`, behind `type`.
+    pub(super) fn parse_alias(&mut self, input: ParseStream<'_>) -> syn::Result<()> {
+        let name: Ident = input.parse()?;
+        input.parse::<Token![=]>()?;
+        let ty = self.resolve(&input.parse()?);
+        self.aliases.push(Alias { name, ty });
+        Ok(())
+    }
+
+    pub(crate) fn constants(&self) -> impl Iterator<Item = (&Ident, i128)> {
+        self.constants.iter().map(|constant| (&constant.name, constant.value))
+    }
+
+    fn constant(&self, path: &syn::Path) -> Option<i128> {
+        let name = path.get_ident()?;
+        self.constants().find(|(constant, _)| *constant == name).map(|(_, value)| value)
+    }
+
+    /// What an alias stands for.
+    pub(crate) fn alias(&self, name: &str) -> Option<&Type> {
+        self.aliases.iter().find(|alias| alias.name == name).map(|alias| &alias.ty)
+    }
+
+    /// A type with numbers for lengths and without aliases, as far as they are known.
+    pub(crate) fn resolve(&self, ty: &Type) -> Type {
+        let mut ty = ty.clone();
+        match &mut ty {
+            Type::Paren(inner) => return self.resolve(&inner.elem),
+            Type::Group(inner) => return self.resolve(&inner.elem),
+            Type::Reference(inner) => *inner.elem = self.resolve(&inner.elem),
+            Type::Array(array) => {
+                *array.elem = self.resolve(&array.elem);
+                self.resolve_length(&mut array.len);
+            }
+            Type::Path(path) if path.qself.is_none() => {
+                if let Some(alias) = path.path.get_ident().and_then(|name| self.alias(&name.to_string())) {
+                    return alias.clone();
+                }
+                let arguments = path.path.segments.iter_mut().map(|segment| &mut segment.arguments);
+                for arguments in arguments {
+                    let PathArguments::AngleBracketed(arguments) = arguments else { continue };
+                    for argument in &mut arguments.args {
+                        self.resolve_argument(argument);
+                    }
+                }
+            }
+            _ => {}
+        }
+        ty
+    }
+
+    fn resolve_argument(&self, argument: &mut GenericArgument) {
+        match argument {
+            GenericArgument::Const(length) => self.resolve_length(length),
+            GenericArgument::Type(ty) => {
+                // A constant alone is parsed as if it were a type.
+                let constant = match &*ty {
+                    Type::Path(path) => self.constant(&path.path).and_then(|value| value.try_into().ok()),
+                    _ => None,
+                };
+                match constant {
+                    Some(value) => *argument = GenericArgument::Const(literal(value, ty)),
+                    None => *ty = self.resolve(ty),
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn resolve_length(&self, length: &mut Expr) {
+        if let Some(value) = self.integer(length).and_then(|value| value.try_into().ok()) {
+            *length = literal(value, length);
+        }
+    }
+
+    /// The value of an expression of integers and constants.
+    fn integer(&self, expr: &Expr) -> Option<i128> {
+        match expr {
+            Expr::Lit(ExprLit { lit: Lit::Int(n), .. }) if !n.suffix().starts_with('f') => n.base10_parse().ok(),
+            Expr::Path(path) if path.qself.is_none() => self.constant(&path.path),
+            Expr::Paren(inner) => self.integer(&inner.expr),
+            Expr::Group(inner) => self.integer(&inner.expr),
+            Expr::Block(block) => match &block.block.stmts[..] {
+                [syn::Stmt::Expr(inner, None)] => self.integer(inner),
+                _ => None,
+            },
+            Expr::Unary(unary) if matches!(unary.op, syn::UnOp::Neg(_)) => self.integer(&unary.expr)?.checked_neg(),
+            Expr::Binary(binary) => {
+                let (a, b) = (self.integer(&binary.left)?, self.integer(&binary.right)?);
+                match binary.op {
+                    syn::BinOp::Add(_) => a.checked_add(b),
+                    syn::BinOp::Sub(_) => a.checked_sub(b),
+                    syn::BinOp::Mul(_) => a.checked_mul(b),
+                    syn::BinOp::Div(_) => a.checked_div(b),
+                    syn::BinOp::Rem(_) => a.checked_rem(b),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// What rustc refuses if the file says something else.
+    pub(crate) fn assertions(&self) -> TokenStream {
+        let constants = self.constants.iter().map(|Constant { name, expr, value }| {
+            let message = format!("the attribute says that `{name}` is {value}, which it is not");
+            quote_spanned!(expr.span()=> ::core::assert!(#name == #expr, #message);)
+        });
+        let aliases = self
+            .aliases
+            .iter()
+            .map(|Alias { name, ty }| quote_spanned!(ty.span()=> let _: fn(#name) -> #ty = |same| same;));
+        if self.constants.is_empty() && self.aliases.is_empty() {
+            return TokenStream::new();
+        }
+        quote! {
+            #[allow(clippy::all, clippy::pedantic, clippy::restriction, reason = "generated code")]
+            const _: () = {
+                #(#constants)*
+                #(#aliases)*
+            };
+        }
+    }
+}
+
+fn literal(value: u64, place: &impl ToTokens) -> Expr {
+    let mut literal = Literal::u64_unsuffixed(value);
+    literal.set_span(place.span());
+    Expr::Lit(ExprLit { attrs: vec![], lit: Lit::new(literal) })
+}
+
+const NOT_AN_INTEGER: &str = "a constant that the attribute repeats is an integer, for lengths and loops: `const N = 3`; of other \
+                              constants outside of the function only rustc needs the value";

@@ -1,0 +1,88 @@
+//! Can input make the macro panic, hang, lose the user's function, or emit what is not Rust? Random tokens, random
+//! functions in random arithmetic, and valid energies with random damage.
+
+mod damage;
+mod functions;
+mod stacks;
+
+use crate::expand;
+use crate::parse::Form;
+use proc_macro2::TokenStream;
+use proptest::prelude::*;
+use proptest::test_runner::Config;
+use quote::quote;
+
+use damage::{ENERGIES, damage, damaged, token_text};
+use functions::{LEAVES, arithmetic, function};
+
+/// What holds for all input.
+fn holds(form: Form, args: TokenStream, item: TokenStream) {
+    check(item.clone(), expand::expand(form, args, item));
+}
+
+/// What is emitted is Rust, and the function is the first of it.
+fn check(item: TokenStream, emitted: TokenStream) {
+    if syn::parse2::<syn::Item>(item.clone()).is_ok()
+        && let Err(error) = syn::parse2::<syn::File>(emitted.clone())
+    {
+        panic!("{error}: {emitted}");
+    }
+    let same = emitted.into_iter().zip(item.clone()).all(|(out, input)| out.to_string() == input.to_string());
+    assert!(same, "the function does not come first: {item}");
+}
+
+fn tokens(text: &str) -> Option<TokenStream> {
+    text.parse().ok()
+}
+
+/// Few cases, unless a long hunt is asked for.
+pub(super) fn config() -> Config {
+    let cases = std::env::var("PROPTEST_CASES").ok().and_then(|n| n.parse().ok()).unwrap_or(300);
+    Config { cases, failure_persistence: None, ..Config::default() }
+}
+
+/// Both kinds of systems, as often.
+fn form() -> impl Strategy<Value = Form> {
+    prop::sample::select(vec![Form::Hamiltonian, Form::Contact])
+}
+
+/// A random energy of either kind.
+pub(super) fn energy(leaves: &'static [&'static str]) -> impl Strategy<Value = (Form, String)> {
+    form().prop_flat_map(move |form| (Just(form), arithmetic(form, leaves)))
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn random_tokens(form in form(), args in token_text(), item in token_text()) {
+        if let (Some(args), Some(item)) = (tokens(&args), tokens(&item)) {
+            check(item.clone(), expand::energy_function(args.clone(), item.clone()));
+            let _ = expand::resume(quote!(#args #item));
+            holds(form, args, item);
+        }
+    }
+
+    #[test]
+    fn random_functions((form, text) in form().prop_flat_map(|form| (Just(form), function(form)))) {
+        if let Some(item) = tokens(&text) {
+            holds(form, quote!(), item);
+        }
+    }
+
+    #[test]
+    fn random_arithmetic((form, text) in energy(&LEAVES)) {
+        holds(form, quote!(), tokens(&text).expect("tokens"));
+    }
+
+    #[test]
+    fn damaged_energies(which in 0..ENERGIES.len(), harm in prop::collection::vec(damage(), 1..4)) {
+        let (form, energy) = ENERGIES[which];
+        let mut item = tokens(energy).expect("tokens");
+        for (at, damage) in harm {
+            let mut at = at;
+            item = damaged(item, &mut at, &damage);
+        }
+        holds(form, quote!(), item);
+    }
+}

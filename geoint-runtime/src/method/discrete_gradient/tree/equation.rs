@@ -1,0 +1,207 @@
+//! The equation of a step, impulse = h·f̄(y, y + d(impulse)), and what its roundings lose.
+//!
+//! The impulse is what f̄ adds to what it changes: to y = (q, p) itself; or, if T is quadratic, to the momenta alone, and then the
+//! increment of y = q is d = h ∂T/∂p at the mean momentum.
+
+use crate::method::{Probe, Refusal, check_conditions};
+use crate::scalar::{Real, zero};
+use crate::space::{Array, Plain, Point, Square, Summation, exact_sum};
+use crate::system::DiscreteField;
+use core::cell::Cell;
+
+/// What depends on parameters and h.
+#[derive(Clone, Debug)]
+pub(super) struct Coefficients<S: DiscreteField<R>, R: Real> {
+    constants: S::Constants,
+    parameters: S::Parameters,
+    pub(super) h: R,
+}
+
+impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
+    pub(super) fn new(system: &S, h: R) -> Self {
+        Coefficients { constants: system.constants(), parameters: system.parameters(h), h }
+    }
+
+    /// The increment d of y that goes with an impulse on `changed`.
+    ///
+    /// It is one product with h/m. h p/m + h dp/2m is not the same: where h is 0.1, roundings of its two products do not
+    /// average out, and the energy of a pendulum drifts by 10⁻¹² in a million steps.
+    #[inline(always)]
+    fn change(&self, system: &S, changed: &S::Unknown, impulse: &S::Unknown) -> S::Unknown {
+        if S::DERIVATIVE == 1 {
+            return *impulse;
+        }
+        let mut mean = *changed;
+        mean.add_scaled(R::from_f64(0.5), impulse);
+        system.drift(&self.parameters, &mean)
+    }
+
+    /// h·f̄ and Newton's matrix.
+    #[inline(always)]
+    fn evaluate(
+        &self,
+        system: &S,
+        start: &S::Start,
+        d: &S::Unknown,
+        image: &mut S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) {
+        system.equation((&self.constants, self.h), &self.parameters, start, d, image, matrix);
+    }
+
+    /// Newton's matrix where that is the same in all steps.
+    pub(super) fn constant_matrix(&self, system: &S) -> Square<S::Unknown> {
+        let origin = S::Unknown::zero();
+        let start = system.begin(&self.parameters, zero(), &origin);
+        let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
+        self.evaluate(system, &start, &origin, &mut f, &mut matrix);
+        matrix
+    }
+}
+
+/// The equation of one step.
+pub(super) struct Equation<'a, S: DiscreteField<R>, R: Real> {
+    system: &'a S,
+    coefficients: &'a Coefficients<S, R>,
+    t: R,
+    q: S::Array,
+    p: S::Array,
+    y: S::Unknown,
+    /// What the impulse is added to.
+    pub(super) changed: S::Unknown,
+    /// Compensations: what y is too small by, if the step is to count with it, and what `changed` is too small by.
+    compensation: (Option<S::Unknown>, S::Unknown),
+    start: S::Start,
+    /// The end of the step at which conditions of the energy were decided last.
+    decided: Cell<[S::Array; 2]>,
+}
+
+impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
+    /// At this multiple of `changed` as an impulse nothing moves: −2p turns p round, and its mean is 0.
+    pub(super) const STANDSTILL: f64 = if S::DERIVATIVE == 1 { 0.0 } else { -2.0 };
+
+    #[inline(always)]
+    pub(super) fn of_step<C: Summation<S::Array>>(
+        system: &'a S,
+        coefficients: &'a Coefficients<S, R>,
+        t: R,
+        x: &Point<S::Array, C>,
+    ) -> Self {
+        let (y, changed) = S::start(&x.q, &x.p);
+        let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
+        let (of_y, of_changed) = S::start(&x.sums[0].compensation(), &x.sums[1].compensation());
+        let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
+        Equation {
+            system,
+            coefficients,
+            t,
+            q: x.q,
+            p: x.p,
+            y,
+            changed,
+            compensation,
+            start,
+            decided: Cell::new([x.q, x.p]),
+        }
+    }
+
+    /// The increments of (q, p) that go with an impulse.
+    #[inline(always)]
+    pub(super) fn increments(&self, impulse: &S::Unknown) -> [S::Array; 2] {
+        S::increments(&self.coefficients.change(self.system, &self.changed, impulse), impulse)
+    }
+
+    /// h·f̄ for no impulse.
+    #[inline(always)]
+    pub(super) fn without_impulse(&self) -> S::Unknown {
+        let none = S::Unknown::zero();
+        let (mut image, mut unused) = (none, S::Unknown::fill(none));
+        let change = self.coefficients.change(self.system, &self.changed, &none);
+        self.decide(&change, &none);
+        self.coefficients.evaluate(self.system, &self.start, &change, &mut image, &mut unused);
+        image
+    }
+
+    /// The impulse of the explicit midpoint rule. It takes what it needs by value: pointed at from elsewhere, that would not stay
+    /// in registers.
+    #[inline(always)]
+    pub(super) fn explicit_midpoint(&self) -> impl Fn() -> S::Unknown + Copy + use<'a, S, R> {
+        let (system, coefficients, t, y, changed) = (self.system, self.coefficients, self.t, self.y, self.changed);
+        move || {
+            let (none, half) = (S::Unknown::zero(), R::from_f64(0.5) * coefficients.h);
+            let (mut rate, mut f) = (system.velocity(&coefficients.constants, &changed), none);
+            let mut unused = S::Unknown::fill(none);
+            if S::DERIVATIVE == 1 {
+                system.field(&coefficients.constants, t, &y, &mut rate, &mut unused);
+            }
+            let mut middle = y;
+            middle.add_scaled(half, &rate);
+            system.field(&coefficients.constants, t + half, &middle, &mut f, &mut unused);
+            let mut impulse = none;
+            impulse.add_scaled(coefficients.h, &f);
+            impulse
+        }
+    }
+
+    /// h·f̄ for an impulse, and the matrix of Newton's iteration.
+    #[inline(always)]
+    pub(super) fn image<P: Probe<S, R>>(
+        &self,
+        probe: &mut P,
+        impulse: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        let mut change = self.coefficients.change(self.system, &self.changed, impulse);
+        let mut end = Point::<S::Array, Plain>::new(self.q, self.p);
+        let [dq, dp] = S::increments(&change, impulse);
+        end.add(&dq, &dp);
+        probe.visit(self.t, &end.q, &end.p, &());
+        if let Some(compensation) = &self.compensation.0 {
+            // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
+            change.add_scaled(R::from_f64(2.0), compensation);
+        }
+        self.decide(&change, impulse);
+        let mut image = S::Unknown::zero();
+        self.coefficients.evaluate(self.system, &self.start, &change, &mut image, matrix);
+        image
+    }
+
+    /// Remembers the end of the step for these increments, if the energy has conditions.
+    #[inline(always)]
+    fn decide(&self, change: &S::Unknown, impulse: &S::Unknown) {
+        if !S::JUMPS.is_empty() {
+            let [dq, dp] = S::increments(change, impulse);
+            let mut end = Point::<S::Array, Plain>::new(self.q, self.p);
+            end.add(&dq, &dp);
+            self.decided.set([end.q, end.p]);
+        }
+    }
+
+    /// Refuses an end of the step at which rounding has decided a condition otherwise than the equation has, and the energy jumps.
+    #[inline(always)]
+    pub(super) fn check_conditions<C>(&self, x: &Point<S::Array, C>) -> Result<(), Refusal> {
+        let middle = self.t + R::from_f64(0.5) * self.coefficients.h;
+        check_conditions(self.system, middle, &self.decided.get(), x)
+    }
+
+    /// What the increments of (q, p) are too small by: `lost` of the impulse; and of y what [`Coefficients::change`] rounds off in
+    /// the mean, and what it does not see because a compensation has it.
+    ///
+    /// Without this, and with a field at y without its compensation, the energy of a pendulum drifts by 4·10⁻²⁰ a step at
+    /// h = 0.1, and by 10⁻¹⁹ at 0.2. Plain sums of equations of second order have no use for it.
+    #[inline(always)]
+    pub(super) fn lost<C: Summation<S::Array>>(&self, impulse: &S::Unknown, lost: &S::Unknown) -> [S::Array; 2] {
+        let mut change = S::Unknown::zero();
+        if S::DERIVATIVE == 1 {
+            change = *lost;
+        } else if !C::PLAIN {
+            let (mut mean, half) = (self.compensation.1, R::from_f64(0.5));
+            mean.add_scaled(half, lost);
+            for (i, mean) in mean.as_mut_slice().iter_mut().enumerate() {
+                *mean += exact_sum(self.changed.as_slice()[i], half * impulse.as_slice()[i]).1;
+            }
+            self.system.add(&self.coefficients.constants, self.coefficients.h, &mean, &mut change);
+        }
+        S::increments(&change, lost)
+    }
+}

@@ -1,0 +1,162 @@
+//! The driver: a table multiplied by h, one step, and many steps with neighbouring flows merged.
+
+use super::flows::{Moving, Order, Times, Weight};
+use super::table::Splitting;
+use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::scalar::Real;
+use crate::space::{Point, Summation};
+use crate::system::Separable;
+
+/// A table multiplied by h: the flows of a step and the times in it at which they happen.
+#[derive(Clone, Copy, Debug)]
+pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
+    first: O::Outer,
+    inner: [O::Inner; K],
+    /// What follows each inner flow while the steps go on: the last flow of a step is merged with the first of the next.
+    outer: [O::Outer; K],
+    /// What follows the last inner flow where the steps end.
+    last: Option<O::Outer>,
+    inner_at: [R; K],
+    outer_at: [R; K],
+}
+
+impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
+    fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
+        let part = |fraction: f64| R::from_f64(fraction) * h;
+        let reached = |fractions: &[f64]| part(fractions.iter().sum());
+        let cube = h * h * h;
+        let weight = |fraction: f64, gradient: f64| Weight {
+            h: part(fraction),
+            gradient: (gradient != 0.0).then(|| R::from_f64(gradient) * cube),
+        };
+        let outer = |fraction, gradient| O::prepare_outer(system, weight(fraction, gradient));
+        let first = (table.outer[0], table.gradients[0]);
+        let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
+        let merged = last.map_or(first, |last| (first.0 + last.0, first.1 + last.1));
+        Sequence {
+            first: outer(first.0, first.1),
+            inner: core::array::from_fn(|i| O::prepare_inner(system, weight(table.inner[i], table.gradients[i]))),
+            outer: core::array::from_fn(|i| match i + 1 {
+                next if next < K => outer(table.outer[next], table.gradients[next]),
+                _ => outer(merged.0, merged.1),
+            }),
+            last: last.map(|(fraction, gradient)| outer(fraction, gradient)),
+            inner_at: core::array::from_fn(|i| reached(&table.outer[..=i])),
+            outer_at: core::array::from_fn(|i| if i + 1 < K { reached(&table.inner[..=i]) } else { h }),
+        }
+    }
+
+    /// The times of the i-th inner flow of a step from `t`, and of the outer flow behind it.
+    #[inline(always)]
+    fn times(&self, t: R, i: usize) -> [Times<R>; 2] {
+        let before = if i == 0 { t } else { t + self.outer_at[i - 1] };
+        let (outers, inners) = (t + self.inner_at[i], t + self.outer_at[i]);
+        [Times { own: before, other: outers }, Times { own: outers, other: inners }]
+    }
+
+    /// inner₁, outer₂, inner₂, …, inner_K, last.
+    #[inline(always)]
+    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
+        for i in 0..K {
+            let [inner_at, outer_at] = self.times(t, i);
+            probe.visit(inner_at.other, &x.q, &x.p, &x.s);
+            O::inner(&self.inner[i], inner_at, moving(system, x));
+            let next = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
+            if let Some(outer) = next {
+                probe.visit(outer_at.other, &x.q, &x.p, &x.s);
+                O::outer(outer, outer_at, moving(system, x));
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
+        let Step { system, t, x, probe } = step;
+        probe.visit(t, &x.q, &x.p, &x.s);
+        O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
+        self.finish(Step { system, t, x, probe });
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Array>>(
+        &self,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        point: &mut Point<S::Array, C, S::Action>,
+    ) {
+        let Some(final_step) = steps.checked_sub(1) else { return };
+        // In locals of this loop, q and p stay in registers.
+        let (mut q, mut p, mut s, mut sums) = (point.q, point.p, point.s, point.sums);
+        macro_rules! x {
+            () => {
+                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums }
+            };
+        }
+        let start = clock.at(0);
+        O::outer(&self.first, Times { own: start, other: start }, x!());
+        for n in 0..final_step {
+            let t = clock.at(n);
+            for i in 0..K {
+                let [inner_at, outer_at] = self.times(t, i);
+                O::inner(&self.inner[i], inner_at, x!());
+                O::outer(&self.outer[i], outer_at, x!());
+            }
+        }
+        (point.q, point.p, point.s, point.sums) = (q, p, s, sums);
+        self.end(system, clock.at(final_step), point);
+    }
+
+    /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
+    /// makes the loop over six bodies up to a fifth slower.
+    #[inline(never)]
+    fn end<C: Summation<S::Array>>(&self, system: &S, t: R, x: &mut Point<S::Array, C, S::Action>) {
+        self.finish(Step { system, t, x, probe: &mut Unwatched });
+    }
+}
+
+#[inline(always)]
+fn moving<'a, S: Separable<R>, R: Real, C>(
+    system: &'a S,
+    x: &'a mut Point<S::Array, C, S::Action>,
+) -> Moving<'a, S, R, C> {
+    Moving { system, q: &mut x.q, p: &mut x.p, s: &mut x.s, sums: &mut x.sums }
+}
+
+impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
+    type Prepared = Sequence<S, R, O, K>;
+    type Memory = ();
+
+    fn claims(&self) -> Claims {
+        Splitting::claims(self)
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        Sequence::prepare(self, system, h)
+    }
+
+    fn memory() {}
+
+    #[inline(always)]
+    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        (): &mut (),
+        step: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        prepared.step(step);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Array>>(
+        prepared: &Self::Prepared,
+        (): &mut (),
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Array, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        prepared.advance(system, clock, steps, x);
+        Ok(())
+    }
+}

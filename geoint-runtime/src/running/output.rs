@@ -1,0 +1,92 @@
+//! States along a trajectory, written once for every run. Output never changes the steps of a run with fixed ones.
+
+use super::StepError;
+use super::trajectory::{Scalar, Trajectory};
+
+/// The state after every step to a time; ends there, or after the first error.
+#[derive(Debug)]
+pub struct Until<'a, T: Trajectory> {
+    run: &'a mut T,
+    t: Scalar<T>,
+    failed: bool,
+}
+
+impl<'a, T: Trajectory> Until<'a, T> {
+    pub(crate) fn new(run: &'a mut T, t: Scalar<T>) -> Self {
+        Until { run, t, failed: false }
+    }
+}
+
+impl<T: Trajectory> Iterator for Until<'_, T> {
+    type Item = Result<T::State, StepError>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        match self.run.step_towards(self.t) {
+            Ok(true) => Some(Ok(self.run.state())),
+            Ok(false) => None,
+            Err(error) => {
+                self.failed = true;
+                Some(Err(error))
+            }
+        }
+    }
+}
+
+/// The state after every so many steps, without end but for the first error.
+#[derive(Debug)]
+pub struct Samples<'a, T> {
+    run: &'a mut T,
+    stride: u64,
+    failed: bool,
+}
+
+impl<'a, T> Samples<'a, T> {
+    pub(crate) fn new(run: &'a mut T, stride: u64) -> Self {
+        Samples { run, stride: stride.max(1), failed: false }
+    }
+}
+
+impl<T: Trajectory> Iterator for Samples<'_, T> {
+    type Item = Result<T::State, StepError>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        let outcome = self.run.advance(self.stride);
+        self.failed = outcome.is_err();
+        Some(outcome.map(|()| self.run.state()))
+    }
+}
+
+/// The states at given times; ends with them, or after the first error.
+#[derive(Debug)]
+pub struct StatesAt<'a, T, I> {
+    run: &'a mut T,
+    times: I,
+    failed: bool,
+}
+
+impl<'a, T, I> StatesAt<'a, T, I> {
+    pub(crate) fn new(run: &'a mut T, times: I) -> Self {
+        StatesAt { run, times, failed: false }
+    }
+}
+
+impl<T: Trajectory, I: Iterator<Item = Scalar<T>>> Iterator for StatesAt<'_, T, I> {
+    type Item = Result<T::State, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.failed {
+            return None;
+        }
+        let outcome = self.run.advance_to(self.times.next()?);
+        self.failed = outcome.is_err();
+        Some(outcome.map(|()| self.run.state()))
+    }
+}

@@ -1,0 +1,63 @@
+//! A number of two words, for sums of time: the second holds what the first rounds off.
+
+use super::summation::exact_sum;
+use crate::scalar::{Real, zero};
+
+/// Of so many bits are the parts of a whole number that are multiplied without rounding.
+const BITS: u32 = 11;
+
+/// high + low, with |low| of half a unit in the last place of high at most: twice the digits of the scalar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DoubleWord<R> {
+    high: R,
+    low: R,
+}
+
+impl<R: Real> DoubleWord<R> {
+    /// A number that one word holds.
+    #[inline(always)]
+    pub fn new(x: R) -> Self {
+        DoubleWord { high: x, low: zero() }
+    }
+
+    /// The nearest number of one word.
+    #[inline(always)]
+    pub fn value(&self) -> R {
+        self.high
+    }
+
+    /// Both words.
+    #[inline(always)]
+    pub(crate) fn words(&self) -> [R; 2] {
+        [self.high, self.low]
+    }
+
+    /// Adds a number, with an error of ε² relative to the sum.
+    #[inline(always)]
+    pub fn add(&mut self, x: R) {
+        let (sum, error) = exact_sum(self.high, x);
+        (self.high, self.low) = exact_sum(sum, self.low + error);
+    }
+
+    /// Adds both words of a number.
+    #[inline(always)]
+    pub(crate) fn add_both(&mut self, x: Self) {
+        self.add(x.low);
+        self.add(x.high);
+    }
+
+    /// Adds n·h with the same error: a few bits of n and half of those of h at a time, whose product is exact.
+    /// T. J. Dekker, Numer. Math. 18 (1971) 224, for the halves of h.
+    pub(crate) fn add_multiple(&mut self, mut n: u64, h: R) {
+        let digits = 1.0 - Real::log2(R::epsilon());
+        let shifted = R::from_f64(Real::exp2(libm::ceil(0.5 * digits)) + 1.0) * h;
+        let upper = shifted - (shifted - h);
+        let mut unit = 1.0;
+        while n > 0 {
+            let part = R::from_f64((n & ((1 << BITS) - 1)) as f64 * unit);
+            self.add(part * upper);
+            self.add(part * (h - upper));
+            (n, unit) = (n >> BITS, unit * f64::from(1 << BITS));
+        }
+    }
+}
