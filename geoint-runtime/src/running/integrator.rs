@@ -78,8 +78,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
                 self.memory = memory;
                 self.accept(steps, x);
             } else {
+                // One by one, as single steps are taken, to stop where those do.
                 for _ in 0..steps {
-                    self.step_watched(None)?;
+                    self.step_within(None)?;
                 }
             }
             left -= steps;

@@ -88,6 +88,7 @@ impl Zeros {
             }
             match graph.node(id) {
                 Node::Product(factors) => open.extend(factors),
+                Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => open.push(terms[0].1),
                 Node::Power(base, exponent) if exponent.numerator > 0 => open.push(*base),
                 Node::Power(..) => {}
                 Node::Call(Abs | Cbrt | Sinh | Tanh | Asinh | Atan | Asin | ExpM1, args) => open.push(args[0]),
