@@ -55,3 +55,32 @@ pub(crate) fn vanishes_nowhere<R: Real>(term: impl Fn(Interval) -> Enclosure<R>)
     }
     true
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A function along the way from `a` to `b`.
+    fn nowhere(f: impl Fn(Enclosure<f64>) -> Enclosure<f64>, a: f64, b: f64) -> bool {
+        let end = |x: f64| Interval::point(a) + Interval::point(b - a) * Interval::point(x);
+        vanishes_nowhere(|part| f(Enclosure::new(end(part.low).hull(end(part.high)), Interval::point(b - a))))
+    }
+
+    #[test]
+    fn zeros_are_seen_and_near_misses_pass() {
+        let number = Enclosure::<f64>::from_f64;
+        let square = |x: Enclosure<f64>| x.abs() * x.abs();
+        // From one side to the other, to the zero itself, and from there.
+        assert!(!nowhere(|x| x, -1.0, 2.0) && !nowhere(square, -1.0, 2.0) && !nowhere(square, 1.0, 0.0));
+        assert!(nowhere(|x| x, 0.0, 1.0) && nowhere(|x| x, 1.0, 2.0) && nowhere(square, 0.3, 2.0));
+        for miss in [1.0, 1e-3, 1e-6, 1e-9, 1e-12] {
+            assert!(nowhere(|x| square(x) + number(miss * miss), -0.7, 2.0), "{miss}");
+            assert!(nowhere(|x| number(1.0) - x.cos(), miss.max(1e-7), 6.2), "{miss}");
+            // Without structure, and far below the size of its terms.
+            let expanded = |x: Enclosure<f64>| square(x) - (x + x) + number(1.0 + miss);
+            assert_eq!(nowhere(expanded, -0.7, 2.0), miss > 1e-13, "{miss}");
+        }
+        assert!(!nowhere(|x| x.cos(), 0.4, 5.9) && !nowhere(|x| number(1.0) - x.cos(), -0.4, 0.5));
+        assert!(!nowhere(|x| x.ln(), -1.0, 3.0) && !nowhere(|x| x * number(f64::NAN), 1.0, 2.0));
+    }
+}
