@@ -4,6 +4,7 @@ use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure}
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
+use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
 use proc_macro2::Span;
@@ -130,25 +131,5 @@ const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to th
 const NO_LIFT: &str =
     "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
 
-pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
-                                    `ContactMidpoint` or `ContactDiscreteGradient`";
-
-pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
-                                         `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
-
-pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
-                                      Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a \
-                                      table for every splitting, such as `BlanesMoan6`";
-
-pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
-                                  use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
-
 const INDEFINITE: &str = "damping takes energy away, but this matrix gives some at some velocity: write one that is positive \
                           semidefinite";
-
-pub(crate) const DAMPED: &str =
-    "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
-
-pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
-                                        Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
-                                        order; use a table for every separable energy, such as `BlanesMoan6`";

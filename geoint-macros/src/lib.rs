@@ -4,6 +4,7 @@
 
 // In reading order, which is the order of dependence too.
 mod diagnostics;
+mod messages;
 mod ir;
 mod parse;
 mod lower;
@@ -11,9 +12,11 @@ mod analyze;
 mod diff;
 mod schedule;
 mod split;
+mod derive;
 mod check;
 mod emit;
 mod link;
+mod compile;
 mod expand;
 #[cfg(test)]
 mod tests;
@@ -84,10 +87,13 @@ use proc_macro::TokenStream;
 ///
 /// Ordinary Rust on numbers: literals, `let` with patterns and shadowing, blocks, `+ - * /`, `if … else` as an expression,
 /// constant indices, `const` items and constants from outside, nested `fn`s, closures and functions under
-/// [`macro@energy_function`] (inlined), `for` over ranges,
-/// `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled), assignments to variables and their elements (`x = …`,
-/// `x[i] += …`; not from inside a branch on data), the methods of `f64` that have a derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it
-/// stands, which says what is accepted.
+/// [`macro@energy_function`] (inlined), `for` over ranges, `(a..b).map(…).sum::<f64>()` and the usual iterators (unrolled),
+/// assignments to variables and their elements (`x = …`, `x[i] += …`), `continue` and `break`, the methods of `f64` that have a
+/// derivative, and vectors of nalgebra with `dot`, `cross`, `norm`, `norm_squared`. Anything else is an error where it stands,
+/// which says what is accepted.
+///
+/// Loops have a number of rounds that is known, and inside of a branch on data nothing outside of it is assigned to: there the
+/// branch is a value, `x += if … { … } else { 0.0 }`.
 ///
 /// Both sides of an `if` are differentiated, each where it holds; the branch stays a branch. Where the sides do not meet
 /// smoothly no method has the order that it claims.
@@ -112,6 +118,7 @@ use proc_macro::TokenStream;
 /// let mut sim = LotkaVolterra { a: 1.5, b: 0.8 }.integrator(Gauss::<3>, 0.01, State::new([x, y], [0.0; 2]));
 /// sim.advance(1000)?;
 /// assert!((kept(sim.state().q) - kept([x, y])).abs() < 1e-11);
+/// assert!(LotkaVolterra::<f64>::REPORT.contains("q follows the field ∂H/∂p by itself"));
 /// # Ok::<(), StepError>(())
 /// ```
 ///
@@ -242,8 +249,8 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// crate, `crate::forces::CUTOFF`, or repeated if it is an integer: `const N = 3`.
 ///
 /// `with(module::f)` takes a path, and the body calls the function by the same. It can be named in its own crate only, and
-/// where it is visible; and where a function without the attribute does not hide it. Functions that call each other, or
-/// themselves, cannot be inlined.
+/// where it is visible; and where a function without the attribute does not hide it. An energy may have this attribute beside its
+/// own, and be a part of another one. Functions that call each other, or themselves, cannot be inlined.
 #[proc_macro_attribute]
 pub fn energy_function(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::energy_function(args.into(), item.into()).into()
@@ -267,5 +274,5 @@ pub fn resume(input: TokenStream) -> TokenStream {
 #[doc(hidden)]
 #[proc_macro]
 pub fn most_unknowns(_: TokenStream) -> TokenStream {
-    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(emit::MOST_UNKNOWNS)).into()
+    proc_macro::TokenTree::from(proc_macro::Literal::usize_unsuffixed(derive::MOST_UNKNOWNS)).into()
 }

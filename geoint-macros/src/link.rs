@@ -3,11 +3,22 @@
 //! Such a function has a macro beside it, of the same name, that hands its text on to whoever asks. An attribute asks for the
 //! functions that it names one after the other, with all that it knows so far, and is called back.
 
-use crate::parse::Source;
+use crate::diagnostics::Result;
+use crate::parse::{self, Source};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 use syn::ext::IdentExt;
 use syn::{Path, Visibility};
+
+/// The macro of a function, once the functions that it names are there; until then the question for the next one.
+pub(crate) fn offered(source: &Source) -> Result<TokenStream> {
+    let options = parse::function_options(source.args.clone())?;
+    let function: syn::ItemFn = syn::parse2(source.item.clone())?;
+    Ok(match options.with.get(source.used.len()) {
+        Some(path) => ask(&options.runtime, "energy_function", path, source),
+        None => offer(&function.sig.ident, &function.vis, source),
+    })
+}
 
 /// Asks the macro of a function for its text; `attribute` is called back with all of it.
 ///
@@ -32,7 +43,7 @@ pub(crate) fn put(input: TokenStream) -> TokenStream {
 }
 
 /// The macro of a function, under the name of the function and as visible, but in no other crate.
-pub(crate) fn offer(name: &Ident, visibility: &Visibility, source: &Source) -> TokenStream {
+fn offer(name: &Ident, visibility: &Visibility, source: &Source) -> TokenStream {
     let hidden = format_ident!("__energy_function_{}", name.unraw());
     let visibility = match visibility {
         Visibility::Public(_) => quote!(pub(crate)),

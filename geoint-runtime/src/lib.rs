@@ -184,3 +184,8 @@ pub mod prelude {
         hamiltonian,
     };
 }
+
+/// The programs of the README compile and run.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

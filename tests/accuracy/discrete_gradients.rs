@@ -296,7 +296,7 @@ fn angular_momentum_is_not_for_all() {
         })
     }
     let table = [
-        ("Gonzalez", errors(Gonzalez), 3.94e-3..3.98e-3),
+        ("Gonzalez", errors(Gonzalez), 1e-3..1e-2),
         ("ItohAbe", errors(ItohAbe), 2.25e-2..2.35e-2),
         ("SymmetrisedItohAbe", errors(SymmetrisedItohAbe), 3.65e-3..3.75e-3),
         ("FourthOrder(Gonzalez)", errors(FourthOrder(Gonzalez)), 1e-6..1e-3),

@@ -3,15 +3,20 @@
 //! `cargo bench -p geoint-tests --bench linear` prints the table of ratios. The systems are random, near the identity as
 //! 1 − h·J is, and not near it, so that pivots move.
 
-// The elimination is private to the runtime; its file is compiled here once more, with the two modules that it names.
-#[path = "../../geoint-runtime/src/solving/linear.rs"]
-mod linear;
 mod paired;
-use geoint_runtime::{scalar, space};
+// The elimination is private to the runtime; its files are compiled here once more, with the modules that they name.
+#[allow(dead_code, reason = "sizes have more uses than elimination")]
+#[path = "../../geoint-runtime/src/solving"]
+mod solving {
+    pub(crate) mod linear;
+    pub(crate) mod size;
+}
 
 use geoint_runtime::space::{Array, Square};
+use geoint_runtime::{scalar, space};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use paired::{Pair, Ratio, Run};
+use solving::{linear, size::Sizes};
 use std::hint::black_box;
 
 /// Different systems in turn, so that the processor cannot learn the pivots by heart.
@@ -49,7 +54,7 @@ where
             for i in 0..n {
                 let (matrix, rhs) = &systems[i as usize % SYSTEMS];
                 let (mut matrix, mut x): (Square<[f64; N]>, _) = black_box((*matrix, *rhs));
-                assert!(linear::solve::<[f64; N]>(&mut matrix, &mut x).is_some());
+                assert!(linear::solve::<[f64; N]>(&mut matrix, &mut x, &Sizes::equal()).is_some());
                 sum = std::array::from_fn(|k| sum[k] + x[k]);
             }
             sum.to_vec()

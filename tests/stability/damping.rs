@@ -330,9 +330,13 @@ fn damped_systems_have_neither_flows_nor_a_conserved_energy() {
     assert!(Duffing::REPORT.contains("with C = c\n"), "{}", Duffing::REPORT);
     assert!(ShockAbsorber::REPORT.contains("with C = [[c, -c], [-c, c]]\n"), "{}", ShockAbsorber::REPORT);
     // Angular momentum of the one, but for damping; a coordinate that damping leaves alone in the other.
-    assert!(Turntable::REPORT.contains("\nConserved by the flow\n- nothing that was found\n"), "{}", Turntable::REPORT);
     assert!(
-        Carriage::REPORT.contains("\nConserved by the flow\n- p[1]: H does not read q[1]\n"),
+        Turntable::REPORT.contains("\nConserved by the flow, at least\n- nothing that was found\n"),
+        "{}",
+        Turntable::REPORT
+    );
+    assert!(
+        Carriage::REPORT.contains("\nConserved by the flow, at least\n- p[1]: H does not read q[1]\n"),
         "{}",
         Carriage::REPORT
     );

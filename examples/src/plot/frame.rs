@@ -208,6 +208,9 @@ fn tenths(part: f64, length: i32) -> i32 {
     (part.clamp(-20.0, 20.0) * f64::from(10 * length)).round() as i32
 }
 
+/// Of a pixel, in the units of places.
+const TENTH: f64 = 1.0;
+
 /// The line through fewer of its places, nowhere further than a tenth of a pixel from the others.
 /// D. H. Douglas & T. K. Peucker, Cartographica 10 (1973) 112.
 fn simplified(line: &[Place]) -> Vec<Place> {
@@ -219,10 +222,10 @@ fn simplified(line: &[Place]) -> Vec<Place> {
     while let Some((first, last)) = open.pop() {
         (kept[first], kept[last]) = (true, true);
         let distances = (first + 1..last).map(|i| (distance(line[i], line[first], line[last]), i));
-        if let Some((far, i)) = distances.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            if far > 1.0 {
-                open.extend([(first, i), (i, last)]);
-            }
+        if let Some((far, i)) = distances.max_by(|a, b| a.0.total_cmp(&b.0))
+            && far > TENTH
+        {
+            open.extend([(first, i), (i, last)]);
         }
     }
     line.iter().zip(kept).filter(|(_, kept)| *kept).map(|(place, _)| *place).collect()

@@ -1,7 +1,7 @@
 //! Damping C of p' = −∂H/∂q − C ∂H/∂p: what is known of it before it has a value.
 
 use super::dependence::{Dependence, Reads};
-use crate::ir::{Graph, Id};
+use crate::ir::{Graph, Id, Number, Ratio};
 
 /// C, not all of whose entries are zero.
 #[derive(Debug)]
@@ -12,6 +12,8 @@ pub(crate) struct Damping {
     pub(crate) reads: Reads,
     /// Whether only the diagonal is not zero.
     pub(crate) diagonal: bool,
+    /// Whether it has to be found out at run time if C is positive semidefinite.
+    pub(crate) open: bool,
     /// Why C takes energy in no state at all, if that is so.
     pub(crate) flaw: Option<Flaw>,
 }
@@ -36,7 +38,8 @@ pub(super) fn damping(graph: &Graph, matrix: Vec<Vec<Id>>) -> Option<Damping> {
     let reads = entries().fold(Reads::default(), |reads, (i, j)| reads.or(dependence.reads(matrix[i][j])));
     let diagonal = entries().all(|(i, j)| i == j || graph.is_zero(matrix[i][j]));
     let flaw = flaw(graph, &matrix);
-    Some(Damping { matrix, reads, diagonal, flaw })
+    let open = !diagonal && definiteness(graph, &matrix).is_none();
+    Some(Damping { matrix, reads, diagonal, open, flaw })
 }
 
 fn flaw(graph: &Graph, matrix: &[Vec<Id>]) -> Option<Flaw> {
@@ -49,28 +52,32 @@ fn flaw(graph: &Graph, matrix: &[Vec<Id>]) -> Option<Flaw> {
     if let Some(i) = (0..n).find(negative) {
         return Some(Flaw::Negative(i));
     }
-    let number = |id: &Id| graph.as_number(*id).map(|number| number.to_f64());
-    let numbers: Option<Vec<Vec<f64>>> = matrix.iter().map(|row| row.iter().map(number).collect()).collect();
-    numbers.is_some_and(|numbers| !is_semidefinite(numbers)).then_some(Flaw::Indefinite)
+    match definiteness(graph, matrix) {
+        Some(false) => Some(Flaw::Indefinite),
+        _ => None,
+    }
 }
 
-/// Whether a symmetric matrix is positive semidefinite to rounding, by elimination, as the runtime decides it where it alone
-/// knows the values.
-fn is_semidefinite(mut c: Vec<Vec<f64>>) -> bool {
-    let n = c.len();
-    let margin = 1.0 + 8.0 * (n * n) as f64 * f64::EPSILON;
-    (0..n).for_each(|k| c[k][k] *= margin);
-    for k in 0..n {
-        if c[k][k] < 0.0 {
-            return false;
+/// Whether a symmetric matrix of numbers is positive semidefinite, exactly; `None` if some entry is not known, or too long. (What has a
+/// value at run time alone is decided there, to rounding.)
+fn definiteness(graph: &Graph, matrix: &[Vec<Id>]) -> Option<bool> {
+    let number = |id: &Id| match graph.as_number(*id)? {
+        Number::Exact(ratio) => Some(ratio),
+        Number::Float(_) => None,
+    };
+    let mut c: Vec<Vec<Ratio>> = matrix.iter().map(|row| row.iter().map(number).collect()).collect::<Option<_>>()?;
+    for k in 0..c.len() {
+        // Below a pivot of zero there are zeros.
+        if c[k][k] < Ratio::ZERO || c[k][k] == Ratio::ZERO && (k..c.len()).any(|i| c[i][k] != Ratio::ZERO) {
+            return Some(false);
         }
-        let pivot = c[k][k].max(1e-37);
-        for i in k + 1..n {
-            let factor = c[i][k] / pivot;
+        let Some(reciprocal) = c[k][k].recip() else { continue };
+        for i in k + 1..c.len() {
+            let factor = c[i][k].mul(reciprocal)?.neg();
             for j in k + 1..=i {
-                c[i][j] -= factor * c[j][k];
+                c[i][j] = c[i][j].add(factor.mul(c[j][k])?)?;
             }
         }
     }
-    true
+    Some(true)
 }

@@ -1,6 +1,7 @@
 //! What conserved functions of the state are made of, and what people call these.
 
-use super::form::{UNIT, Variable};
+use super::quadratic::{UNIT, Variable};
+use super::weights::Weight;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use crate::parse::Shape;
 
@@ -16,8 +17,8 @@ pub(super) struct Generator {
 enum Kind {
     /// x p_y − y p_x of a point in the plane or in space, about an axis.
     Angular(usize),
-    /// q² + p² of a coordinate.
-    Norm,
+    /// q² or p² of a coordinate.
+    Square,
     /// p of a coordinate, along an axis.
     Momentum(usize),
     Position,
@@ -43,10 +44,10 @@ pub(super) fn generators(coordinates: &Shape) -> Vec<Generator> {
     });
     // With one degree of freedom all that is conserved is a function of H.
     let several = if n > 1 { 0..n } else { 0..0 };
-    let norms = several.map(|i| (Kind::Norm, vec![(1, [q(i), q(i)]), (1, [p(i), p(i)])]));
+    let squares = several.flat_map(|i| [q(i), p(i)]).map(|x| (Kind::Square, vec![(1, [x, x])]));
     let momenta = (0..n).map(|i| (Kind::Momentum(i as usize % dimension), vec![(1, [p(i), UNIT])]));
     let positions = (0..n).map(|i| (Kind::Position, vec![(1, [q(i), UNIT])]));
-    let all = angular.chain(norms).chain(momenta).chain(positions);
+    let all = angular.chain(squares).chain(momenta).chain(positions);
     all.map(|(kind, terms)| Generator { kind, terms }).collect()
 }
 
@@ -55,16 +56,25 @@ fn dimension(coordinates: &Shape) -> usize {
     coordinates.extents.last().map_or(1, |extent| (*extent).max(1))
 }
 
-/// The name of a sum; `total` if all weights are one.
-pub(super) fn name(coordinates: &Shape, summands: &[&Generator], total: bool) -> String {
+/// A generator with a number and a product of parameters before it.
+pub(super) struct Summand<'a> {
+    pub(super) generator: &'a Generator,
+    pub(super) number: Ratio,
+    pub(super) weight: &'a Weight,
+}
+
+/// The name of a sum.
+pub(super) fn name(coordinates: &Shape, summands: &[Summand<'_>]) -> String {
     let (n, dimension) = (coordinates.len(), dimension(coordinates));
-    let kind = summands[0].kind;
-    let alike = summands.iter().all(|summand| summand.kind == kind);
+    let total = summands.iter().all(|summand| summand.number == Ratio::ONE && summand.weight.is_empty());
+    let kind = summands[0].generator.kind;
+    let alike = summands.iter().all(|summand| summand.generator.kind == kind);
     let axis = |axis: usize| AXES.get(axis).map(|(axis, _)| *axis);
     match kind {
         Kind::Angular(i) if alike && dimension == 3 => format!("angular momentum about {}", AXES[i].0),
         Kind::Angular(_) => "angular momentum".into(),
-        Kind::Norm => "norm".into(),
+        Kind::Square if total && alike && summands.len().is_multiple_of(2) => "norm".into(),
+        Kind::Square => "sum of squares".into(),
         Kind::Momentum(i) if total && alike && summands.len() == n / dimension => match axis(i) {
             Some(axis) => format!("total momentum along {axis}"),
             None => "total momentum".into(),
@@ -77,13 +87,18 @@ pub(super) fn name(coordinates: &Shape, summands: &[&Generator], total: bool) ->
 }
 
 impl Generator {
-    /// Whether it is a momentum or a position alone.
-    pub(super) fn is_coordinate(&self) -> bool {
-        matches!(self.kind, Kind::Momentum(_) | Kind::Position)
+    /// The coordinate that it is.
+    pub(super) fn coordinate(&self) -> Option<Variable> {
+        matches!(self.kind, Kind::Momentum(_) | Kind::Position).then(|| self.terms[0].1[0])
     }
 
-    /// sum + weight·generator.
-    pub(super) fn add_to(&self, graph: &mut Graph, mut sum: Id, weight: Ratio) -> Id {
+    /// Whether it reads no others than these variables.
+    pub(super) fn is_function_of(&self, variables: &[Variable]) -> bool {
+        self.terms.iter().all(|(_, pair)| pair.iter().all(|x| *x == UNIT || variables.contains(x)))
+    }
+
+    /// sum + number·weight·generator.
+    pub(super) fn add_to(&self, graph: &mut Graph, mut sum: Id, number: Ratio, weight: Id) -> Id {
         for (c, variables) in &self.terms {
             let factors = variables.iter().filter_map(|variable| match variable % 2 {
                 _ if *variable == UNIT => None,
@@ -92,7 +107,8 @@ impl Generator {
             });
             let factors: Vec<Id> = factors.collect();
             let product = graph.product(&factors);
-            let term = graph.scale(Number::Exact(weight).mul(Number::integer(*c)), product);
+            let product = graph.mul(weight, product);
+            let term = graph.scale(Number::Exact(number).mul(Number::integer(*c)), product);
             sum = graph.add(sum, term);
         }
         sum

@@ -42,8 +42,10 @@ pub(super) fn leaves(
             match graph.node(last) {
                 _ if at_most(last, degree) => leaf.push(term),
                 Node::Select(condition, ..) if reads_state(*condition) => return None,
-                Node::Call(Function::Hypot, sides) if degree >= 2 && sides.iter().all(|side| at_most(*side, 1)) => {
-                    leaves.push(Leaf::Squares(sides.clone()));
+                Node::Call(Function::Hypot, _)
+                    if degree >= 2 && sides(graph, last).iter().all(|side| at_most(*side, 1)) =>
+                {
+                    leaves.push(Leaf::Squares(sides(graph, last)));
                 }
                 node => open.extend(node.children().into_iter().filter(|child| reads_state(*child))),
             }
@@ -53,4 +55,13 @@ pub(super) fn leaves(
         }
     }
     Some(leaves)
+}
+
+/// The sides of a `hypot`, those of one inside of it in its place: the slope of a root times the mean of that root is half of the slope
+/// of the square.
+fn sides(graph: &Graph, id: Id) -> Vec<Id> {
+    match graph.node(id) {
+        Node::Call(Function::Hypot, args) => args.iter().flat_map(|side| sides(graph, *side)).collect(),
+        _ => vec![id],
+    }
 }

@@ -2,8 +2,8 @@
 
 use super::degree::Degrees;
 use super::dependence::{Dependence, symbols};
-use super::form::{Expansion, Form, UNIT};
 use super::leaves::leaves;
+use super::quadratic::{Expansion, Quadratic, UNIT};
 use super::terms::Sums;
 use crate::ir::{Graph, Id, Symbol};
 
@@ -53,13 +53,13 @@ fn is_ridge(graph: &Graph, dependence: &Dependence, degrees: &Degrees, root: Id)
     let directions = || {
         let leaves = leaves(graph, dependence, degrees, root, 1)?;
         let mut expansion = Expansion::new(graph, degrees);
-        leaves.iter().map(|leaf| direction(expansion.leaf(leaf)?)).collect::<Option<Vec<Form>>>()
+        leaves.iter().map(|leaf| direction(expansion.leaf(leaf)?)).collect::<Option<Vec<Quadratic>>>()
     };
     directions().is_some_and(|directions| directions.windows(2).all(|pair| pair[0] == pair[1]))
 }
 
 /// An affine function but for its constant and a factor.
-fn direction(mut form: Form) -> Option<Form> {
+fn direction(mut form: Quadratic) -> Option<Quadratic> {
     form.retain(|monomial| monomial.variables[0] != UNIT);
     form.sort_by(|a, b| (a.variables, &a.atoms).cmp(&(b.variables, &b.atoms)));
     let reciprocal = form.first()?.number.recip()?;

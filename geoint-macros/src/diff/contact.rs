@@ -3,8 +3,9 @@
 //! The field is that of hH, so that h meets the constants of every term and is prepared with them.
 
 use super::field::{Field, middle};
+use super::forward::jacobian;
+use super::gradient::{Gradient, discrete_gradient, gradient};
 use super::slope::Slopes;
-use super::{Gradient, discrete_gradient, gradient, jacobian};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
 

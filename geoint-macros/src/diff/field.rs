@@ -5,8 +5,8 @@
 //! with the force f = −∂V/∂q: T is then the same for every method.
 
 use super::forward::jacobian;
+use super::gradient::{Gradient, discrete_gradient};
 use super::slope::coordinate_increment;
-use super::{Gradient, discrete_gradient};
 use crate::analyze::Structure;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};

@@ -3,12 +3,12 @@
 //! ∇(F·M⁻¹F) is twice the derivative of F along M⁻¹F, because that of F is symmetric: one forward derivative, in place of a sweep
 //! over all that F·M⁻¹F is made of.
 
-use super::along;
+use super::forward::along;
 use crate::ir::{Graph, Id, Number, Symbol};
 
 /// What a kick with a force gradient does.
 #[derive(Clone, Debug)]
-pub(crate) struct GradientKick {
+pub(crate) struct GradientImpulse {
     /// −∂U/∂q.
     pub(crate) impulse: Vec<Id>,
     /// U.
@@ -16,7 +16,7 @@ pub(crate) struct GradientKick {
 }
 
 /// The kick of V with the force and the ∂T/∂p of a quadratic T.
-pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velocity: &[Id]) -> GradientKick {
+pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velocity: &[Id]) -> GradientImpulse {
     let [h, g] = [Symbol::H, Symbol::G].map(|symbol| graph.symbol(symbol));
     let acceleration = along(graph, velocity, |symbol| match symbol {
         Symbol::P(i) => Some(force[i as usize]),
@@ -36,5 +36,5 @@ pub(crate) fn gradient_kick(graph: &mut Graph, potential: Id, force: &[Id], velo
     }
     let square = graph.sum(&squares);
     let (plain, correction) = (graph.mul(h, potential), graph.mul(g, square));
-    GradientKick { impulse, energy: graph.sub(plain, correction) }
+    GradientImpulse { impulse, energy: graph.sub(plain, correction) }
 }

@@ -1,7 +1,7 @@
 //! Forward derivatives with respect to several symbols at once: Hessians and Newton's matrices, zeros left out. Or along one
 //! direction.
 
-use super::rules::{Rule, rule};
+use super::rules::{Derivative, derivative};
 use crate::ir::{Graph, Id, Node, Symbol, Table};
 use std::rc::Rc;
 
@@ -59,8 +59,8 @@ fn derivatives(
     if graph.node(id).children().iter().all(|operand| of(*operand).is_empty()) {
         return Rc::new([]);
     }
-    match rule(graph, id) {
-        Rule::Chain(partials) => {
+    match derivative(graph, id) {
+        Derivative::Chain(partials) => {
             let mut parts: Vec<(usize, Id)> = vec![];
             for (operand, partial) in partials {
                 for (column, inner) in of(operand).iter() {
@@ -74,7 +74,7 @@ fn derivatives(
             });
             summed.collect::<Vec<_>>().into_iter().filter(|(_, id)| !graph.is_zero(*id)).collect()
         }
-        Rule::Branch(condition, first, second) => {
+        Derivative::Branch(condition, first, second) => {
             let (first, second) = (of(first), of(second));
             let zero = graph.zero();
             let side = |row: &Row, column| row.iter().find(|(c, _)| *c == column).map_or(zero, |(_, id)| *id);

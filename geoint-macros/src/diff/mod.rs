@@ -8,83 +8,10 @@ pub(crate) mod modified;
 mod rules;
 mod slope;
 mod sweep;
+mod gradient;
 
-use crate::analyze::Structure;
-use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Symbol};
-pub(crate) use field::{Field, SecondOrder};
 pub(crate) use force_gradient::gradient_kick;
-pub(crate) use forward::{along, jacobian};
-
-/// The partial derivatives of a node with respect to positions, momenta and the action.
-#[derive(Clone, Debug)]
-pub(crate) struct Gradient {
-    pub(crate) q: Vec<Id>,
-    pub(crate) p: Vec<Id>,
-    pub(crate) s: Id,
-}
-
-/// ∇ of `root` by one reverse sweep.
-pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
-    let entries = sweep::gradient(graph, root);
-    collect(graph, &entries, degrees)
-}
-
-/// The tree discrete gradient of `root` between (q, p, s) and (q + dq, p + dp, s + ds).
-pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
-    let entries = slope::Slopes::default().gradient(graph, root);
-    collect(graph, &entries, degrees)
-}
-
-fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradient {
-    let zero = graph.zero();
-    let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
-    let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
-    Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
-}
-
-/// Everything that is derived from an energy.
-pub(crate) struct Derivatives {
-    pub(crate) gradient: Gradient,
-    pub(crate) field: Field,
-    pub(crate) discrete: Field,
-    pub(crate) second_order: Option<SecondOrder>,
-}
-
-/// Derives everything that some method needs.
-pub(crate) fn derivatives(graph: &mut Graph, structure: &Structure, degrees: u32) -> Derivatives {
-    let gradient = gradient(graph, structure.energy, degrees);
-    let field = field::field(graph, &gradient, structure, degrees);
-    let discrete = field::discrete(graph, structure, degrees);
-    let second_order = field::second_order(graph, &gradient, structure, degrees);
-    Derivatives { gradient, field, discrete, second_order }
-}
-
-/// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.
-pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
-    // A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
-    const TIME: u32 = u32::MAX;
-    let stands_for = |symbol| match symbol {
-        Symbol::T => Some(Symbol::Q(TIME)),
-        _ => None,
-    };
-    let back = |symbol| match symbol {
-        Symbol::Q(TIME) => Some(Symbol::T),
-        Symbol::Dq(TIME) => Some(Symbol::H),
-        _ => None,
-    };
-    let root = rename(graph, root, stands_for);
-    let entries = slope::Slopes::default().gradient(graph, root);
-    let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
-    rename(graph, mean, back)
-}
-
-/// A node with some symbols called otherwise.
-fn rename(graph: &mut Graph, root: Id, new: impl Fn(Symbol) -> Option<Symbol>) -> Id {
-    Substitution::new(|graph, symbol| new(symbol).map(|symbol| graph.symbol(symbol))).apply(graph, root)
-}
-
-/// ∂root/∂symbol.
-pub(crate) fn partial(graph: &mut Graph, root: Id, symbol: Symbol) -> Id {
-    jacobian(graph, &[root], &[symbol])[0][0]
-}
+pub(crate) use forward::jacobian;
+#[cfg(test)]
+pub(crate) use gradient::discrete_gradient;
+pub(crate) use gradient::{Gradient, gradient, mean_rate, partial};

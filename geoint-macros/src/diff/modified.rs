@@ -4,7 +4,8 @@
 //! commutator; for more pieces the same applies to what is inside, again and again. Flows that advance a clock have a conjugate
 //! of that clock added to their energy, which is linear in it: {F + e_c, G} has ∂G/∂c more than {F, G}.
 
-use super::{Gradient, along, gradient, partial, rename};
+use super::forward::along;
+use super::gradient::{Gradient, gradient, partial, rename};
 use crate::analyze::Parts;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
@@ -12,17 +13,17 @@ use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Part {
     pub(crate) energy: Id,
-    pub(crate) advances: Option<Clock>,
+    pub(crate) advances: Option<TimeCoordinate>,
 }
 
-/// One of the clocks of a step.
+/// The time of some flows of a step, as a coordinate of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Clock(pub(crate) u32);
+pub(crate) struct TimeCoordinate(pub(crate) u32);
 
 /// Clocks are symbols that no coordinate uses.
 const FIRST: u32 = u32::MAX / 2;
 
-impl Clock {
+impl TimeCoordinate {
     fn symbol(self) -> Symbol {
         Symbol::Q(FIRST + self.0)
     }
@@ -100,7 +101,12 @@ fn twice(
 }
 
 /// ∂F/∂p·∂G/∂q − ∂F/∂q·∂G/∂p + p·(∂F/∂p ∂G/∂s − ∂F/∂s ∂G/∂p) + G ∂F/∂s − F ∂G/∂s, and what clocks add.
-fn bracket(graph: &mut Graph, (f, with_f): &(Id, Vec<Clock>), (g, with_g): &(Id, Vec<Clock>), degrees: u32) -> Id {
+fn bracket(
+    graph: &mut Graph,
+    (f, with_f): &(Id, Vec<TimeCoordinate>),
+    (g, with_g): &(Id, Vec<TimeCoordinate>),
+    degrees: u32,
+) -> Id {
     let [df, dg] = [*f, *g].map(|energy| gradient(graph, energy, degrees));
     let mut terms = vec![];
     for i in 0..degrees as usize {

@@ -4,7 +4,7 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation};
 
 /// How a node changes with its operands.
 #[derive(Debug)]
-pub(super) enum Rule {
+pub(super) enum Derivative {
     /// Σ coefficient·(change of operand).
     Chain(Vec<(Id, Id)>),
     /// The change of the branch that is taken.
@@ -12,8 +12,8 @@ pub(super) enum Rule {
 }
 
 /// The partial derivatives of a node.
-pub(super) fn rule(graph: &mut Graph, id: Id) -> Rule {
-    Rule::Chain(match graph.node(id).clone() {
+pub(super) fn derivative(graph: &mut Graph, id: Id) -> Derivative {
+    Derivative::Chain(match graph.node(id).clone() {
         Node::Number(_)
         | Node::Symbol(_)
         | Node::Compare(..)
@@ -36,7 +36,7 @@ pub(super) fn rule(graph: &mut Graph, id: Id) -> Rule {
             let partials = function_partials(graph, id, function, &args);
             args.into_iter().zip(partials).collect()
         }
-        Node::Select(condition, first, second) => return Rule::Branch(condition, first, second),
+        Node::Select(condition, first, second) => return Derivative::Branch(condition, first, second),
     })
 }
 

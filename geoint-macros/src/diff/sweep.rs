@@ -1,6 +1,6 @@
 //! The reverse sweep, for derivatives and for divided differences: only the rules differ.
 
-use super::rules::{Rule, rule};
+use super::rules::{Derivative, derivative};
 use crate::ir::{Graph, Id, Node, Symbol};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,10 +17,10 @@ pub(super) enum Step {
 
 /// The derivatives of `root`.
 pub(super) fn gradient(graph: &mut Graph, root: Id) -> Entries {
-    reverse(graph, root, &mut |graph, id| match rule(graph, id) {
-        Rule::Chain(partials) => Step::Operands(partials),
+    reverse(graph, root, &mut |graph, id| match derivative(graph, id) {
+        Derivative::Chain(partials) => Step::Operands(partials),
         // Each side is swept on its own, so that what belongs to a branch is computed in that branch only.
-        Rule::Branch(condition, first, second) => {
+        Derivative::Branch(condition, first, second) => {
             let (first, second) = (gradient(graph, first), gradient(graph, second));
             Step::Coordinates(select(graph, condition, &first, &second))
         }

@@ -1,7 +1,7 @@
 //! What is emitted, and said, of damped systems alone.
 
-use super::kernel::{Context, write};
-use crate::analyze::{Damping, Structure};
+use super::kernel::Context;
+use crate::analyze::Damping;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::parse::Energy;
 use proc_macro2::TokenStream;
@@ -17,23 +17,6 @@ pub(super) fn function(energy: &Energy) -> Option<TokenStream> {
     Some(quote!(#item))
 }
 
-/// q' and p', where they are not those of H alone: `f` is the field of collocation, of first order then.
-pub(super) fn rate(context: &Context<'_>, graph: &mut Graph, structure: &Structure, f: &[Id]) -> Option<TokenStream> {
-    structure.damping.as_ref()?;
-    let (array, places) = (context.array(), context.coordinates());
-    let body = context.routine(graph, f, |values| {
-        let (q, p) = values.split_at(places.len());
-        let (q, p) = (write("dq", &places, q), write("dp", &places, p));
-        quote!(#q #p)
-    });
-    Some(quote! {
-        #[inline]
-        fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
-            #body
-        }
-    })
-}
-
 /// The coefficients whose sign is not known yet, with what is said if it is negative.
 pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Damping) -> Vec<(Id, String)> {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
@@ -45,10 +28,8 @@ pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Dampi
 }
 
 /// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
-pub(super) fn open_matrix(graph: &Graph, damping: &Damping) -> Vec<Id> {
-    let entries: Vec<Id> = damping.matrix.iter().flatten().copied().collect();
-    let known = entries.iter().all(|entry| graph.as_number(*entry).is_some());
-    if known || damping.diagonal { vec![] } else { entries }
+pub(super) fn open_matrix(damping: &Damping) -> Vec<Id> {
+    if damping.open { damping.matrix.iter().flatten().copied().collect() } else { vec![] }
 }
 
 /// The statement that tests such a matrix.

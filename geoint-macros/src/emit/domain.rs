@@ -12,7 +12,10 @@ use quote::quote;
 use std::collections::HashSet;
 
 /// What the trait `PhaseSpace` asks of a domain.
-pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> TokenStream {
+pub(crate) struct DomainTests(pub(super) TokenStream);
+
+/// Derives and writes what is tested of the domain.
+pub(crate) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, damping: Option<&Damping>) -> DomainTests {
     let (array, action) = (context.array(), context.action());
     let outside = outside_domain(context, graph, damping);
     let poles = analyze::poles(graph, energy, context.partial);
@@ -24,7 +27,7 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
             const EXAMINED: bool = true;
         )
     });
-    quote! {
+    let space = quote! {
         fn outside_domain(
             &self, t: R, q: &#array, p: &#array, s: &#action,
         ) -> ::core::option::Option<&'static str> {
@@ -33,7 +36,8 @@ pub(super) fn domain(context: &Context<'_>, graph: &mut Graph, energy: Id, dampi
         #examined
         #poles
         #jumps
-    }
+    };
+    DomainTests(space)
 }
 
 /// Whether the end of a step may lie outside the domain without a trace in later steps: a function that is not defined everywhere was
@@ -68,7 +72,7 @@ fn outside_domain(context: &Context<'_>, graph: &mut Graph, damping: Option<&Dam
         let coefficients = damping::coefficients(context, graph, damping).into_iter();
         let negative = quote!(.any_below(0.0));
         checks.extend(coefficients.map(|(argument, message)| Check { argument, test: negative.clone(), message }));
-        matrix = damping::open_matrix(graph, damping);
+        matrix = damping::open_matrix(damping);
     }
     let roots: Vec<Id> = checks.iter().map(|check| check.argument).chain(matrix).collect();
     context.routine(graph, &roots, |mut values| {

@@ -1,162 +1,152 @@
-//! Kick and drift, if H = T(p) + V(q) and nothing is damped; otherwise an implementation that no scalar satisfies, whose
-//! message names the term that couples, or damps.
+//! Kick and drift; or implementations that no scalar satisfies, whose message names the term that couples, or damps.
 
-use super::kernel::{Context, write};
-use super::system::{modified_energy, self_type};
-use crate::analyze::{Parts, Split, Structure};
-use crate::check::{COUPLED, DAMPED, NOT_QUADRATIC};
-use crate::diff::{self, Derivatives, modified};
-use crate::ir::{Graph, Id, Number, Symbol, print::Printer};
-use crate::schedule::{self, Operations};
-use proc_macro2::{Literal, TokenStream};
+use super::kernel::{Context, element};
+use super::system::self_type;
+use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
+use crate::ir::{Graph, Symbol, print::Printer};
+use crate::parse::Form;
+use crate::schedule::Plan;
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-/// The tokens, and what a kick and a drift cost.
-pub(super) fn flows(
+/// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and `impl MechanicalContact` of contact systems.
+pub(super) fn splitting(
     context: &Context<'_>,
-    graph: &mut Graph,
-    structure: &Structure,
-    derivatives: &Derivatives,
+    graph: &Graph,
+    found: &Result<KickDrift<Plan>, Missing>,
     bounds: &TokenStream,
-) -> (TokenStream, Option<[Operations; 2]>) {
-    let drag = structure
-        .damping
-        .as_ref()
-        .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
-    match (drag, &structure.split) {
-        (None, Split::Separable(parts)) => {
-            let (tokens, operations) = separable(context, graph, (parts, derivatives), bounds);
-            let modified = modified(context, graph, structure, (parts, derivatives));
-            let modified = modified_energy(context, &modified, bounds);
-            (quote!(#tokens #modified), Some(operations))
-        }
-        (Some(term), _) => (none(context, graph, ("Undamped", term, DAMPED), bounds), None),
-        (None, Split::Coupled(term)) => (none(context, graph, ("Uncoupled", *term, COUPLED), bounds), None),
+) -> TokenStream {
+    match found {
+        Ok(flows) => separable(context, graph, flows, bounds),
+        Err(missing) => none(context, graph, *missing, bounds),
     }
 }
 
-fn separable(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    (parts, derivatives): (&Parts, &Derivatives),
-    bounds: &TokenStream,
-) -> (TokenStream, [Operations; 2]) {
-    let (name, array) = (self_type(context), context.array());
-    // Derivatives of −hV and hT, not −h and h times those of V and T: then h meets the constants of every term and is
-    // prepared with them, instead of being multiplied to the sum.
-    let h = graph.symbol(Symbol::H);
-    let [impulse, shift] = [(parts.potential, Number::MINUS_ONE), (parts.kinetic, Number::ONE)].map(|(part, sign)| {
-        let generator = graph.mul(h, part);
-        let generator = graph.scale(sign, generator);
-        diff::gradient(graph, generator, context.energy.degrees())
+fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, bounds: &TokenStream) -> TokenStream {
+    let name = self_type(context);
+    let exact = flows.exact_in_time.then(|| {
+        quote!(
+            const DRIFTS_ARE_EXACT_IN_TIME: bool = true;
+        )
     });
-    let kick = flow(context, graph, "p", Symbol::P, &impulse.q);
-    let drift = flow(context, graph, "q", Symbol::Q, &shift.p);
-    let quadratic = match parts.not_quadratic {
-        None if context.energy.degrees() <= FEW => {
-            let kick = quote!(gradient_kick(self, prepared, t, q, p););
-            quadratic(
-                context,
-                (&quote!((<Self as Collocation<R>>::Constants, [R; 2])), &quote!((self.constants(), [h, g])), &kick),
-                bounds,
-            )
+    let [kick, drift] = [("kick", &flows.kick), ("drift", &flows.drift)].map(|(name, each)| flow(context, name, each));
+    let gradient_kick = match &flows.gradient_kick {
+        Ok(GradientKick::Collocation) => quadratic(
+            context,
+            [
+                &quote!((<Self as Collocation<R>>::Constants, [R; 2])),
+                &quote!((self.constants(), [h, g])),
+                &quote!(gradient_kick(self, prepared, t, q, p);),
+            ],
+            bounds,
+        ),
+        Ok(GradientKick::Flow(flow)) => {
+            let slots = slots(flow);
+            quadratic(context, [&quote!([R; #slots]), &context.stored(&flow.kernel, 0), &assign(context, flow)], bounds)
         }
-        None => {
-            let (force, velocity) = (&derivatives.field.f, &derivatives.gradient.p);
-            let kick = diff::gradient_kick(graph, parts.potential, force, velocity);
-            let kick = flow(context, graph, "p", Symbol::P, &kick.impulse);
-            let slots = &kick.slots;
-            quadratic(context, (&quote!([R; #slots]), &kick.prepare, &kick.body), bounds)
-        }
-        Some(term) => {
-            let (marker, tokens) = unsatisfied(context, graph, "QuadraticIn", term, NOT_QUADRATIC);
+        Err(missing) => {
+            let (marker, tokens) = unsatisfied(context, graph, *missing);
             let never = not_quadratic(context, &quote!(#bounds + #marker));
             quote!(#tokens #never)
         }
     };
-    let (kick_slots, drift_slots) = (&kick.slots, &drift.slots);
-    let (prepare_kick, prepare_drift) = (&kick.prepare, &drift.prepare);
-    let (kick_body, drift_body) = (&kick.body, &drift.body);
-    let tokens = quote! {
+    let mechanical = flows.undamped.as_ref().map(|undamped| mechanical(context, undamped, bounds));
+    let [(kick_type, prepare_kick, kick), (drift_type, prepare_drift, drift)] = [kick, drift];
+    quote! {
         impl<R: #bounds> Separable<R> for #name {
-            type Kick = [R; #kick_slots];
-            type Drift = [R; #drift_slots];
-
-            #[inline]
-            fn prepare_kick(&self, h: R) -> [R; #kick_slots] {
-                #prepare_kick
-            }
-            #[inline]
-            fn prepare_drift(&self, h: R) -> [R; #drift_slots] {
-                #prepare_drift
-            }
-            #[inline(always)]
-            fn kick(&self, prepared: &[R; #kick_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
-                #kick_body
-            }
-            #[inline(always)]
-            fn drift(&self, prepared: &[R; #drift_slots], t: R, q: &mut #array, p: &mut #array, _: &mut ()) {
-                #drift_body
-            }
+            type Kick = #kick_type;
+            type Drift = #drift_type;
+            #exact
+            #prepare_kick
+            #prepare_drift
+            #kick
+            #drift
         }
-        #quadratic
+        #gradient_kick
+        #mechanical
+    }
+}
+
+fn slots(flow: &FlowKernel<Plan>) -> Literal {
+    Literal::usize_unsuffixed(flow.kernel.slots[0])
+}
+
+/// The type of what is prepared for a flow, the function that prepares it, and the flow.
+fn flow(context: &Context<'_>, name: &str, flow: &FlowKernel<Plan>) -> (TokenStream, TokenStream, TokenStream) {
+    let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
+    let (slots, prepare, body) = (slots(flow), context.stored(&flow.kernel, 0), assign(context, flow));
+    let action = match context.energy.form {
+        Form::Hamiltonian => quote!(_: &mut ()),
+        Form::Contact => quote!(s: &mut R),
     };
-    (tokens, [kick.operations, drift.operations])
-}
-
-/// The energy that steps of Störmer and Verlet keep up to h⁴: in closed form, or where nothing reads time by the kernels of implicit
-/// methods, which costs users no time to compile.
-fn modified(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    structure: &Structure,
-    (parts, derivatives): (&Parts, &Derivatives),
-) -> TokenStream {
-    if structure.autonomous && parts.not_quadratic.is_none() {
-        return quote!(modified_verlet(self, h, t, q, p));
-    }
-    let modified = modified::verlet(graph, parts, &derivatives.gradient);
-    context.routine(graph, &[modified], |mut values| values.remove(0))
-}
-
-struct Flow {
-    slots: Literal,
-    prepare: TokenStream,
-    body: TokenStream,
-    operations: Operations,
-}
-
-/// x ← x + increment, where what depends on h and parameters only is prepared.
-///
-/// An increment is summed before it is added: x is rounded once.
-fn flow(context: &Context<'_>, graph: &mut Graph, array: &str, symbol: fn(u32) -> Symbol, increments: &[Id]) -> Flow {
-    let mut changed = vec![];
-    let mut roots = vec![];
-    for (i, increment) in increments.iter().enumerate() {
-        if graph.is_zero(*increment) {
-            continue;
+    let prepare = quote! {
+        #[inline]
+        fn #prepare_name(&self, h: R) -> [R; #slots] {
+            #prepare
         }
-        let start = graph.symbol(symbol(i as u32));
-        roots.push(graph.add(start, *increment));
-        changed.push(context.coordinate(i as u32));
-    }
-    let level = |symbol| usize::from(!matches!(symbol, Symbol::Parameter(_) | Symbol::H | Symbol::G));
-    let plan = schedule::plan(graph, level, &[&[]], &[&roots]);
-    let prepare = context.planned(&plan.stores[0], (&[], ""), |values| quote!([#(#values),*]));
-    let body = context.planned(&plan.last[0], (&[], ""), |values| write(array, &changed, &values));
-    Flow { slots: Literal::usize_unsuffixed(plan.slots[0]), prepare, body, operations: plan.last[0].operations() }
+    };
+    let flow = quote! {
+        #[inline(always)]
+        fn #name(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, #action) {
+            #body
+        }
+    };
+    (quote!([R; #slots]), prepare, flow)
 }
 
-/// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
-/// more than the one direction that is needed of it: users do not pay for compiling another one.
-const FEW: u32 = 3;
+/// `q[i] = …; p[i] = …; *s = …;`
+pub(super) fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
+    let places = flow.changes.iter().map(|symbol| match symbol {
+        Symbol::Q(i) => element(quote!(q), &context.coordinate(*i)),
+        Symbol::P(i) => element(quote!(p), &context.coordinate(*i)),
+        _ => quote!(*s),
+    });
+    context.values(&flow.kernel, |values| quote!(#(#places = #values;)*))
+}
+
+/// `impl MechanicalContact`: kick and drift without damping, and the damping.
+fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>, bounds: &TokenStream) -> TokenStream {
+    let name = self_type(context);
+    let kick = free_flow(context, ["Kick", "kick"], undamped.kick.as_ref());
+    let drift = free_flow(context, ["Drift", "drift"], undamped.drift.as_ref());
+    let damping = context.values(&undamped.damping, |mut values| values.remove(0));
+    quote! {
+        impl<R: #bounds> MechanicalContact<R> for #name {
+            #kick
+            #drift
+            #[inline(always)]
+            fn damping(&self, t: R) -> R {
+                #damping
+            }
+        }
+    }
+}
+
+/// A kick or a drift without damping: the one of `Separable`, if that is none other.
+fn free_flow(context: &Context<'_>, [upper, lower]: [&str; 2], own: Option<&FlowKernel<Plan>>) -> TokenStream {
+    let [free_type, other_type] = ["Free", ""].map(|free| format_ident!("{free}{upper}"));
+    if let Some(own) = own {
+        let (prepared, prepare, flow) = flow(context, &format!("free_{lower}"), own);
+        return quote!(type #free_type = #prepared; #prepare #flow);
+    }
+    let [free, prepare_free, other, prepare_other] =
+        ["free_", "prepare_free_", "", "prepare_"].map(|prefix| format_ident!("{prefix}{lower}"));
+    let array = context.array();
+    quote! {
+        type #free_type = <Self as Separable<R>>::#other_type;
+        #[inline]
+        fn #prepare_free(&self, h: R) -> Self::#free_type {
+            self.#prepare_other(h)
+        }
+        #[inline(always)]
+        fn #free(&self, prepared: &Self::#free_type, t: R, q: &mut #array, p: &mut #array, s: &mut R) {
+            self.#other(prepared, t, q, p, s);
+        }
+    }
+}
 
 /// `impl QuadraticKinetic` and `impl ForceGradient`, by what is prepared for a kick, how, and its body.
-pub(super) fn quadratic(
-    context: &Context<'_>,
-    (prepared, prepare, body): (&TokenStream, &TokenStream, &TokenStream),
-    bounds: &TokenStream,
-) -> TokenStream {
+fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3], bounds: &TokenStream) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     quote! {
         impl<R: #bounds> QuadraticKinetic<R> for #name {}
@@ -175,7 +165,7 @@ pub(super) fn quadratic(
 }
 
 /// The same for no scalar.
-pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
+fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let never = quote!(::core::convert::Infallible);
     quote! {
@@ -192,49 +182,67 @@ pub(super) fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> Toke
     }
 }
 
-/// Neither kick nor drift, for want of what a term breaks.
-fn none(
-    context: &Context<'_>,
-    graph: &Graph,
-    (what, term, why): (&str, Id, &str),
-    bounds: &TokenStream,
-) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, graph, what, term, why);
+/// Neither kick nor drift.
+fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenStream) -> TokenStream {
+    let (name, array, action) = (self_type(context), context.array(), context.action());
+    let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
+    let prepare = |name: &str| {
+        let name = format_ident!("prepare_{name}");
+        quote! {
+            fn #name(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+        }
+    };
+    let flow = |name: &str| {
+        let name = format_ident!("{name}");
+        quote! {
+            fn #name(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut #action) {
+                match *never {}
+            }
+        }
+    };
+    let [prepare_kick, prepare_drift] = ["kick", "drift"].map(prepare);
+    let [kick, drift] = ["kick", "drift"].map(flow);
+    let mechanical = (context.energy.form == Form::Contact).then(|| {
+        let [prepare_kick, prepare_drift] = ["free_kick", "free_drift"].map(prepare);
+        let [kick, drift] = ["free_kick", "free_drift"].map(flow);
+        quote! {
+            impl<R: #bounds + #marker> MechanicalContact<R> for #name {
+                type FreeKick = #never;
+                type FreeDrift = #never;
+                #prepare_kick
+                #prepare_drift
+                #kick
+                #drift
+                fn damping(&self, t: R) -> R {
+                    t
+                }
+            }
+        }
+    });
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
             type Kick = #never;
             type Drift = #never;
-            fn prepare_kick(&self, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn prepare_drift(&self, _: R) -> #never {
-                ::core::unreachable!()
-            }
-            fn kick(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
-                match *never {}
-            }
-            fn drift(&self, never: &#never, _: R, _: &mut #array, _: &mut #array, _: &mut ()) {
-                match *never {}
-            }
+            #prepare_kick
+            #prepare_drift
+            #kick
+            #drift
         }
         #not_quadratic
+        #mechanical
     }
 }
 
 /// A trait that nothing implements, whose message says why a system lacks a property.
-pub(super) fn unsatisfied(
-    context: &Context<'_>,
-    graph: &Graph,
-    what: &str,
-    term: Id,
-    why: &str,
-) -> (proc_macro2::Ident, TokenStream) {
+pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing) -> (Ident, TokenStream) {
+    let Missing { marker, term, why } = missing;
     let name = &context.energy.name;
-    let marker = format_ident!("{what}{name}");
+    let marker = format_ident!("{marker}{name}");
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let message = format!("`{name}`: {why}");
     let label = format!("the term is: {}", printer.excerpt(term));

@@ -3,7 +3,7 @@
 use super::straight_line;
 use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{self, Block};
+use crate::schedule::{self, Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
@@ -17,7 +17,7 @@ pub(crate) struct Context<'a> {
 }
 
 /// `base[i][j]…`
-pub(crate) fn place(base: TokenStream, indices: &[usize]) -> TokenStream {
+pub(crate) fn element(base: TokenStream, indices: &[usize]) -> TokenStream {
     let indices = indices.iter().map(|i| TokenTree::Literal(Literal::usize_unsuffixed(*i)));
     let indices = indices.map(|i| TokenTree::Group(Group::new(Delimiter::Bracket, i.into())));
     base.into_iter().chain(indices).collect()
@@ -29,7 +29,7 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
     let punct = |c| TokenTree::Punct(Punct::new(c, Spacing::Alone));
     let mut tokens: Vec<TokenTree> = vec![];
     for (indices, value) in places.iter().zip(values) {
-        tokens.extend(place(base.to_token_stream(), indices));
+        tokens.extend(element(base.to_token_stream(), indices));
         tokens.push(punct('='));
         tokens.extend(value.clone());
         tokens.push(punct(';'));
@@ -111,7 +111,7 @@ impl<'a> Context<'a> {
         for argument in self.energy.parameters() {
             if rest < argument.shape.len() {
                 let name = &argument.name;
-                return place(quote!(self.#name), &argument.shape.indices(rest));
+                return element(quote!(self.#name), &argument.shape.indices(rest));
             }
             rest -= argument.shape.len();
         }
@@ -122,8 +122,8 @@ impl<'a> Context<'a> {
     /// What a symbol is called in every routine.
     pub(crate) fn input(&self, symbol: Symbol) -> TokenStream {
         match symbol {
-            Symbol::Q(i) => place(quote!(q), &self.coordinate(i)),
-            Symbol::P(i) => place(quote!(p), &self.coordinate(i)),
+            Symbol::Q(i) => element(quote!(q), &self.coordinate(i)),
+            Symbol::P(i) => element(quote!(p), &self.coordinate(i)),
             Symbol::S => quote!(*s),
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
@@ -172,7 +172,7 @@ impl<'a> Context<'a> {
         match unknowns.iter().position(|unknown| *unknown == symbol) {
             Some(i) => {
                 let array = format_ident!("{array}");
-                place(quote!(#array), &self.unknown_places(unknowns.len())[i])
+                element(quote!(#array), &self.unknown_places(unknowns.len())[i])
             }
             None => self.input(symbol),
         }
@@ -186,6 +186,16 @@ impl<'a> Context<'a> {
         finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
     ) -> TokenStream {
         straight_line::routine(&schedule::routine(graph, roots), &|symbol| self.input(symbol), finish)
+    }
+
+    /// The values of a plan's only routine, or of its first.
+    pub(crate) fn values(&self, plan: &Plan, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
+        self.planned(&plan.last[0], (&[], ""), finish)
+    }
+
+    /// What the routine of a level stores for later ones, as an array.
+    pub(crate) fn stored(&self, plan: &Plan, level: usize) -> TokenStream {
+        self.planned(&plan.stores[level], (&[], ""), |values| quote!([#(#values),*]))
     }
 
     /// A routine of a plan, in which `unknowns` are in the array `array`.

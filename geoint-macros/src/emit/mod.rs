@@ -4,23 +4,23 @@
 //! user's own signature names.
 
 mod attributes;
-mod contact;
 mod damping;
 mod domain;
 mod flows;
 mod implicit;
 mod kernel;
+mod pieces;
 mod poles;
-mod report;
+pub(crate) mod report;
+mod steps;
 mod straight_line;
 mod system;
 
-use crate::analyze::Structure;
-use crate::diff::Derivatives;
-use crate::ir::{Graph, Id};
+use crate::derive::{Implicit, System};
+use crate::ir::Graph;
 use crate::parse::{Energy, IMPORTED};
-pub(crate) use contact::contact_items;
-pub(crate) use implicit::MOST_UNKNOWNS;
+use crate::schedule::Plan;
+pub(crate) use domain::{DomainTests, domain};
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -31,28 +31,31 @@ pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
     if energy.item.sig.inputs.len() > 7 { quote!(#[allow(clippy::too_many_arguments)] #function) } else { function }
 }
 
-/// Everything that is emitted beside the user's function.
+/// Everything that is emitted beside the user's function, of any form.
 pub(crate) fn items(
     context: &Context<'_>,
-    graph: &mut Graph,
-    structure: &Structure,
-    derivatives: &Derivatives,
+    graph: &Graph,
+    system: &System<Plan>,
+    domain: &DomainTests,
+    report: &str,
 ) -> TokenStream {
-    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
-    let roots: Vec<Id> = damping.copied().chain([structure.energy]).collect();
-    let bounds = system::bounds(graph, &roots);
-    let (flows, flow_costs) = flows::flows(context, graph, structure, derivatives, &bounds);
-    let field = &derivatives.field;
-    let (collocation, field_cost) =
-        implicit::collocation(context, graph, field, derivatives.second_order.as_ref(), &bounds);
-    let discrete = (&derivatives.discrete, &field.unknowns[..], derivatives.second_order.as_ref());
-    let (discrete, discrete_cost) = implicit::discrete_field(context, graph, discrete, structure, &bounds);
-    let hamiltonian = system::hamiltonian(context, graph, structure, derivatives, &bounds);
-
-    let costs = report::Costs { flows: flow_costs, field: field_cost, discrete: discrete_cost };
-    let report = report::report(context, graph, structure, derivatives, &costs);
-    let inherent = system::inherent(context, &report);
-    around(context, &report, &quote!(#inherent #hamiltonian #flows #discrete #collocation))
+    let bounds = system::bounds(graph, &system.conditions);
+    let inherent = system::inherent(context, report);
+    let space = system::phase_space(context, system, domain, &bounds);
+    let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found, &bounds));
+    let flows = flows::splitting(context, graph, &system.splitting, &bounds);
+    let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified, &bounds));
+    let implicit = match &system.implicit {
+        Implicit::Canonical(field) => {
+            let discrete = implicit::discrete_field(context, field, &bounds);
+            let collocation = implicit::collocation(context, field, &bounds);
+            quote!(#discrete #collocation)
+        }
+        Implicit::Contact(methods) => {
+            methods.iter().map(|(method, step)| steps::step(context, method, step, &bounds)).collect()
+        }
+    };
+    around(context, report, &quote!(#inherent #space #pieces #flows #modified #implicit))
 }
 
 /// The struct with its docs, and implementations, in a scope of their own.

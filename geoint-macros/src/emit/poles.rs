@@ -1,6 +1,6 @@
 //! Poles between the ends of a step: what the runtime asks of them.
 
-use super::kernel::{Context, place};
+use super::kernel::{Context, element};
 use super::straight_line;
 use crate::analyze::{Jump, Pole, Quick};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
@@ -159,10 +159,10 @@ fn vanishing(context: &Context<'_>, graph: &mut Graph, poles: &[Pole]) -> TokenS
 fn enclosed(context: &Context<'_>, graph: &mut Graph, name: &str, choices: &[Vec<Id>]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => place(quote!(q), &[i as usize]),
-        Symbol::P(i) => place(quote!(p), &[i as usize]),
+        Symbol::Q(i) => element(quote!(q), &[i as usize]),
+        Symbol::P(i) => element(quote!(p), &[i as usize]),
         Symbol::S => quote!(s),
-        Symbol::Parameter(i) if (i as usize) < parameters.len() => place(quote!(parameters), &[i as usize]),
+        Symbol::Parameter(i) if (i as usize) < parameters.len() => element(quote!(parameters), &[i as usize]),
         symbol => context.input(symbol),
     };
     let mut arm = |(i, roots): (usize, &Vec<Id>)| {

@@ -1,4 +1,7 @@
-//! Statements to tokens: one `let` an operation.
+//! Statements to tokens: one assignment an operation.
+//!
+//! All variables of a routine are declared by one `let`. A `let` each would nest as many scopes, and thousands of those overflow the
+//! stack of rustc where it writes debug information.
 //!
 //! Most of what the macro emits comes from here, so tokens are pushed one by one: in an unoptimised build, as proc macros
 //! are, that is several times faster than quoting.
@@ -20,13 +23,15 @@ pub(crate) fn routine(
     let mut writer = Writer {
         input,
         names: HashMap::default(),
+        declared: vec![],
         given: vec![],
         words: HashMap::default(),
         registers: vec![],
         tokens: vec![],
     };
     let results = writer.block(block);
-    let mut tokens: TokenStream = writer.given.into_iter().chain(writer.tokens).collect();
+    let declared = writer.declaration(&block.registers());
+    let mut tokens: TokenStream = declared.into_iter().chain(writer.given).chain(writer.tokens).collect();
     tokens.extend(finish(results));
     tokens
 }
@@ -35,6 +40,8 @@ struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
     /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
     names: HashMap<Operand, Ident>,
+    /// The same names in order.
+    declared: Vec<Ident>,
     given: Vec<TokenTree>,
     /// Names are made once.
     words: HashMap<&'static str, Ident>,
@@ -51,8 +58,30 @@ impl Writer<'_> {
         block.results.iter().map(|operand| self.inside(|writer| writer.operand(operand))).collect()
     }
 
+    /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.
+    fn declaration(&mut self, registers: &[Register]) -> TokenStream {
+        let names = std::mem::take(&mut self.declared);
+        if names.is_empty() && registers.is_empty() {
+            return TokenStream::new();
+        }
+        self.inside(|writer| {
+            writer.word("let");
+            let list = writer.inside(|writer| {
+                for name in names {
+                    writer.tokens.push(name.into());
+                    writer.punct(",");
+                }
+                for register in registers {
+                    writer.register(*register);
+                    writer.punct(",");
+                }
+            });
+            writer.group(Delimiter::Parenthesis, list);
+            writer.punct(";");
+        })
+    }
+
     fn statement(&mut self, statement: &Statement) {
-        self.word("let");
         match statement {
             Statement::Let(register, instruction) => {
                 self.register(*register);
@@ -86,6 +115,10 @@ impl Writer<'_> {
     /// `|| { statements [results,] }`
     fn branch(&mut self, block: &Block) {
         let body = self.inside(|writer| {
+            let names = std::mem::take(&mut writer.declared);
+            let declaration = writer.declaration(&block.registers());
+            writer.declared = names;
+            writer.tokens.extend(declaration);
             let results = writer.block(block);
             let list = writer.inside(|writer| {
                 for result in results {
@@ -176,7 +209,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Names something that the routine is given: `let name = value;` before all statements.
+    /// Names something that the routine is given: `name = value;` before all statements.
     fn give(&mut self, operand: Operand) {
         let name = match operand {
             Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
@@ -191,8 +224,8 @@ impl Writer<'_> {
             _ => format_ident!("k{}", self.names.len()),
         };
         self.names.insert(operand, name.clone());
+        self.declared.push(name.clone());
         let outside = std::mem::take(&mut self.tokens);
-        self.word("let");
         self.tokens.push(name.into());
         self.punct("=");
         match operand {

@@ -1,11 +1,12 @@
 //! The struct, and what every system offers: its energy, its gradient.
 
+use super::attributes;
+use super::domain::DomainTests;
 use super::kernel::{Context, write};
-use super::{attributes, damping, domain};
-use crate::analyze::Structure;
-use crate::diff::Derivatives;
+use crate::derive::{Modified, System};
 use crate::ir::{Graph, Id};
 use crate::parse::{Energy, Form, over_scalar};
+use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
@@ -25,12 +26,15 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
-    let derives =
-        quote!(#[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]);
+    // Numbers are equal to numbers, but not all of them to themselves.
+    let derives = quote! {
+        #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+    };
     if fields.is_empty() {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name;)
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
     } else {
-        quote!(#(#own)* #[doc = #docs] #derives #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* })
     }
 }
 
@@ -102,48 +106,54 @@ pub(super) fn bounds(_: &Graph, _: &[Id]) -> TokenStream {
     quote!(Real)
 }
 
-pub(super) fn hamiltonian(
+/// The energy with its gradient and where it is defined, and the traits of what was proven.
+pub(super) fn phase_space(
     context: &Context<'_>,
-    graph: &mut Graph,
-    structure: &Structure,
-    derivatives: &Derivatives,
+    system: &System<Plan>,
+    domain: &DomainTests,
     bounds: &TokenStream,
 ) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, array, action) = (self_type(context), context.array(), context.action());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
-    let value = context.routine(graph, &[structure.energy], |mut values| values.remove(0));
-    let domain = domain::domain(context, graph, structure.energy, structure.damping.as_ref());
-    let rate = damping::rate(context, graph, structure, &derivatives.field.f);
-    let places = context.coordinates();
-    let roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
-    let slopes = context.routine(graph, &roots, |values| {
-        let (q, p) = values.split_at(places.len());
-        let (q, p) = (write("dq", &places, q), write("dp", &places, p));
-        quote!(#q #p)
+    // Momenta that are not followed give no energy.
+    let value = match &system.value {
+        Some(value) => context.values(value, |mut values| values.remove(0)),
+        None => quote!(R::from_f64(f64::NAN)),
+    };
+    let DomainTests(space) = domain;
+    let (form, given, receives, returned) = match context.energy.form {
+        Form::Hamiltonian => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
+        Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
+    };
+    let slopes = context.values(&system.slopes, |values| halves(context, &values));
+    let rate = system.rate.as_ref().map(|rate| {
+        let body = context.values(rate, |values| halves(context, &values));
+        quote! {
+            #[inline]
+            fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
+                #body
+            }
+        }
     });
-    // What was proven, and needs no kernel.
-    let proven = [
-        (structure.damping.is_none(), quote!(Conservative)),
-        (structure.conserves_energy(), quote!(Autonomous)),
-        (structure.degree.is_some_and(|degree| degree <= 3), quote!(Cubic)),
-    ];
-    let markers = proven.iter().filter(|(holds, _)| *holds).map(|(_, marker)| marker);
+    let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
-        #(impl<R: #bounds> #markers<R> for #name {})*
+        #(impl<R: #bounds> #proven<R> for #name {})*
         impl<R: #bounds> PhaseSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
-            type Action = ();
+            type Action = #action;
 
             #[inline]
-            fn hamiltonian(&self, t: R, q: &#array, p: &#array, _: &()) -> R {
+            fn hamiltonian(&self, t: R, q: &#array, p: &#array, #given) -> R {
                 #value
             }
-            #domain
+            #space
         }
-        impl<R: #bounds> Hamiltonian<R> for #name {
+        impl<R: #bounds> #form<R> for #name {
             #[inline]
-            fn gradient(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
+            fn gradient(
+                &self, t: R, q: &#array, p: &#array, #receives dq: &mut #array, dp: &mut #array, #returned
+            ) {
                 #slopes
             }
             #rate
@@ -151,8 +161,21 @@ pub(super) fn hamiltonian(
     }
 }
 
-/// `impl ModifiedEnergy` by the body of its function, and the method that users call.
-pub(super) fn modified_energy(context: &Context<'_>, value: &TokenStream, bounds: &TokenStream) -> TokenStream {
+/// `dq[i] = …; dp[i] = …;`, and `*ds = …;` if there is one more value.
+fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+    let places = context.coordinates();
+    let (q, rest) = values.split_at(places.len());
+    let (p, s) = rest.split_at(places.len());
+    let (q, p) = (write("dq", &places, q), write("dp", &places, p));
+    quote!(#q #p #(*ds = #s;)*)
+}
+
+/// `impl ModifiedEnergy`, and the method that users call.
+pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>, bounds: &TokenStream) -> TokenStream {
+    let value = match modified {
+        Modified::Implicit => quote!(modified_verlet(self, h, t, q, p)),
+        Modified::Value(plan) => context.values(plan, |mut values| values.remove(0)),
+    };
     let (name, array) = (self_type(context), context.array());
     let state = state(context.energy.form);
     let Energy { name: plain, float, coordinates, .. } = context.energy;

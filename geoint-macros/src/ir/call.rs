@@ -1,6 +1,7 @@
 //! Functions, selections and conditions.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::number::Number;
 use super::op::{Function, Parity, Relation};
 

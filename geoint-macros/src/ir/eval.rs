@@ -1,6 +1,7 @@
 //! The value of a node: the plain meaning of the graph, against which derivations and schedules are tested. Nothing is decided by it.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::op::Symbol;
 use std::collections::HashMap;
 

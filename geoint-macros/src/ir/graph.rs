@@ -5,24 +5,12 @@
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
 use super::hash::HashMap;
-use super::number::{Number, Ratio};
+use super::id::Id;
+use super::number::Number;
 use super::op::{Domain, Function, Relation, Symbol};
+use super::ratio::Ratio;
 use super::table::Table;
 use std::cell::RefCell;
-
-/// A node of a [`Graph`]; operands have smaller numbers than what is built of them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(crate) struct Id(u32);
-
-impl Id {
-    pub(crate) fn index(self) -> usize {
-        self.0 as usize
-    }
-
-    pub(super) fn from_index(index: usize) -> Id {
-        Id(index as u32)
-    }
-}
 
 /// An expression in terms of smaller ones. A sum or product over an index that stays a loop would be one more kind of
 /// node, with a graph of its own as its body.

@@ -1,8 +1,10 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
-use super::graph::{Graph, Id, Node};
-use super::number::{Number, Ratio};
+use super::graph::{Graph, Node};
+use super::id::Id;
+use super::number::Number;
 use super::op::{Relation, Symbol};
+use super::ratio::Ratio;
 use std::cell::Cell;
 
 /// Longer formulas are cut in messages.
@@ -22,7 +24,7 @@ pub(crate) struct Printer<'a, F> {
 
 /// How tightly an operand must hold together.
 #[derive(Clone, Copy, PartialEq, PartialOrd)]
-enum Level {
+enum Precedence {
     Sum,
     Product,
     Power,
@@ -34,10 +36,15 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
         Printer { graph, name, left: Cell::new(0) }
     }
 
+    /// What is printed.
+    pub(crate) fn graph(&self) -> &'a Graph {
+        self.graph
+    }
+
     /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
         self.left.set(MOST_NODES);
-        self.print(id, Level::Sum)
+        self.print(id, Precedence::Sum)
     }
 
     /// The formula, cut if it would not fit into a message.
@@ -49,21 +56,23 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
         formula.chars().take(MESSAGE_LENGTH).chain(" …".chars()).collect()
     }
 
-    fn print(&self, id: Id, outside: Level) -> String {
+    fn print(&self, id: Id, outside: Precedence) -> String {
         let Some(left) = self.left.get().checked_sub(1) else { return "…".into() };
         self.left.set(left);
         let (text, level) = match self.graph.node(id) {
-            Node::Number(value) => (number(*value), if value.is_negative() { Level::Sum } else { Level::Atom }),
-            Node::Symbol(symbol) => ((self.name)(*symbol), Level::Atom),
+            Node::Number(value) => {
+                (number(*value), if value.is_negative() { Precedence::Sum } else { Precedence::Atom })
+            }
+            Node::Symbol(symbol) => ((self.name)(*symbol), Precedence::Atom),
             Node::Linear(constant, terms) => self.linear(*constant, terms),
             Node::Product(_) | Node::Power(..) => self.fraction(Number::ONE, id),
             Node::Call(function, args) => {
-                let args: Vec<_> = args.iter().map(|id| self.print(*id, Level::Sum)).collect();
-                (format!("{}({})", function.entry().name, args.join(", ")), Level::Atom)
+                let args: Vec<_> = args.iter().map(|id| self.print(*id, Precedence::Sum)).collect();
+                (format!("{}({})", function.entry().name, args.join(", ")), Precedence::Atom)
             }
             Node::Select(c, a, b) => {
-                let [c, a, b] = [c, a, b].map(|id| self.print(*id, Level::Sum));
-                (format!("if {c} {{ {a} }} else {{ {b} }}"), Level::Sum)
+                let [c, a, b] = [c, a, b].map(|id| self.print(*id, Precedence::Sum));
+                (format!("if {c} {{ {a} }} else {{ {b} }}"), Precedence::Sum)
             }
             Node::Compare(relation, a, b) => {
                 let sign = match relation {
@@ -71,21 +80,26 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
                     Relation::LessEqual => "≤",
                     Relation::Equal => "=",
                 };
-                (format!("{} {sign} {}", self.print(*a, Level::Sum), self.print(*b, Level::Sum)), Level::Sum)
+                (
+                    format!("{} {sign} {}", self.print(*a, Precedence::Sum), self.print(*b, Precedence::Sum)),
+                    Precedence::Sum,
+                )
             }
-            Node::And(a, b) => {
-                (format!("{} and {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum)
-            }
-            Node::Or(a, b) => {
-                (format!("{} or {}", self.print(*a, Level::Atom), self.print(*b, Level::Atom)), Level::Sum)
-            }
-            Node::Not(a) => (format!("not {}", self.print(*a, Level::Atom)), Level::Product),
-            Node::Truth(value) => (value.to_string(), Level::Atom),
+            Node::And(a, b) => (
+                format!("{} and {}", self.print(*a, Precedence::Atom), self.print(*b, Precedence::Atom)),
+                Precedence::Sum,
+            ),
+            Node::Or(a, b) => (
+                format!("{} or {}", self.print(*a, Precedence::Atom), self.print(*b, Precedence::Atom)),
+                Precedence::Sum,
+            ),
+            Node::Not(a) => (format!("not {}", self.print(*a, Precedence::Atom)), Precedence::Product),
+            Node::Truth(value) => (value.to_string(), Precedence::Atom),
         };
         if level < outside { format!("({text})") } else { text }
     }
 
-    fn linear(&self, constant: Number, terms: &[(Number, Id)]) -> (String, Level) {
+    fn linear(&self, constant: Number, terms: &[(Number, Id)]) -> (String, Precedence) {
         let mut text = String::new();
         // A positive term leads if there is one.
         let mut order: Vec<_> = terms.to_vec();
@@ -109,18 +123,18 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             text += &number(magnitude);
         }
         let single = terms.len() == 1 && constant.is_zero() && !terms[0].0.is_negative();
-        (text, if single { Level::Product } else { Level::Sum })
+        (text, if single { Precedence::Product } else { Precedence::Sum })
     }
 
     fn scaled(&self, c: Number, id: Id) -> String {
         match c {
-            Number::ONE => self.print(id, Level::Product),
+            Number::ONE => self.print(id, Precedence::Product),
             _ => self.fraction(c, id).0,
         }
     }
 
     /// c·node as one fraction.
-    fn fraction(&self, c: Number, id: Id) -> (String, Level) {
+    fn fraction(&self, c: Number, id: Id) -> (String, Precedence) {
         let (mut above, mut below) = (vec![], vec![]);
         match c {
             Number::ONE => {}
@@ -145,17 +159,17 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             (_, [one]) => format!("{}/{one}", join(&above)),
             _ => format!("{}/({})", join(&above), join(&below)),
         };
-        (text, if alone { Level::Power } else { Level::Product })
+        (text, if alone { Precedence::Power } else { Precedence::Product })
     }
 
     /// A base to the magnitude of an exponent.
     fn power(&self, base: Id, exponent: Ratio) -> String {
         let n = exponent.numerator.abs();
         match (n, exponent.denominator) {
-            (1, 1) => self.print(base, Level::Atom),
-            (1, _) => format!("√{}", self.print(base, Level::Atom)),
-            (_, 1) => format!("{}{}", self.print(base, Level::Atom), superscript(n)),
-            _ => format!("{}^({n}/{})", self.print(base, Level::Atom), exponent.denominator),
+            (1, 1) => self.print(base, Precedence::Atom),
+            (1, _) => format!("√{}", self.print(base, Precedence::Atom)),
+            (_, 1) => format!("{}{}", self.print(base, Precedence::Atom), superscript(n)),
+            _ => format!("{}^({n}/{})", self.print(base, Precedence::Atom), exponent.denominator),
         }
     }
 }

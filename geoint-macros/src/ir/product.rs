@@ -1,7 +1,9 @@
 //! Products, quotients and powers: one node for every base, never expanded.
 
-use super::graph::{Graph, Id, Node};
-use super::number::{Number, Ratio};
+use super::graph::{Graph, Node};
+use super::id::Id;
+use super::number::Number;
+use super::ratio::Ratio;
 
 impl Graph {
     /// A node as coefficient·rest.

@@ -1,6 +1,7 @@
 //! Symbols replaced by expressions.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::op::Symbol;
 use super::table::Table;
 

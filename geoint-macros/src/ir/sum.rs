@@ -1,6 +1,7 @@
 //! Sums: a constant and terms with coefficients, equal terms merged.
 
-use super::graph::{Graph, Id, Node};
+use super::graph::{Graph, Node};
+use super::id::Id;
 use super::number::Number;
 
 impl Graph {

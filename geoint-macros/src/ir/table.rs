@@ -1,6 +1,6 @@
 //! A value for some of the nodes of a graph.
 
-use super::graph::Id;
+use super::id::Id;
 
 /// A map from nodes to values, as an array: nodes are numbered without gaps.
 #[derive(Clone, Debug)]

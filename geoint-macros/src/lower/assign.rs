@@ -23,6 +23,10 @@ impl Lowering {
     /// `target = value`.
     pub(super) fn assign(&mut self, assignment: &ExprAssign) -> Value {
         let value = self.expr(&assignment.right);
+        // The value may be on its way out of a loop: `x += if … { continue } else { … }`.
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         self.assign_to(assignment, &assignment.left, value)
     }
 
@@ -30,6 +34,9 @@ impl Lowering {
     pub(super) fn assign_with(&mut self, assignment: &ExprBinary, op: &BinOp) -> Value {
         // rustc, too, looks at the value before it looks at what a number is added to.
         let value = self.expr(&assignment.right);
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         let Some(target) = self.target(&assignment.left) else { return Value::Poison };
         let Some(variable) = self.variable(assignment, &target, additive(op)) else { return Value::Poison };
         let Some(before) = part(variable, &target.indices) else { return self.no_part(&assignment.left) };
@@ -46,6 +53,8 @@ impl Lowering {
             (Expr::Paren(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Group(inner), value) => self.assign_to(syntax, &inner.expr, value),
             (Expr::Infer(_), _) => Value::unit(),
+            // What is assigned has been refused.
+            (Expr::Tuple(_) | Expr::Array(_), Value::Poison) => Value::Poison,
             (Expr::Tuple(targets), Value::Tuple(values)) if targets.elems.len() == values.len() => {
                 for (target, value) in targets.elems.iter().zip(values) {
                     self.assign_to(target, target, value);

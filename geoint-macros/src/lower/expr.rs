@@ -16,6 +16,9 @@ pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vect
 impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
         self.evaluations += 1;
+        if self.is_leaving() {
+            return Value::Poison;
+        }
         if self.depth >= super::MAX_DEPTH {
             return self.refuse(expr, "this is nested too deeply: bind parts of it with `let`");
         }
@@ -95,6 +98,8 @@ impl Lowering {
             Expr::MethodCall(call) => self.method_call(call),
             Expr::Macro(call) => self.refuse(call, other_macro(&call.mac)),
             Expr::Return(e) => self.refuse(e, "an energy has one exit: make the value the last expression"),
+            Expr::Continue(e) => self.leave(e, e.label.as_ref(), false),
+            Expr::Break(e) if e.expr.is_none() => self.leave(e, e.label.as_ref(), true),
             Expr::While(e) => self.refuse(&e.while_token, "`while` has no derivative; use `for` over a range"),
             Expr::Loop(e) => self.refuse(&e.loop_token, "`loop` has no derivative; use `for` over a range"),
             Expr::Match(e) => self.refuse(&e.match_token, "`match` is not supported; use `if … else if … else`"),
@@ -151,10 +156,10 @@ impl Lowering {
     fn path(&mut self, path: &Path) -> Value {
         let Some(last) = path.segments.last() else { return Value::Poison };
         let name = last.ident.to_string();
-        if path.get_ident().is_some() {
-            if let Some(value) = self.named(path, &name) {
-                return value;
-            }
+        if path.get_ident().is_some()
+            && let Some(value) = self.named(path, &name)
+        {
+            return value;
         }
         if let Some(value) = constants::of_path(path) {
             return Value::Real(self.graph.number(Number::float(value)));

@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod loops;
 mod method;
 mod scope;
 mod statement;
@@ -19,6 +20,7 @@ mod value;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy};
+use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
@@ -82,6 +84,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         depth: 0,
         heights: vec![],
         conditions: vec![],
+        loops: vec![],
+        leaving: None,
         partial: BTreeMap::new(),
         calls: vec![],
         float: energy.float.to_string(),
@@ -130,6 +134,10 @@ struct Lowering {
     heights: Vec<u32>,
     /// Conditions of the branches around what is being evaluated.
     conditions: Vec<Id>,
+    /// Loops around it.
+    loops: Vec<Loop>,
+    /// Set while nothing is reached.
+    leaving: Option<Leaving>,
     /// Nodes that are not defined everywhere, with the conditions under which they are computed: `None` if there is none.
     partial: BTreeMap<Id, BTreeSet<Option<Id>>>,
     /// Closures and nested functions being evaluated.

@@ -1,15 +1,15 @@
-//! Blocks, `let`, items and loops.
+//! Blocks, `let` and items.
 
+use super::Lowering;
 use super::constants::imported;
 use super::scope::{self, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
-use super::{Lowering, MAX_NODES};
 use crate::ir::Number;
 use quote::ToTokens;
 use std::cell::RefCell;
 use std::rc::Rc;
 use syn::visit::Visit;
-use syn::{Block, Expr, ExprForLoop, Item, Pat, PatIdent, Stmt};
+use syn::{Block, Expr, Item, Pat, PatIdent, Stmt};
 
 const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, assignments, and a last expression";
 
@@ -23,6 +23,9 @@ impl Lowering {
         let mut last = Value::unit();
         for statement in &block.stmts {
             last = self.statement(statement);
+            if self.is_leaving() {
+                break;
+            }
         }
         self.scopes.leave();
         last
@@ -153,35 +156,6 @@ impl Lowering {
             }
         }
         Names(self).visit_pat(pattern);
-    }
-
-    pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
-        let domain = self.expr(&for_loop.expr);
-        let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
-        let said = self.errors.len();
-        for item in items.iter() {
-            // The other rounds would say the same.
-            if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
-                break;
-            }
-            self.scopes.enter();
-            self.bind(&for_loop.pat, item.clone());
-            self.block(&for_loop.body);
-            self.scopes.leave();
-        }
-        Value::unit()
-    }
-
-    /// Whether unrolling has gone too far; says so once.
-    pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
-        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > super::MAX_EVALUATIONS;
-        if exhausted {
-            self.refuse(
-                syntax,
-                format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),
-            );
-        }
-        exhausted
     }
 }
 

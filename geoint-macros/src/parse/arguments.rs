@@ -4,9 +4,9 @@ use super::options::Options;
 use super::shape::{plain, shape};
 use super::{Argument, Form, Role};
 use crate::diagnostics::Diagnostics;
-use proc_macro2::Ident;
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident};
-use syn::{Attribute, FnArg, ItemFn, Pat};
+use syn::{Attribute, FnArg, Item, ItemFn, Pat, Stmt, Type};
 
 /// All arguments that are understood, in the order of the signature.
 pub(super) fn arguments(
@@ -68,7 +68,16 @@ pub(super) fn arguments(
                 let ty = typed.ty.to_token_stream().to_string();
                 if !refused.contains(&ty) {
                     refused.push(ty);
-                    errors.extend(error);
+                    match constant_of_body(item, &typed.ty) {
+                        Some(name) => errors.at(
+                            &name,
+                            format!(
+                                "arguments do not see the constants of the body: put `{name}` above the function, and \
+                                 repeat it in the attribute: `const {name} = 3`"
+                            ),
+                        ),
+                        None => errors.extend(error),
+                    }
                 }
             }
         }
@@ -99,6 +108,21 @@ pub(super) fn arguments(
         }
     }
     arguments
+}
+
+/// A constant inside of the body that is named in a type.
+fn constant_of_body(item: &ItemFn, ty: &Type) -> Option<Ident> {
+    fn named(tokens: TokenStream, name: &Ident) -> Option<Ident> {
+        tokens.into_iter().find_map(|tree| match tree {
+            TokenTree::Ident(ident) if ident == *name => Some(ident),
+            TokenTree::Group(group) => named(group.stream(), name),
+            _ => None,
+        })
+    }
+    item.block.stmts.iter().find_map(|statement| match statement {
+        Stmt::Item(Item::Const(constant)) => named(ty.to_token_stream(), &constant.ident),
+        _ => None,
+    })
 }
 
 /// An argument may come with lints, and with nothing that could take it away.

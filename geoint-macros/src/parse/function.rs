@@ -86,7 +86,16 @@ pub(super) fn functions(with: &[Path], used: &[TokenStream]) -> Result<Vec<Funct
 fn function(path: String, source: TokenStream) -> Result<Function> {
     let Source { args, item, used } = syn::parse2(source)?;
     let FunctionOptions { with, outside, .. } = function_options(args)?;
-    Ok(Function { path, item: syn::parse2(item)?, outside, used: functions(&with, &used)? })
+    let mut item: ItemFn = syn::parse2(item)?;
+    // An energy may be a part of another one.
+    item.attrs.retain(|attribute| !is_ours(attribute.path()));
+    Ok(Function { path, item, outside, used: functions(&with, &used)? })
+}
+
+/// Whether an attribute leaves its function as it is, and is one of these here.
+fn is_ours(path: &Path) -> bool {
+    let last = path.segments.last().map(|segment| segment.ident.to_string());
+    last.is_some_and(|name| ["hamiltonian", "contact_hamiltonian", "energy_function"].contains(&name.as_str()))
 }
 
 /// A path as one writes it.

@@ -38,7 +38,13 @@ impl Outside {
         }
         input.parse::<Token![=]>()?;
         let expr: Expr = input.parse()?;
-        let Some(value) = self.integer(&expr) else { return Err(syn::Error::new_spanned(expr, NOT_AN_INTEGER)) };
+        let Some(value) = self.integer(&expr) else {
+            let message = match self.unknown(&expr) {
+                Some(other) => format!("`{other}` is not known here: repeat it before, `const {other} = 3`"),
+                None => NOT_AN_INTEGER.into(),
+            };
+            return Err(syn::Error::new_spanned(expr, message));
+        };
         self.constants.push(Constant { name, expr, value });
         Ok(())
     }
@@ -115,6 +121,18 @@ impl Outside {
     fn resolve_length(&self, length: &mut Expr) {
         if let Some(value) = self.integer(length).and_then(|value| value.try_into().ok()) {
             *length = literal(value, length);
+        }
+    }
+
+    /// A constant in an expression that has not been repeated.
+    fn unknown(&self, expr: &Expr) -> Option<Ident> {
+        match expr {
+            Expr::Path(path) => path.path.get_ident().filter(|_| self.constant(&path.path).is_none()).cloned(),
+            Expr::Paren(inner) => self.unknown(&inner.expr),
+            Expr::Group(inner) => self.unknown(&inner.expr),
+            Expr::Unary(unary) => self.unknown(&unary.expr),
+            Expr::Binary(binary) => self.unknown(&binary.left).or_else(|| self.unknown(&binary.right)),
+            _ => None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Expr, ExprLit, GenericArgument, Lit, PathArguments, Type};
+use syn::{Expr, ExprLit, GenericArgument, Lit, Path, PathArguments, Type};
 
 /// Extents from outside in; none for a scalar.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,16 +69,22 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                     "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
                         .into(),
                 ),
-                None => match path.path.get_ident().filter(|name| !FAMILIAR.iter().any(|known| name == known)) {
-                    Some(name) => refuse(
-                        ty,
-                        format!(
-                            "an argument may be {TYPES}; if `{name}` is a name for one of these, repeat that in the \
-                             attribute: `type {name} = …`"
+                None => {
+                    let may_be_alias = match path.path.segments.last() {
+                        Some(last) => last.arguments.is_none() && !FAMILIAR.iter().any(|name| last.ident == name),
+                        None => false,
+                    };
+                    let hint = match path.path.get_ident() {
+                        _ if !may_be_alias => String::new(),
+                        Some(name) => format!(
+                            "; if `{name}` is another name of one, repeat it in the attribute: `type {name} = …`"
                         ),
-                    ),
-                    None => refuse(ty, format!("an argument may be {TYPES}")),
-                },
+                        None => {
+                            "; if this is another name of one, take it by `use`, and repeat it: `type P = …`".into()
+                        }
+                    };
+                    refuse(ty, format!("an argument may be {TYPES}{hint}"))
+                }
             }
         }
         Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
@@ -118,12 +124,21 @@ fn length(expr: &Expr) -> syn::Result<usize> {
 }
 
 fn unknown_length(length: &impl ToTokens) -> syn::Error {
-    let text = length.to_token_stream().to_string();
-    let name = if syn::parse_str::<Ident>(&text).is_ok() { &text } else { "N" };
-    let message = format!(
-        "the attribute cannot see constants outside of the function: repeat this one there, `const {name} = 3`; rustc \
-         checks that both agree"
-    );
+    let message = match syn::parse2::<Path>(length.to_token_stream()) {
+        Ok(path) if path.segments.len() > 1 => {
+            let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
+            format!(
+                "the attribute cannot see constants outside of the function: name this one by `use`, and repeat it there, \
+                 `const {name} = 3`; rustc checks that both agree"
+            )
+        }
+        Ok(name) => format!(
+            "the attribute cannot see constants outside of the function: repeat this one there, `const {} = 3`; rustc checks \
+             that both agree",
+            plain(&name)
+        ),
+        Err(_) => "a length is made of numbers and constants that the attribute repeats: `const N = 3`".into(),
+    };
     syn::Error::new_spanned(length, message)
 }
 
@@ -134,7 +149,7 @@ pub(super) fn float_type(ty: &Type) -> Option<Ident> {
 }
 
 /// A type as one writes it.
-pub(super) fn plain(ty: &Type) -> String {
+pub(super) fn plain(ty: &impl ToTokens) -> String {
     ty.to_token_stream().to_string().replace(" < ", "<").replace(" >", ">").replace(" :: ", "::").replace(" ,", ",")
 }
 

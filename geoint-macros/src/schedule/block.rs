@@ -113,6 +113,16 @@ impl Instruction {
 }
 
 impl Block {
+    /// The values that its statements compute, without those that only a branch needs.
+    pub(crate) fn registers(&self) -> Vec<Register> {
+        let of = |statement: &Statement| match statement {
+            Statement::Let(register, _) => vec![*register],
+            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
+            Statement::If { registers, .. } => registers.clone(),
+        };
+        self.statements.iter().flat_map(of).collect()
+    }
+
     /// What the block costs; of two branches the dearer one.
     pub(crate) fn operations(&self) -> Operations {
         let one = |arithmetic, divisions, calls| Operations { arithmetic, divisions, calls };

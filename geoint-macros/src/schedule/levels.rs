@@ -3,14 +3,14 @@
 use crate::ir::{Graph, Id, Node, Symbol, Table};
 
 /// The level of every node; constants have none.
-pub(super) struct Levels<F> {
+pub(super) struct KnownLevels<F> {
     of_symbol: F,
     known: Table<Option<usize>>,
 }
 
-impl<F: Fn(Symbol) -> usize> Levels<F> {
+impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
     pub(super) fn new(of_symbol: F) -> Self {
-        Levels { of_symbol, known: Table::default() }
+        KnownLevels { of_symbol, known: Table::default() }
     }
 
     pub(super) fn of(&mut self, graph: &Graph, id: Id) -> Option<usize> {

@@ -1,7 +1,7 @@
 //! One routine: nodes to statements.
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use super::levels::Levels;
+use super::levels::KnownLevels;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
 
 /// A routine, or a branch in it, while it is being written.
@@ -16,7 +16,7 @@ struct Scope {
 
 pub(super) struct Lowering<'a, F> {
     pub(super) graph: &'a mut Graph,
-    pub(super) levels: &'a mut Levels<F>,
+    pub(super) levels: &'a mut KnownLevels<F>,
     slots: &'a mut Vec<Vec<Id>>,
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
@@ -31,7 +31,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     /// The routine of `level` that computes `roots`.
     pub(super) fn run(
         graph: &'a mut Graph,
-        levels: &'a mut Levels<F>,
+        levels: &'a mut KnownLevels<F>,
         slots: &'a mut Vec<Vec<Id>>,
         level: usize,
         roots: &[Id],

@@ -7,43 +7,11 @@
 
 mod arithmetic;
 mod block;
+mod kernel;
 mod levels;
 mod lowering;
 
-use crate::ir::{Graph, Id, Symbol};
 pub(crate) use block::{Block, Instruction, Operand, Operations, Register, Statement};
-use levels::Levels;
-use lowering::Lowering;
-
-/// Statements of all routines of a kernel.
-#[derive(Debug)]
-pub(crate) struct Plan {
-    /// For each level but the last, the routine that stores what later levels need: results are its own roots, then
-    /// the slots.
-    pub(crate) stores: Vec<Block>,
-    /// The routines of the last level.
-    pub(crate) last: Vec<Block>,
-    /// The number of slots of each level but the last.
-    pub(crate) slots: Vec<usize>,
-}
-
-/// Plans the routines of a kernel: `stores` are the own roots of the storing routines, a level each, `last` the roots of
-/// the routines of the last level.
-pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
-    let mut levels = Levels::new(level);
-    let mut slots: Vec<Vec<Id>> = vec![vec![]; stores.len()];
-    let last = last.iter().map(|roots| Lowering::run(graph, &mut levels, &mut slots, stores.len(), roots)).collect();
-    let mut store_blocks = vec![];
-    for (level, own) in stores.iter().enumerate().rev() {
-        // Slots of this level are complete: only later levels ask for them.
-        let roots = [own, &slots[level][..]].concat();
-        store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
-    }
-    store_blocks.reverse();
-    Plan { stores: store_blocks, last, slots: slots.iter().map(Vec::len).collect() }
-}
-
-/// One routine without earlier ones.
-pub(crate) fn routine(graph: &mut Graph, roots: &[Id]) -> Block {
-    plan(graph, |_| 0, &[], &[roots]).last.remove(0)
-}
+#[cfg(test)]
+pub(crate) use kernel::plan;
+pub(crate) use kernel::{Kernel, Levels, Plan, routine};

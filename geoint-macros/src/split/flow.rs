@@ -1,7 +1,8 @@
-//! What rules, pieces and their flows are.
+//! What families of energies, pieces and their flows are.
 
 use super::time::Clock;
 use crate::ir::{Graph, Id, Node, Symbol};
+use crate::schedule::{Kernel, Levels};
 
 /// Terms that are to be one piece.
 #[derive(Clone, Copy, Debug)]
@@ -12,18 +13,18 @@ pub(super) struct Group {
 }
 
 /// A family of energies whose flow is known.
-pub(crate) struct Rule {
+pub(crate) struct Family {
     /// What it is called in reports.
     pub(crate) name: &'static str,
     /// The energies, with what is asked of their coefficients.
-    pub(crate) family: &'static str,
+    pub(crate) energies: &'static str,
     /// Where such energies, or what their flow follows from, can be read about.
     pub(crate) source: &'static str,
     /// The flow, if an energy belongs to the family.
     pub(super) solve: fn(&mut Graph, &Group) -> Option<Flow>,
 }
 
-impl std::fmt::Debug for Rule {
+impl std::fmt::Debug for Family {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.name)
     }
@@ -61,21 +62,29 @@ impl Flow {
     }
 }
 
-/// The levels of a flow: parameters and h; frozen time, once a step; the state. A flow that is exact in time has its own.
-pub(crate) fn level(clock: Clock) -> impl Fn(Symbol) -> usize {
-    move |symbol| match symbol {
-        Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-        Symbol::T if clock == Clock::Stage => 1,
-        _ => 2,
-    }
-}
-
 /// A part of the energy whose flow is known in closed form.
 #[derive(Clone, Debug)]
 pub(crate) struct Piece {
     pub(crate) energy: Id,
-    /// The rule that knows its flow.
-    pub(crate) rule: &'static Rule,
+    /// The family that it belongs to.
+    pub(crate) family: &'static Family,
     pub(crate) flow: Flow,
     pub(crate) clock: Clock,
+}
+
+impl Piece {
+    /// What the flow changes, with or without the momenta, as a kernel: parameters and h are known first, then frozen time.
+    pub(crate) fn kernel(&self, graph: &mut Graph, momenta: bool) -> (Vec<Symbol>, Kernel) {
+        let levels = match self.clock {
+            Clock::Own => Levels::Unfrozen,
+            Clock::Stage => Levels::Frozen,
+        };
+        let (changes, ends) = self
+            .flow
+            .changed(graph)
+            .into_iter()
+            .filter(|(symbol, _)| momenta || !matches!(symbol, Symbol::P(_)))
+            .unzip();
+        (changes, Kernel::new(levels, ends))
+    }
 }

@@ -1,11 +1,10 @@
 //! Which terms go together.
 
-use super::rules::RULES;
-use super::{Piece, level, piece};
+use super::families::{FAMILIES, piece};
+use super::flow::Piece;
 use crate::analyze::{self, Reads};
 use crate::ir::{Graph, Id, Node, Ratio};
 use crate::lower::Place;
-use crate::schedule;
 use std::collections::BTreeMap;
 
 /// The pieces in the order in which a step goes through them and back, the most expensive one last; or a term that is in no
@@ -98,7 +97,7 @@ fn subsets(set: usize) -> impl Iterator<Item = usize> {
 }
 
 fn rank(piece: &Piece) -> usize {
-    RULES.iter().position(|rule| std::ptr::eq(rule, piece.rule)).unwrap_or(RULES.len())
+    FAMILIES.iter().position(|family| std::ptr::eq(family, piece.family)).unwrap_or(FAMILIES.len())
 }
 
 /// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted.
@@ -179,6 +178,6 @@ const MAX_POWER: i128 = 4;
 
 /// What a flow costs wherever it is applied, after what is computed once a step.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {
-    let roots: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-    schedule::plan(graph, level(piece.clock), &[&[], &[]], &[&roots]).last[0].operations().weight()
+    let (_, kernel) = piece.kernel(graph, true);
+    kernel.plan(graph).operations().weight()
 }

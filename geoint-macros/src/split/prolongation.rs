@@ -5,7 +5,7 @@
 
 use super::flow::{Flow, Group};
 use super::polynomial::{Polynomial, is_free};
-use super::scalar::{self, Equation, turn};
+use super::scalar::{self, Equation, rotation};
 use super::time::Clock;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
@@ -123,7 +123,7 @@ fn pair(graph: &mut Graph, group: &Group, of: [Symbol; 2], rates: [Id; 2]) -> Op
     let square = graph.add(square, cross);
     let square = graph.neg(square);
     // The momentum that turns with s has a pole within every half a turn.
-    let (cosine, sine) = turn(graph, square, h, of.contains(&Symbol::S));
+    let (cosine, sine) = rotation(graph, square, h, of.contains(&Symbol::S));
     let z = graph.mul(mean, h);
     let growth = graph.call(Function::Exp, &[z]);
     let d = [d, graph.neg(d)];

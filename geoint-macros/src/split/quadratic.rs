@@ -2,7 +2,7 @@
 
 use super::flow::{Flow, Group};
 use super::polynomial::{Monomial, Polynomial, is_free};
-use super::scalar::turn;
+use super::scalar::rotation;
 use super::time::Clock;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -64,7 +64,7 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let product = graph.mul(a, b);
         let square = graph.pow(e, Ratio::integer(2));
         let square = graph.sub(product, square);
-        let (cosine, sine) = turn(graph, square, h, false);
+        let (cosine, sine) = rotation(graph, square, h, false);
         let [q, p] = [q, p].map(|symbol| graph.symbol(symbol));
         let [toward_q, toward_p] = [[e, a], [b, e]].map(|[first, second]| {
             let terms = [graph.mul(first, q), graph.mul(second, p)];

@@ -23,32 +23,30 @@ pub(super) struct Solution {
     pub(super) by_start: Id,
 }
 
-/// An equation that can be solved, by its right-hand side.
-struct Rule {
-    solve: fn(&mut Graph, &Equation) -> Option<Solution>,
-}
+/// The solutions of one kind of right-hand sides.
+type Solve = fn(&mut Graph, &Equation) -> Option<Solution>;
 
 /// In order of preference: the first one that fits is taken.
-const RULES: &[Rule] = &[
+const SOLUTIONS: &[Solve] = &[
     // b
-    Rule { solve: constant },
+    constant,
     // a·x + b
-    Rule { solve: affine },
+    affine,
     // a·x + b·xᵏ (J. Bernoulli 1695)
-    Rule { solve: bernoulli },
+    bernoulli,
     // b·(a·x + c)ᵏ
-    Rule { solve: shifted_power },
+    shifted_power,
     // a·x² + b·x + c (J. Riccati 1724)
-    Rule { solve: riccati },
+    riccati,
     // a + b·exp(k·x)
-    Rule { solve: quadrature::exponential },
+    quadrature::exponential,
     // a·F(k·x + c), with F one of sin, cos, sinh, tanh, 1/cosh
-    Rule { solve: quadrature::quadrature },
+    quadrature::quadrature,
 ];
 
 /// x at the end of the flow.
 pub(super) fn solve(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
-    RULES.iter().find_map(|rule| (rule.solve)(graph, equation))
+    SOLUTIONS.iter().find_map(|solve| solve(graph, equation))
 }
 
 impl Equation {
@@ -254,7 +252,7 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
     let product = graph.mul(a, c);
     let square = graph.pow(half_b, Ratio::integer(2));
     let square = graph.sub(product, square);
-    let (cosine, sine) = turn(graph, square, h, true);
+    let (cosine, sine) = rotation(graph, square, h, true);
     let with_c = graph.mul(c, sine);
     let scaled = graph.mul(half_b, sine);
     let grown = graph.add(cosine, scaled);
@@ -270,7 +268,7 @@ fn riccati(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
 }
 
 /// cos ωh and sin ωh/ω from ω², of either sign; `half` if there is a pole before half a turn.
-pub(super) fn turn(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id) {
+pub(super) fn rotation(graph: &mut Graph, square: Id, h: Id, half: bool) -> (Id, Id) {
     let h_squared = graph.pow(h, Ratio::integer(2));
     let mut angle = graph.mul(square, h_squared);
     if half {

@@ -55,6 +55,25 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     assert!(operations.total() <= 65, "{operations:?}");
 }
 
+/// Every `let` opens a scope inside of the one before, down to the end of its block: thousands of them overflow the stack of rustc
+/// where it writes debug information.
+#[test]
+fn scopes_are_not_nested_by_statements() {
+    struct Deepest(usize);
+    impl<'ast> syn::visit::Visit<'ast> for Deepest {
+        fn visit_block(&mut self, block: &'ast syn::Block) {
+            let scopes = block.stmts.iter().filter(|statement| matches!(statement, syn::Stmt::Local(_))).count();
+            self.0 = self.0.max(scopes);
+            syn::visit::visit_block(self, block);
+        }
+    }
+    let tokens = expand::expand(Form::Hamiltonian, quote!(), outer_solar_system());
+    let file = syn::parse2(tokens).expect("items");
+    let mut deepest = Deepest(0);
+    syn::visit::Visit::visit_file(&mut deepest, &file);
+    assert!(deepest.0 <= 8, "{} scopes in one block", deepest.0);
+}
+
 /// Prints the time from tokens to tokens. Proc macros are built without optimisation, so this is what users pay.
 #[test]
 #[ignore = "prints times, asserts nothing about them: run it by hand"]

@@ -91,6 +91,14 @@ fn flaws() {
     assert_eq!(flaw(quote!([[1.0, 0.1], [0.1, 0.01]])), None, "singular but for rounding");
     assert_eq!(flaw(quote!([[1.0, 2.0], [2.0, 3.999]])), Some(Flaw::Indefinite));
     assert_eq!(flaw(quote!([[0.0, 0.001], [0.001, 1.0]])), Some(Flaw::Indefinite));
+    assert_eq!(flaw(quote!([[0.09, 0.21], [0.7 * 0.3, 0.7 * 0.7]])), None, "products of numbers are exact");
+    assert_eq!(
+        flaw(quote!([[1.0, 1.0], [1.0, 0.99999999999999994]])),
+        Some(Flaw::Indefinite),
+        "by less than an f64 shows"
+    );
+    assert!(damping(quote!([[1.0, 0.0], [0.0, 2.0 * a]])).unwrap().1.is_some_and(|damping| !damping.open), "diagonal");
+    assert!(damping(quote!([[1.0, 0.1], [0.1, a]])).unwrap().1.is_some_and(|damping| damping.open));
     let three = quote! { fn f(q: [f64; 3], p: [f64; 3]) -> f64 { q[0] * p[0] } };
     let matrix = quote!({
         let c = -0.6;

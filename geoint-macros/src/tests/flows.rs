@@ -220,7 +220,7 @@ fn flows(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
             let rate = (after[i] - before[i]) / 2e-5;
             let error =
                 (rate - field[i]).abs() / (1.0 + rate.abs() + field.iter().fold(0.0, |max, x| x.abs().max(max)));
-            assert!(error < 1e-6, "{text}, {} at {h}, {i}: {rate} {}", piece.rule.name, field[i]);
+            assert!(error < 1e-6, "{text}, {} at {h}, {i}: {rate} {}", piece.family.name, field[i]);
         }
     }
 }

@@ -55,7 +55,8 @@ fn momenta(item: TokenStream) -> Vec<String> {
     let name = |symbol| match symbol {
         Symbol::Q(i) => format!("q{i}"),
         Symbol::P(i) => format!("p{i}"),
-        _ => "c".into(),
+        Symbol::Parameter(i) => format!("c{i}"),
+        _ => "t".into(),
     };
     let printer = Printer::new(graph, name);
     structure.momenta.iter().map(|j| format!("{}: {}", j.name, printer.formula(j.value))).collect()
@@ -76,6 +77,7 @@ fn angular_momentum_of_central_forces_in_the_plane() {
         quote! { -k / (q[0] * q[0] + q[1] * q[1]).sqrt() },
         quote! { k * (q[0].powi(2) + q[1].powi(2)).powi(3) },
         quote! { -k / q[0].hypot(q[1]) },
+        quote! { (q[0].hypot(q[1]).hypot(k) - 1.0).powi(2) },
         quote! { let r = (q[0] * q[0] + q[1] * q[1]).sqrt(); (1.0 - (k - r).exp()).powi(2) + k * r.ln() },
         quote! { (q[0] * q[0] + q[1] * q[1]).sqrt() * (t * k).sin() },
         // A sum of several forms, the terms of which are apart.
@@ -107,6 +109,12 @@ fn angular_momentum_of_vectors() {
         fn f(q: Vector3<f64>, p: Vector3<f64>, m: f64, k: f64) -> f64 { p.norm_squared() / (2.0 * m) - k / q.norm() }
     };
     assert_eq!(momenta(kepler), about);
+    let nested = quote! {
+        fn f(q: [f64; 3], p: [f64; 3], m: f64, k: f64) -> f64 {
+            (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) - k / q[0].hypot(q[1]).hypot(q[2])
+        }
+    };
+    assert_eq!(momenta(nested), about);
     let field = quote! {
         fn f(q: [f64; 3], p: [f64; 3], m: f64, k: f64) -> f64 {
             let r = (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt();
@@ -226,7 +234,12 @@ fn linear_momenta_and_norms() {
             quote! { fn charge(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
                 ((p[0] + q[1] / 4.0).powi(2) + (p[1] - q[0] / 4.0).powi(2)).powi(2) / m
             } },
-            vec!["angular momentum: q0·p1 - q1·p0", "momentum: p0 - q1/4", "momentum: q0/4 + p1"],
+            vec![
+                "angular momentum: q0·p1 - q1·p0",
+                "sum of squares: q0² + 16·p0² + q1² + 16·p1²",
+                "momentum: p0 - q1/4",
+                "momentum: q0/4 + p1",
+            ],
         ),
         (
             planar(quote! { -k / ((q[0] - 1.0).powi(2) + q[1] * q[1]).sqrt() }),
@@ -244,6 +257,81 @@ fn linear_momenta_and_norms() {
         (quote! { fn one(q: f64, p: f64) -> f64 { (p * p + q * q).sqrt() } }, vec![]),
     ];
     for (item, expected) in energies {
+        let text = item.to_string();
+        assert_eq!(momenta(item), expected, "{text}");
+    }
+}
+
+/// Vortices of strengths Γ in q = x, p = Γy: Σ Γ y, Σ Γ x and Σ Γ (x² + y²).
+#[test]
+fn weights_may_be_parameters() {
+    let vortices = quote! {
+        fn vortices(q: [f64; 3], p: [f64; 3], gamma: [f64; 3]) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..3 {
+                for j in 0..i {
+                    let (x, y) = (q[i] - q[j], p[i] / gamma[i] - p[j] / gamma[j]);
+                    energy -= gamma[i] * gamma[j] * (x * x + y * y).ln() / (4.0 * std::f64::consts::PI);
+                }
+            }
+            energy
+        }
+    };
+    let expected = [
+        "total momentum: p0 + p1 + p2",
+        "sum of squares: q0²·c0 + p0²/c0 + q1²·c1 + p1²/c1 + q2²·c2 + p2²/c2",
+        "position: q0·c0 + q1·c1 + q2·c2",
+    ];
+    assert_eq!(momenta(vortices), expected);
+    let cases = [
+        // A charge in a uniform field, in two gauges, with a central force; and without.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)) / (2.0 * m) - 1.0 / q[0].hypot(q[1])
+            } },
+            vec!["angular momentum: q0·p1 - q1·p0"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)).sqrt() / m
+            } },
+            vec!["angular momentum: q0·p1 - q1·p0", "momentum: p0 - q1·c1", "momentum: p1 + q0·c1"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                (p[0] * p[0] + (p[1] - b * q[0]).powi(2)).sqrt() / m
+            } },
+            vec!["momentum: p0 - q1·c1"],
+        ),
+        // Oscillators that do not know of each other: quadratic energies.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: [f64; 2]) -> f64 {
+                (0..2).map(|i| p[i] * p[i] / (2.0 * m[i]) + k[i] * q[i] * q[i] / 2.0).sum::<f64>()
+            } },
+            vec!["sum of squares: p0² + q0²·c0·c2", "sum of squares: p1² + q1²·c1·c3"],
+        ),
+        // Gears of different teeth; pulled by a force that weights of which depend on time.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, n: [f64; 2]) -> f64 {
+                p[0] * p[0] / m + p[1] * p[1] + (n[0] * q[0] - n[1] * q[1]).cos()
+            } },
+            vec!["momentum: p0·c2 + p1·c1"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], t: f64, n: f64) -> f64 {
+                p[0].cosh() + p[1] * p[1] + (n * t * q[0] - q[1]).cos()
+            } },
+            vec![],
+        ),
+        // The weights of two pairs do not agree.
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], a: f64, b: f64) -> f64 {
+                p[0].cosh() + p[1] * p[1] + (a * q[0] - q[1]).cos() + (b * q[0] - q[1]).cosh()
+            } },
+            vec![],
+        ),
+    ];
+    for (item, expected) in cases {
         let text = item.to_string();
         assert_eq!(momenta(item), expected, "{text}");
     }

@@ -16,7 +16,7 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?
         .iter()
-        .map(|piece| format!("{} ({:?}): {}", piece.rule.name, piece.clock, printer.formula(piece.energy)))
+        .map(|piece| format!("{} ({:?}): {}", piece.family.name, piece.clock, printer.formula(piece.energy)))
         .collect();
     found.sort();
     Ok(found)

@@ -139,8 +139,8 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
         Form::Hamiltonian => {
             let shape = parse::Shape { extents: vec![], vector: false };
             let structure = crate::analyze::structure(graph, energy, &shape);
-            let derivatives = diff::derivatives(graph, &structure, 1);
-            vec![derivatives.field, derivatives.discrete]
+            let gradient = diff::gradient(graph, energy, 1);
+            vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]
         }
         Form::Contact => [diff::contact::midpoint, diff::contact::discrete]
             .map(|equation| {

@@ -22,6 +22,7 @@ use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
+use crate::solving::size::Sizes;
 use crate::space::Array;
 use crate::space::Summation;
 use crate::system::{Conservative, Cubic};
@@ -76,7 +77,9 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
             system.add(constants, w, &slope, row);
             row.as_mut_slice()[i] += one;
         }
-        match linear::solve::<S::Unknown>(&mut matrix, &mut impulse) {
+        let mut sizes = Sizes::new();
+        sizes.include(&changed, &impulse);
+        match linear::solve(&mut matrix, &mut impulse, &sizes) {
             Some(true) if impulse.is_finite() => {}
             _ => return Err(Refusal::Singular),
         }

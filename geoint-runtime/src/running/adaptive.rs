@@ -9,6 +9,7 @@ use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::output::{Samples, Until};
 use crate::running::step_size::{Bounds, Controller};
+use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
@@ -21,8 +22,12 @@ type Carried<A> = Point<A, Compensated<A>>;
 
 /// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
 ///
-/// Every step is done in two halves, which are kept, and once as a whole. Their difference may be as large as `tolerance` times
-/// the largest position, and the largest momentum, met before. That is the error of the whole step; for a method of order p the
+/// Every step is done in two halves, which are kept, and once as a whole. Their difference in every coordinate may be as large as
+/// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
+/// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
+/// in any units. A coordinate at rest at zero is measured by what it becomes; and what the tolerated errors of other coordinates
+/// cause in a coordinate within the step is tolerated there, so that one that hardly moves does not hold up the others. The
+/// difference is the error of the whole step; for a method of order p the
 /// error of the halves is a 2ᵖ-th part of it, which is not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
 /// error the last good state is still there.
 ///
@@ -49,7 +54,9 @@ type Carried<A> = Point<A, Compensated<A>>;
 pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
     method: M,
-    tolerance: f64,
+    tolerance: Tolerance<S::Array>,
+    /// Steps on the way to a time.
+    most_steps: u64,
     bounds: Bounds,
     controller: Controller,
     prepared: Prepared<M::Prepared>,
@@ -57,8 +64,6 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     memory: [M::Memory; 2],
     clock: Clock<R>,
     x: Carried<S::Array>,
-    /// The largest position and the largest momentum so far.
-    largest: [f64; 2],
     steps: u64,
     rejections: u64,
 }
@@ -81,14 +86,14 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         let mut sim = Adaptive {
             system,
             method,
-            tolerance,
+            tolerance: Tolerance::new(tolerance, &[x.q, x.p]),
+            most_steps: u64::MAX,
             bounds: Bounds::default(),
             controller,
             prepared: prepare(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(state.t, zero()),
             x,
-            largest: [magnitude(&x.q), magnitude(&x.p)],
             steps: 0,
             rejections: 0,
         };
@@ -110,11 +115,24 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
+    /// Errors that are tolerated beside those relative to coordinates: one for each position and each momentum, in its unit. Without
+    /// this they are zero.
+    pub fn absolute(mut self, q: S::Coordinates, p: S::Coordinates) -> Self {
+        self.tolerance.absolute([q.into_array(), p.into_array()]);
+        self
+    }
+
+    /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    pub fn steps_at_most(mut self, steps: u64) -> Self {
+        self.most_steps = steps;
+        self
+    }
+
     /// In how long, roughly, the state changes by itself: the shortest of |q|/|q'|, |p|/|p'|.
     fn guess(&self) -> f64 {
         let [slope_q, slope_p] = self.gradient(&self.x);
         let time = |x: f64, rate: f64| if x > 0.0 && rate > 0.0 { x / rate } else { f64::INFINITY };
-        time(self.largest[0], magnitude(&slope_p)).min(time(self.largest[1], magnitude(&slope_q)))
+        time(magnitude(&self.x.q), magnitude(&slope_p)).min(time(magnitude(&self.x.p), magnitude(&slope_q)))
     }
 
     fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
@@ -142,7 +160,13 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if left.is_infinite() {
             return Err(StepError::InvalidStepSize { h: left });
         }
-        while self.step_towards(t)? {}
+        let last = self.steps.saturating_add(self.most_steps);
+        while self.time() != t {
+            if self.steps >= last {
+                return Err(StepError::TooManySteps { t: signed(self.time()), steps: self.most_steps });
+            }
+            self.step_towards(t)?;
+        }
         Ok(())
     }
 
@@ -197,16 +221,21 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.prepared = prepare(&self.system, &self.method, h);
                 self.memory = [M::memory(), M::memory()];
             }
-            let (mut memory, shorter);
-            let prepared = if h == regular {
-                memory = self.memory.clone();
-                &self.prepared
+            let shorter;
+            let (prepared, before) = if h == regular {
+                (&self.prepared, self.memory.clone())
             } else {
-                memory = [M::memory(), M::memory()];
                 shorter = prepare(&self.system, &self.method, h);
-                &shorter
+                (&shorter, [M::memory(), M::memory()])
             };
-            let (x, error) = match self.attempt(prepared, &mut memory, &mut Unwatched) {
+            let mut memory = before.clone();
+            let mut outcome = self.attempt(prepared, &mut memory, &mut Unwatched);
+            // Only a watched step searches for a solution that is hard to find.
+            if matches!(outcome, Err(Reason::NotConverged)) {
+                memory = before;
+                outcome = self.attempt(prepared, &mut memory, &mut Watch::new(&self.system, self.time(), &self.x));
+            }
+            let (x, error) = match outcome {
                 Ok((x, error)) if error <= 1.0 => (x, error),
                 outcome => {
                     self.rejections += 1;
@@ -223,7 +252,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.controller.accept(h, error);
             }
             self.clock.pass_step(R::from_f64(h), x.ahead);
-            self.largest = [self.largest[0].max(magnitude(&x.q)), self.largest[1].max(magnitude(&x.p))];
+            self.tolerance.include(&[x.q, x.p]);
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.steps += 1;
@@ -264,14 +293,12 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let later = [magnitude(&x.q), magnitude(&x.p)];
-        let [q, p] = [0, 1].map(|i| {
-            // What was zero so far is measured by what it becomes; else a wrong step could excuse itself by its size.
-            let largest = if self.largest[i] > 0.0 { self.largest[i] } else { later[i] };
-            let gap = magnitude(&gap[i]);
-            if gap == 0.0 { 0.0 } else { gap / (self.tolerance * largest) }
+        let step = Judged { h: prepared.h, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let error = self.tolerance.error(&step, |[q, p]| {
+            let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
+            [slope_p, slope_q]
         });
-        Ok((x, q.max(p)))
+        Ok((x, error))
     }
 
     /// Why a step is refused: once more, watched.
@@ -292,8 +319,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     }
 
     fn check_start(&self) -> Result<(), StepError> {
-        if !(self.tolerance > 0.0 && self.tolerance < f64::INFINITY) {
-            return Err(StepError::InvalidTolerance { tolerance: self.tolerance });
+        if let Some(tolerance) = self.tolerance.unusable() {
+            return Err(StepError::InvalidTolerance { tolerance });
         }
         if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
             return Err(StepError::InvalidStepSize { h });

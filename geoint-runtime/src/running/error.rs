@@ -65,6 +65,13 @@ pub enum StepError {
         /// The tolerance as given.
         tolerance: f64,
     },
+    /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
+    TooManySteps {
+        /// Time of the last good state.
+        t: f64,
+        /// The number of steps.
+        steps: u64,
+    },
     /// Not even the shortest step that is allowed, or that changes time at all, could be taken.
     StepTooSmall {
         /// Time of the last good state.
@@ -165,6 +172,9 @@ impl fmt::Display for StepError {
             ),
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a positive number")
+            }
+            StepError::TooManySteps { t, steps } => {
+                write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")
             }
             StepError::StepTooSmall { t, h, reason } => {
                 write!(f, "from t = {t} not even a step of {h:.1e} can be taken: {reason}")

@@ -6,6 +6,7 @@ mod integrator;
 mod output;
 mod run;
 mod step_size;
+mod tolerance;
 mod trajectory;
 mod watch;
 

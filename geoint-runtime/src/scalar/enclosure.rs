@@ -185,6 +185,9 @@ impl<R: Real> Real for Enclosure<R> {
     fn epsilon() -> f64 {
         R::epsilon()
     }
+    fn smallest() -> f64 {
+        R::smallest()
+    }
 
     functions! {
         sqrt(x) = x.sqrt(), f => ONE / (f + f);

@@ -44,6 +44,10 @@ macro_rules! floats {
                 $real::EPSILON as f64
             }
             #[inline(always)]
+            fn smallest() -> f64 {
+                $real::MIN_POSITIVE as f64
+            }
+            #[inline(always)]
             fn time(t0: [Self; 2], n: u64, h: Self) -> Self {
                 $time(t0, n, h)
             }

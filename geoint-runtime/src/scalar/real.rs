@@ -53,15 +53,6 @@ pub trait Real:
         (-self).any_below(-bound)
     }
 
-    /// Whether any component is not positive, where numbers below the smallest normal one count as zero.
-    fn any_not_positive(self) -> bool {
-        self.any_below(if Self::epsilon() > f64::from(f32::EPSILON) / 2.0 {
-            f64::from(f32::MIN_POSITIVE)
-        } else {
-            f64::MIN_POSITIVE
-        })
-    }
-
     /// Whether every component is a positive number.
     fn all_positive(self) -> bool {
         self.all_at_least_zero() && !self.any_not_positive()
@@ -74,6 +65,14 @@ pub trait Real:
 
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
+
+    /// The smallest positive number that has all its digits.
+    fn smallest() -> f64;
+
+    /// Whether any component is not above zero, or so little that it has lost digits.
+    fn any_not_positive(self) -> bool {
+        self.any_below(Self::smallest())
+    }
 
     /// `t0 + n·h` for a t₀ of two words, the larger one first. Time is never a running sum; a short type may evaluate this in a
     /// longer one.

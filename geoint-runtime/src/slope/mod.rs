@@ -27,7 +27,7 @@ use crate::scalar::Real;
 /// number, which `max` would lose.)
 #[inline(always)]
 fn tiny<R: Real>() -> R {
-    R::from_f64(if R::epsilon() > 1e-10 { 1e-37 } else { 1e-300 })
+    R::from_f64(8.0 * R::smallest())
 }
 
 /// x, kept away from zero.

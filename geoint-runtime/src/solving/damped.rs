@@ -6,6 +6,7 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::linear;
+use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
 /// A correction of less than this, relative to the state, is small enough for the iteration that follows.
@@ -25,6 +26,7 @@ const MAX_ITERATIONS: u32 = 100;
 pub(crate) fn approach<A: Array>(
     origin: &A,
     still: f64,
+    sizes: &Sizes<A>,
     mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
 ) -> A {
     let scaled = |x: &A, w: f64, d: &A| {
@@ -33,36 +35,36 @@ pub(crate) fn approach<A: Array>(
         sum
     };
     let mut matrix = A::fill(A::zero());
-    let mut look = |x: &A, matrix: &mut Square<A>| {
-        let mut left = A::zero();
-        residual(x, &mut left, matrix).map(|()| left)
+    let mut evaluate = |x: &A, matrix: &mut Square<A>| {
+        let mut r = A::zero();
+        residual(x, &mut r, matrix).map(|()| r)
     };
     let mut x = scaled(&A::zero(), still, origin);
-    let Ok(mut left) = look(&x, &mut matrix) else { return x };
+    let Ok(mut r) = evaluate(&x, &mut matrix) else { return x };
+    // The residual has the units of the unknowns.
+    let mut units = *sizes;
+    units.include(origin, &x);
+    units.include(&A::zero(), &r);
     for _ in 0..MAX_ITERATIONS {
-        let mut delta = left;
-        if linear::solve(&mut matrix, &mut delta).is_none() {
+        let mut delta = r;
+        if linear::solve(&mut matrix, &mut delta, &units).is_none() {
             break;
         }
         let mut w = 1.0;
         // Not a number is not less.
-        let falls = |w: f64, next: &A| square(next) < (1.0 - 0.5 * w) * square(&left);
+        let falls = |w: f64, next: &A| units.square(next) < (1.0 - 0.5 * w) * units.square(&r);
         let (next, less) = loop {
             let next = scaled(&x, -w, &delta);
-            match look(&next, &mut matrix) {
+            match evaluate(&next, &mut matrix) {
                 Ok(less) if falls(w, &less) => break (next, less),
                 _ if w < SHORTEST => return x,
                 _ => w *= 0.5,
             }
         };
-        (x, left) = (next, less);
-        if w == 1.0 && square(&delta) <= NEAR * NEAR * (square(origin) + square(&x)) {
+        (x, r) = (next, less);
+        if w == 1.0 && units.square(&delta) <= NEAR * NEAR {
             break;
         }
     }
     x
-}
-
-fn square<A: Array>(x: &A) -> f64 {
-    x.as_slice().iter().map(|x| x.magnitude() * x.magnitude()).sum()
 }

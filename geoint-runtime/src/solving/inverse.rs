@@ -1,6 +1,7 @@
 //! The inverse of a matrix that is the same in all steps.
 
 use super::linear;
+use super::size::Sizes;
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 use core::fmt::Debug;
@@ -35,11 +36,11 @@ impl<A: Array> Inverse<A> for Inverted<A> {
 
     fn new(matrix: impl FnOnce() -> Square<A>) -> Self {
         let matrix = matrix();
-        let mut inverse = A::fill(A::zero());
+        let (mut inverse, sizes) = (A::fill(A::zero()), Sizes::<A>::of_blocks(&matrix));
         for j in 0..A::LEN {
             let (mut lu, mut column) = (matrix, A::zero());
             column.as_mut_slice()[j] = A::Real::from_f64(1.0);
-            let solved = linear::solve::<A>(&mut lu, &mut column) == Some(true);
+            let solved = linear::solve(&mut lu, &mut column, &sizes) == Some(true);
             for (row, x) in A::entries::<A>(&mut inverse).iter_mut().zip(column.as_slice()) {
                 row.as_mut_slice()[j] = if solved { *x } else { A::Real::from_f64(f64::NAN) };
             }

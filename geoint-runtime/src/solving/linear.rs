@@ -1,14 +1,21 @@
 //! Small linear systems, of a size known to the compiler.
 
 use crate::scalar::Real;
+use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
+
+/// A pivot on the diagonal that is smaller than this is compared with the entries below it.
+const SMALL: f64 = 1.0 / 8.0;
 
 /// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
 ///
-/// Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
+/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Where entries of a column are compared, then in units of
+/// `sizes`, those of the unknowns: which of them is the pivot does not depend on units. Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
 #[inline(always)]
-pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<bool> {
+pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
     let n = A::LEN;
+    let mut sizes = *sizes;
+    let sizes = sizes.entries();
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
     if n == 2 {
@@ -23,15 +30,21 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> Option<boo
         (b[0], b[1]) = ((d * b[0] - b0 * b[1]) * reciprocal, (a * b[1] - c * b[0]) * reciprocal);
         return Some(!determinant.any_below(0.0));
     }
-    let mut positive = true;
+    let (mut positive, mut ordered) = (true, true);
     for k in 0..n {
-        // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so that
-        // a small matrix stays in registers.
-        for i in k + 1..n {
-            if rows[i].as_slice()[k].magnitude() > rows[k].as_slice()[k].magnitude() {
-                rows.swap(k, i);
-                b.swap(k, i);
-                positive = !positive;
+        // On the diagonal an entry has no unit, and is near 1 in the matrix of a step that is not too long: it stays.
+        if !ordered || rows[k].as_slice()[k].magnitude() < SMALL {
+            // The largest entry comes up by exchanges of neighbours in the search: all indices are known to the compiler, so
+            // that a small matrix stays in registers.
+            for i in k + 1..n {
+                let [below, pivot] = [i, k].map(|i| rows[i].as_slice()[k].magnitude());
+                // An entry that has no size yet is no reason to keep a pivot of zero.
+                if below * sizes[k].magnitude() > pivot * sizes[i].magnitude() || pivot == 0.0 && below > 0.0 {
+                    rows.swap(k, i);
+                    b.swap(k, i);
+                    sizes.swap(k, i);
+                    (positive, ordered) = (!positive, false);
+                }
             }
         }
         let (upper, lower) = rows.split_at_mut(k + 1);

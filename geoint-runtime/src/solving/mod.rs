@@ -7,9 +7,11 @@ pub(crate) mod newton;
 mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
+pub(crate) mod rounding;
 pub(crate) mod segment;
 mod semidefinite;
-pub(crate) mod stagnation;
+pub(crate) mod size;
+mod terms;
 
 pub use inverse::{Inverse, Inverted};
 pub use refusal::Refusal;

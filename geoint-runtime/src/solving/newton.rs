@@ -5,19 +5,12 @@ use crate::solving::Refusal;
 use crate::solving::damped;
 use crate::solving::linear;
 use crate::solving::predictor::Predictor;
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
+use crate::solving::size::{Sizes, sum};
+use crate::solving::terms::Terms;
 use crate::space::{Array, Square};
 
-/// Far more than quadratic convergence ever needs; reached only where there is no convergence.
-const MAX_ITERATIONS: u32 = 40;
-
-/// Where corrections no longer shrink because of rounding, they are at least this small.
-const STAGNATION: f64 = 1e-9;
-
-/// What is left over has the same sign in every step, and adds up: at ε/1024 a drift of the energy is seen after a million
-/// steps.
-const LEFT_OVER: f64 = 1.0 / 1_048_576.0;
-
-/// Less than this is not believed of the factor in "the next correction is C times the square of this one".
+/// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
 
 /// Of so many steps one looks a second time, to see that factor again.
@@ -27,8 +20,8 @@ const SECOND_LOOK: u32 = 64;
 /// it emits a kernel for Newton's iteration.
 const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
 
-/// The square of the factor by which corrections of the fixed point must shrink.
-const SHRINKING: f64 = 0.1;
+/// The factor by which corrections of the fixed point must shrink.
+const SHRINKING: f64 = 0.3;
 
 /// Of so many steps one tries the fixed point again.
 const ANOTHER_TRY: u32 = 256;
@@ -40,6 +33,9 @@ const ROUGH: u32 = 3;
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<A> {
     predictor: Predictor<A>,
+    sizes: Sizes<A>,
+    /// Of so many unknowns each of so many kinds has one unit.
+    kinds: [usize; 2],
     /// The steps are too long to be extrapolated.
     rough: bool,
     /// The square of a correction after which the next one is nothing, from C as last seen.
@@ -50,11 +46,14 @@ pub struct Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
-    pub(crate) fn new() -> Self {
+    /// Unknowns come in `kinds` of `n` that have one unit.
+    pub(crate) fn new(n: usize, kinds: usize) -> Self {
         Newton {
             predictor: Predictor::new(),
+            sizes: Sizes::new(),
+            kinds: [n, kinds],
             rough: true,
-            reach: A::Real::epsilon() * LEFT_OVER,
+            reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             stiff: A::LEN <= MOST_UNKNOWNS,
         }
@@ -85,7 +84,7 @@ impl<A: Array> Newton<A> {
     ) -> Result<(A, A), Refusal> {
         if A::LEN > MOST_UNKNOWNS && (!self.stiff || self.steps.is_multiple_of(ANOTHER_TRY)) {
             let guess = if self.predictor.started { self.predictor.predict() } else { aside(explicit) };
-            let found = fixed_point(guess, origin, |x| image(context, x));
+            let found = self.fixed_point(guess, origin, |x| image(context, x));
             self.stiff = found.is_none();
             if let Some(x) = found {
                 self.push(&x);
@@ -97,16 +96,19 @@ impl<A: Array> Newton<A> {
             let mut guess = self.predictor.predict();
             match attempt {
                 Attempt::Extrapolated => {}
-                Attempt::Explicit => guess.copy_from(&aside(explicit)),
+                Attempt::Explicit => {
+                    guess.copy_from(&aside(explicit));
+                    self.sizes.include(origin, &guess);
+                }
                 Attempt::Damped(still) => {
-                    guess = damped::approach(origin, still, |x, residual, matrix| {
+                    guess = damped::approach(origin, still, &self.sizes, |x, residual, matrix| {
                         *residual = *x;
                         residual.add_scaled(A::Real::from_f64(-1.0), &derivative(context, x, matrix));
                         Ok(())
                     });
                 }
             }
-            match self.iterate(guess, origin, |x, matrix| derivative(context, x, matrix)) {
+            match self.iterate(guess, origin, still.is_some(), |x, matrix| derivative(context, x, matrix)) {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);
@@ -135,59 +137,84 @@ impl<A: Array> Newton<A> {
         &mut self,
         guess: A,
         origin: &A,
+        patient: bool,
         mut derivative: impl FnMut(&A, &mut Square<A>) -> A,
     ) -> Result<(A, A, u32), Refusal> {
-        let rounding = A::Real::epsilon() * LEFT_OVER;
+        let minus = A::Real::from_f64(-1.0);
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
-        let mut before = f64::INFINITY;
+        let (mut corrections, mut terms) = (Corrections::of_order(2), Terms::new(&self.sizes));
         for iterations in 1..=MAX_ITERATIONS {
             // That of the guess: it is known earlier, and within the test it differs by nothing that matters.
-            let size = sizes(&x, origin);
+            let size = squares(&x, origin);
             let (next, mut delta) = (derivative(&x, &mut matrix), x);
-            delta.add_scaled(A::Real::from_f64(-1.0), &next);
-            let Some(positive) = linear::solve(&mut matrix, &mut delta) else {
-                return Err(if delta.is_finite() { Refusal::Singular } else { not_converged(iterations, before) });
+            delta.add_scaled(minus, &next);
+            let Some(positive) = linear::solve(&mut matrix, &mut delta, &self.sizes) else {
+                return Err(if delta.is_finite() { Refusal::Singular } else { corrections.not_converged() });
             };
-            let minus = A::Real::from_f64(-1.0);
             let mut lost = x;
             x.add_scaled(minus, &delta);
             lost.add_scaled(minus, &x);
             lost.add_scaled(minus, &delta);
+            let solved = if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
             if iterations == 1 && within(&delta, size, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
-                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
+                return solved;
             }
-            let square = relative_square(&delta, &x, origin);
-            // What a correction shrinks to says nothing if it was larger than the solution.
-            let last = before.min(1.0);
-            let shrunk = square / last;
+            let correction = self.sizes.relative(&delta, origin, &x);
             if iterations == 2 {
-                self.see(square, last);
+                self.see(correction, corrections.last());
             }
-            let left = square * shrunk * shrunk;
-            let done = iterations > 1
-                && (square == 0.0
-                    || left <= rounding * rounding
-                    || (shrunk > 0.0625 && square <= STAGNATION * STAGNATION));
-            if done {
-                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            let verdict = corrections.judge::<A::Real>(correction);
+            match verdict {
+                Verdict::Solved if terms.are_valid() => {
+                    self.sizes.include(origin, &x);
+                    return solved;
+                }
+                Verdict::Solved | Verdict::Stuck if patient => {
+                    let ([n, kinds], matrix) = (self.kinds, |x: &A, m: &mut _| derivative(x, m).is_finite());
+                    terms.include(&mut self.sizes, &x, verdict == Verdict::Solved, |i| i / n % kinds, matrix);
+                    corrections.restart();
+                }
+                _ => {}
             }
-            if !square.is_finite() {
-                return Err(not_converged(iterations, square));
+            if !correction.is_finite() {
+                break;
             }
-            before = square;
         }
-        Err(not_converged(MAX_ITERATIONS, before))
+        Err(corrections.not_converged())
     }
 
-    /// Two corrections, squared, that follow each other. The second may be nothing but rounding; then C is at most that.
+    /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
     #[inline(always)]
-    fn see(&mut self, square: f64, before: f64) {
+    fn fixed_point(&mut self, guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -> Option<A> {
+        let mut x = guess;
+        let mut corrections = Corrections::of_order(1);
+        loop {
+            let (next, mut delta) = (image(&x), x);
+            delta.add_scaled(A::Real::from_f64(-1.0), &next);
+            x = next;
+            let correction = self.sizes.relative(&delta, origin, &x);
+            let before = corrections.last();
+            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
+                self.sizes.include(origin, &x);
+                return Some(x);
+            }
+            // Not a number is not less.
+            if !(correction <= SHRINKING * before) {
+                return is_rounding::<A::Real>(correction).then_some(x);
+            }
+        }
+    }
+
+    /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
+    #[inline(always)]
+    fn see(&mut self, correction: f64, before: f64) {
         // A margin, since C is not the same all along an orbit.
-        let curvature = 16.0 * square.sqrt() / before;
-        let reach = A::Real::epsilon() * LEFT_OVER / curvature.max(LEAST_CURVATURE);
-        if square.sqrt() > 64.0 * A::Real::epsilon() || reach > self.reach {
+        let before = before.min(1.0);
+        let curvature = 16.0 * correction / (before * before);
+        let reach = A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE);
+        if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
             self.reach = reach;
         }
     }
@@ -200,30 +227,6 @@ enum Attempt {
     Damped(f64),
 }
 
-/// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
-#[inline(always)]
-fn fixed_point<A: Array>(guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -> Option<A> {
-    let rounding = A::Real::epsilon() * LEFT_OVER;
-    let mut x = guess;
-    let mut before = f64::INFINITY;
-    for iterations in 1..=MAX_ITERATIONS {
-        let (next, mut delta) = (image(&x), x);
-        delta.add_scaled(A::Real::from_f64(-1.0), &next);
-        x = next;
-        let square = relative_square(&delta, &x, origin);
-        let shrunk = square / before;
-        if square == 0.0 || (iterations > 1 && square * shrunk <= rounding * rounding) {
-            return Some(x);
-        }
-        if !(square.is_finite() && (iterations == 1 || shrunk <= SHRINKING)) {
-            // Rounding ends every iteration.
-            return (square <= 4096.0 * A::Real::epsilon() * A::Real::epsilon()).then_some(x);
-        }
-        before = square.min(1.0);
-    }
-    None
-}
-
 /// Out of line: the optimiser takes a sine to be so cheap that it computes it before it knows whether it is needed. By value:
 /// what is pointed at from elsewhere is not kept in registers.
 #[cold]
@@ -234,33 +237,14 @@ fn aside<A: Array>(explicit: impl Fn() -> A) -> A {
     if guess.is_finite() { guess } else { A::zero() }
 }
 
-#[cold]
-fn not_converged(iterations: u32, square: f64) -> Refusal {
-    Refusal::NotConverged { iterations, correction: square.sqrt() }
-}
-
-/// |origin| + |x|, squared, of every entry.
-///
-/// An entry that happens to be almost zero is measured against a millionth of the largest one: entries may have
-/// different units, but are not solved beyond what rounding allows.
+/// |origin| + |x|, squared, of every entry: an entry near zero leaves the decision to the second correction.
 #[inline(always)]
-fn sizes<A: Array>(x: &A, origin: &A) -> impl Fn(usize) -> f64 + use<A> {
+fn squares<A: Array>(x: &A, origin: &A) -> impl Fn(usize) -> f64 + use<A> {
     let (x, origin) = (*x, *origin);
-    let size = move |i: usize| {
-        let size = origin.as_slice()[i].magnitude() + x.as_slice()[i].magnitude();
+    move |i: usize| {
+        let size = sum(&origin, &x, i);
         size * size
-    };
-    let mut largest = 0.0;
-    for i in 0..A::LEN {
-        largest = larger(size(i), largest);
     }
-    move |i| larger(size(i), 1e-12 * largest)
-}
-
-/// One instruction, which `f64::max` is not: what is not a number is found in the correction.
-#[inline(always)]
-fn larger(a: f64, b: f64) -> f64 {
-    if a > b { a } else { b }
 }
 
 /// Whether every entry of `delta`, squared, is at most `bound` of what it corrects.
@@ -272,20 +256,4 @@ fn within<A: Array>(delta: &A, size: impl Fn(usize) -> f64, bound: f64) -> bool 
         within &= change * change <= bound * size(i);
     }
     within
-}
-
-/// The square of the largest entry of `delta`, each relative to the entry of `origin + x` that it corrects.
-#[inline(always)]
-pub(crate) fn relative_square<A: Array>(delta: &A, x: &A, origin: &A) -> f64 {
-    let size = sizes(x, origin);
-    let mut correction = 0.0;
-    for i in 0..A::LEN {
-        let change = delta.as_slice()[i].magnitude();
-        let ratio = change * change / size(i);
-        // Not `max`: that would lose a NaN. Nothing to correct is no correction, even of zero.
-        if change != 0.0 && (ratio > correction || ratio.is_nan()) {
-            correction = ratio;
-        }
-    }
-    correction
 }

@@ -15,10 +15,13 @@ pub fn is_positive_semidefinite<R: Real, const N: usize>(mut c: [[R; N]; N]) -> 
         if c[k][k].any_below(0.0) {
             return false;
         }
-        // Below a pivot of zero there are zeros, or the next pivot becomes negative.
-        let pivot = c[k][k].max(R::from_f64(1e-37));
+        // Below a pivot of zero there must be zeros.
+        let pivot = c[k][k];
+        if pivot.any_not_positive() && (k + 1..N).any(|i| c[i][k].magnitude() > 0.0) {
+            return false;
+        }
         for i in k + 1..N {
-            let factor = c[i][k] / pivot;
+            let factor = c[i][k] / pivot.max(R::from_f64(R::smallest()));
             for j in k + 1..=i {
                 c[i][j] -= factor * c[j][k];
             }
@@ -40,6 +43,12 @@ mod tests {
         assert!(!is_positive_semidefinite([[0.0, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[0.0_f32, 1e-9], [1e-9, 1.0]]));
         assert!(!is_positive_semidefinite([[-1e-30]]));
+        // In any units.
+        for unit in [1e-200, 1.0, 1e200] {
+            let scaled = |c: [[f64; 2]; 2]| c.map(|row| row.map(|x| x * unit));
+            assert!(is_positive_semidefinite(scaled([[2.0, -1.0], [-1.0, 3.0]])));
+            assert!(!is_positive_semidefinite(scaled([[1.0, 2.0], [2.0, 3.9]])));
+        }
         // Every block of two is positive, the whole is not: the eigenvalue of (1, 1, 1) is 1 − 2·0.6.
         let c = [[1.0, -0.6, -0.6], [-0.6, 1.0, -0.6], [-0.6, -0.6, 1.0]];
         assert!(!is_positive_semidefinite(c));

@@ -44,6 +44,25 @@ impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
         self.sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
     }
 
+    /// Adds a correction to a step that led from `before` by `moved` to here: both together, with sums of the method's own unless those
+    /// of the point compensate.
+    #[inline(always)]
+    pub(crate) fn correct<D: Summation<A>>(
+        &mut self,
+        sums: &mut [D; 2],
+        before: &[A; 2],
+        moved: &[A; 2],
+        correction: &[A; 2],
+    ) {
+        if !C::PLAIN {
+            return self.add(&correction[0], &correction[1]);
+        }
+        [self.q, self.p] = *before;
+        let mut whole = *moved;
+        whole.add_scaled(A::Real::from_f64(1.0), correction);
+        self.add_with(sums, whole.each_ref(), [&A::zero(); 2]);
+    }
+
     /// The same, with sums of the method's own unless those of the point compensate: those outlive a change of the step size.
     /// `lost` are the rounding errors of dq and dp.
     #[inline(always)]

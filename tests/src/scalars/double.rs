@@ -139,6 +139,10 @@ impl Real for Double {
     fn any_below(self, bound: f64) -> bool {
         self < Double::from(bound)
     }
+    fn smallest() -> f64 {
+        f64::MIN_POSITIVE / f64::EPSILON
+    }
+
     fn epsilon() -> f64 {
         f64::EPSILON * f64::EPSILON
     }

@@ -113,6 +113,10 @@ impl Real for Dual {
     fn any_below(self, bound: f64) -> bool {
         self.value() < bound
     }
+    fn smallest() -> f64 {
+        f64::MIN_POSITIVE
+    }
+
     fn epsilon() -> f64 {
         f64::EPSILON
     }

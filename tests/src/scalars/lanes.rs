@@ -107,6 +107,10 @@ impl Real for Lanes {
     fn any_below(self, bound: f64) -> bool {
         self.0.iter().any(|x| *x < bound)
     }
+    fn smallest() -> f64 {
+        f64::MIN_POSITIVE
+    }
+
     fn epsilon() -> f64 {
         f64::EPSILON
     }

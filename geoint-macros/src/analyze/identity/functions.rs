@@ -1,8 +1,9 @@
 //! Functions: what they have in common with roots, powers and exponentials; unknowns of their own for the rest.
 
 use super::atoms::Kind;
-use super::expand::{Expansion, Stop, magnitude};
+use super::expand::{Expansion, Stop};
 use super::normal::Normal;
+use super::powers::magnitude;
 use crate::ir::op::Parity;
 use crate::ir::{Function, Ratio};
 use std::rc::Rc;

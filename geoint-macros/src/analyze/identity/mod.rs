@@ -12,6 +12,7 @@ mod condition;
 mod expand;
 mod functions;
 mod normal;
+mod powers;
 
 use crate::ir::{Graph, Id};
 use condition::Assumptions;

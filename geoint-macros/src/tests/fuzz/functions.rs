@@ -53,6 +53,7 @@ pub(super) fn leaf() -> impl Strategy<Value = String> {
         "|z| z",
         "return q",
         "break",
+        "continue",
         "0..3",
         "1..0",
         "0..1000000000",
@@ -133,6 +134,9 @@ fn statement() -> impl Strategy<Value = String> {
         (expr(), expr()).prop_map(|(a, b)| format!("y[{a}] = {b};")),
         (expr(), expr()).prop_map(|(a, b)| format!("(x, e) = ({a}, {b});")),
         (expr(), expr()).prop_map(|(a, b)| format!("{a} = {b};")),
+        (expr(), expr()).prop_map(|(a, b)| format!(
+            "'a: for i in 0..3 {{ for j in 0..i {{ if {a} {{ continue 'a; }} e -= {b}; }} }}"
+        )),
         (expr(), expr()).prop_map(|(a, b)| format!("for _ in 0..4 {{ e = e * ({a}) - x; x = {b}; }}")),
         expr().prop_map(|a| format!("const G: f64 = {a};")),
         expr().prop_map(|a| format!("const W: f64 = G; const G: f64 = W * ({a});")),

@@ -148,16 +148,6 @@ fn blocks_and_tuples() {
         x
     });
     refuses!("not supported", |q, p, t, a| {
-        let mut e = 0.0;
-        for i in 0..3 {
-            if i == 1 {
-                continue;
-            }
-            e += q[i];
-        }
-        e
-    });
-    refuses!("not supported", |q, p, t, a| {
         'block: {
             break 'block q[0];
         }

@@ -96,5 +96,7 @@ fn the_comparison_can_fail() {
 // Below the macros, which they use.
 mod assignments;
 mod constants;
+mod elements;
 mod expressions;
+mod loops;
 mod names;

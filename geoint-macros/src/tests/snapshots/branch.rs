@@ -1,6 +1,13 @@
 fn half_spring(q: f64, p: f64, t: f64) -> f64 {
     (1.0 + p * p).sqrt() + if q > 0.0 { q.powi(4) * t.cos() } else { 0.0 }
 }
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
 /**
 # What was derived
 
@@ -17,7 +24,7 @@ Structure
 - H is not a polynomial in q and p
 - H depends on time
 
-Conserved by the flow
+Conserved by the flow, at least
 - nothing that was found
 
 Discrete gradients
@@ -39,12 +46,6 @@ Skipped
 - recomputing what depends on parameters and the step size: prepared once
 - Runge–Kutta–Nyström tables: they need a quadratic T
 ```*/
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 struct Spring;
 #[allow(
     clippy::all,
@@ -75,7 +76,7 @@ const _: () = {
     impl Spring {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow\n- nothing that was found\n\nDiscrete gradients\n- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 2: Newton's iteration with elimination\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
+        pub const REPORT: &'static str = "H = √(p² + 1) + (if 0 < q { q⁴·cos(t) } else { 0 })\n∂H/∂q = if 0 < q { 4·q³·cos(t) } else { 0 }\n∂H/∂p = p/√(p² + 1)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = √(p² + 1)\n- V = if 0 < q { q⁴·cos(t) } else { 0 }\n- T is not quadratic in p: √(p² + 1)\n- H is not a polynomial in q and p\n- H depends on time\n\nConserved by the flow, at least\n- nothing that was found\n\nDiscrete gradients\n- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 6, divisions and roots 2, functions 1\n- kick: sums and products 6, functions 1\n- drift: sums and products 4, divisions and roots 2\n- stage of a Newton iteration of collocation: sums and products 16, divisions and roots 2, functions 1\n- Newton iteration of the discrete gradient: sums and products 39, divisions and roots 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 2: Newton's iteration with elimination\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- recomputing what depends on parameters and the step size: prepared once\n- Runge–Kutta–Nyström tables: they need a quadratic T\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -110,26 +111,28 @@ const _: () = {
         type Action = ();
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let k2 = R::from_f64(0.0);
-            let q0 = q[0];
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            let v2 = v1.sqrt();
-            let v3 = k2.less(q0);
-            let [v8] = R::choose(
+            let (p0, k1, k2, q0, v0, v1, v2, v3, v8, v9);
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            k2 = R::from_f64(0.0);
+            q0 = q[0];
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            v2 = v1.sqrt();
+            v3 = k2.less(q0);
+            [v8] = R::choose(
                 v3,
                 || {
-                    let v4 = q0 * q0;
-                    let v5 = v4 * v4;
-                    let v6 = t.cos();
-                    let v7 = v5 * v6;
+                    let (v4, v5, v6, v7);
+                    v4 = q0 * q0;
+                    v5 = v4 * v4;
+                    v6 = t.cos();
+                    v7 = v5 * v6;
                     [v7]
                 },
                 || { [k2] },
             );
-            let v9 = v2 + v8;
+            v9 = v2 + v8;
             v9
         }
         fn outside_domain(
@@ -139,10 +142,11 @@ const _: () = {
             p: &[R; 1],
             s: &(),
         ) -> ::core::option::Option<&'static str> {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
+            let (p0, k1, v0, v1);
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
             if v1.any_below(0.0) {
                 return ::core::option::Option::Some(
                     "`sqrt` of a negative number: p² + 1",
@@ -161,28 +165,30 @@ const _: () = {
             dq: &mut [R; 1],
             dp: &mut [R; 1],
         ) {
-            let k0 = R::from_f64(0.0);
-            let q0 = q[0];
-            let k2 = R::from_f64(4.0);
-            let p0 = p[0];
-            let k4 = R::from_f64(1.0);
-            let v0 = k0.less(q0);
-            let [v6] = R::choose(
+            let (k0, q0, k2, p0, k4, v0, v6, v7, v8, v9, v10);
+            k0 = R::from_f64(0.0);
+            q0 = q[0];
+            k2 = R::from_f64(4.0);
+            p0 = p[0];
+            k4 = R::from_f64(1.0);
+            v0 = k0.less(q0);
+            [v6] = R::choose(
                 v0,
                 || {
-                    let v1 = t.cos();
-                    let v2 = q0 * q0;
-                    let v3 = v2 * q0;
-                    let v4 = k2 * v3;
-                    let v5 = v4 * v1;
+                    let (v1, v2, v3, v4, v5);
+                    v1 = t.cos();
+                    v2 = q0 * q0;
+                    v3 = v2 * q0;
+                    v4 = k2 * v3;
+                    v5 = v4 * v1;
                     [v5]
                 },
                 || { [k0] },
             );
-            let v7 = p0 * p0;
-            let v8 = k4 + v7;
-            let v9 = v8.sqrt();
-            let v10 = p0 / v9;
+            v7 = p0 * p0;
+            v8 = k4 + v7;
+            v9 = v8.sqrt();
+            v10 = p0 / v9;
             dq[0] = v6;
             dp[0] = v10;
         }
@@ -192,7 +198,8 @@ const _: () = {
         type Drift = [R; 1];
         #[inline]
         fn prepare_kick(&self, h: R) -> [R; 1] {
-            let v0 = -h;
+            let (v0,);
+            v0 = -h;
             [v0]
         }
         #[inline]
@@ -208,25 +215,27 @@ const _: () = {
             p: &mut [R; 1],
             _: &mut (),
         ) {
-            let k0 = R::from_f64(0.0);
-            let q0 = q[0];
-            let k2 = R::from_f64(4.0);
-            let prepared_0 = prepared[0];
-            let p0 = p[0];
-            let v0 = k0.less(q0);
-            let [v6] = R::choose(
+            let (k0, q0, k2, prepared_0, p0, v0, v6, v7);
+            k0 = R::from_f64(0.0);
+            q0 = q[0];
+            k2 = R::from_f64(4.0);
+            prepared_0 = prepared[0];
+            p0 = p[0];
+            v0 = k0.less(q0);
+            [v6] = R::choose(
                 v0,
                 || {
-                    let v1 = t.cos();
-                    let v2 = q0 * q0;
-                    let v3 = v2 * q0;
-                    let v4 = k2 * v3;
-                    let v5 = v4 * v1;
+                    let (v1, v2, v3, v4, v5);
+                    v1 = t.cos();
+                    v2 = q0 * q0;
+                    v3 = v2 * q0;
+                    v4 = k2 * v3;
+                    v5 = v4 * v1;
                     [v5]
                 },
                 || { [k0] },
             );
-            let v7 = prepared_0.multiply_add(v6, p0);
+            v7 = prepared_0.multiply_add(v6, p0);
             p[0] = v7;
         }
         #[inline(always)]
@@ -238,16 +247,17 @@ const _: () = {
             p: &mut [R; 1],
             _: &mut (),
         ) {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let prepared_0 = prepared[0];
-            let q0 = q[0];
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            let v2 = v1.sqrt();
-            let v3 = prepared_0 * p0;
-            let v4 = v3 / v2;
-            let v5 = q0 + v4;
+            let (p0, k1, prepared_0, q0, v0, v1, v2, v3, v4, v5);
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            prepared_0 = prepared[0];
+            q0 = q[0];
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            v2 = v1.sqrt();
+            v3 = prepared_0 * p0;
+            v4 = v3 / v2;
+            v5 = q0 + v4;
             q[0] = v5;
         }
     }
@@ -282,56 +292,108 @@ const _: () = {
             p: &[R; 1],
             s: &Self::Action,
         ) -> R {
-            let p0 = p[0];
-            let k1 = R::from_f64(1.0);
-            let k2 = R::from_f64(0.0);
-            let q0 = q[0];
-            let k4 = R::from_f64(4.0);
-            let k5 = R::from_f64(3.0);
-            let k6 = R::from_f64(0.041666666666666664);
-            let k7 = R::from_f64(0.08333333333333333);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            let v2 = v1.sqrt();
-            let v3 = k2.less(q0);
-            let v12 = k1 / v2;
-            let v13 = p0 * v12;
-            let [v23, v24, v25, v26] = R::choose(
+            let (
+                p0,
+                k1,
+                k2,
+                q0,
+                k4,
+                k5,
+                k6,
+                k7,
+                v0,
+                v1,
+                v2,
+                v3,
+                v12,
+                v13,
+                v23,
+                v24,
+                v25,
+                v26,
+                v27,
+                v28,
+                v29,
+                v30,
+                v31,
+                v32,
+                v33,
+                v34,
+                v35,
+                v36,
+                v37,
+                v38,
+                v39,
+            );
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            k2 = R::from_f64(0.0);
+            q0 = q[0];
+            k4 = R::from_f64(4.0);
+            k5 = R::from_f64(3.0);
+            k6 = R::from_f64(0.041666666666666664);
+            k7 = R::from_f64(0.08333333333333333);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            v2 = v1.sqrt();
+            v3 = k2.less(q0);
+            v12 = k1 / v2;
+            v13 = p0 * v12;
+            [v23, v24, v25, v26] = R::choose(
                 v3,
                 || {
-                    let v4 = q0 * q0;
-                    let v5 = v4 * v4;
-                    let (v6, v7) = t.sin_cos();
-                    let v8 = v5 * v7;
-                    let v9 = v4 * q0;
-                    let v10 = k4 * v9;
-                    let v11 = v10 * v7;
-                    let v14 = k5 * v4;
-                    let v15 = v14 * v7;
-                    let v16 = v15 * v13;
-                    let v17 = -v9;
-                    let v18 = v17.multiply_add(v6, v16);
-                    let v19 = k4 * v18;
-                    let v20 = v10 * v6;
-                    let v21 = v20.multiply_add(v13, v8);
-                    let v22 = -v21;
+                    let (
+                        v4,
+                        v5,
+                        v6,
+                        v7,
+                        v8,
+                        v9,
+                        v10,
+                        v11,
+                        v14,
+                        v15,
+                        v16,
+                        v17,
+                        v18,
+                        v19,
+                        v20,
+                        v21,
+                        v22,
+                    );
+                    v4 = q0 * q0;
+                    v5 = v4 * v4;
+                    (v6, v7) = t.sin_cos();
+                    v8 = v5 * v7;
+                    v9 = v4 * q0;
+                    v10 = k4 * v9;
+                    v11 = v10 * v7;
+                    v14 = k5 * v4;
+                    v15 = v14 * v7;
+                    v16 = v15 * v13;
+                    v17 = -v9;
+                    v18 = v17.multiply_add(v6, v16);
+                    v19 = k4 * v18;
+                    v20 = v10 * v6;
+                    v21 = v20.multiply_add(v13, v8);
+                    v22 = -v21;
                     [v8, v11, v19, v22]
                 },
                 || { [k2, k2, k2, k2] },
             );
-            let v27 = v13.multiply_add(v25, v26);
-            let v28 = v12 * v12;
-            let v29 = v28 * v12;
-            let v30 = v0 * v29;
-            let v31 = v30 * v24;
-            let v32 = -v12;
-            let v33 = v32.multiply_add(v24, v31);
-            let v34 = k6 * v24;
-            let v35 = k7 * v27;
-            let v36 = v34.multiply_add(v33, v35);
-            let v37 = h * h;
-            let v38 = v2 + v23;
-            let v39 = v37.multiply_add(v36, v38);
+            v27 = v13.multiply_add(v25, v26);
+            v28 = v12 * v12;
+            v29 = v28 * v12;
+            v30 = v0 * v29;
+            v31 = v30 * v24;
+            v32 = -v12;
+            v33 = v32.multiply_add(v24, v31);
+            v34 = k6 * v24;
+            v35 = k7 * v27;
+            v36 = v34.multiply_add(v33, v35);
+            v37 = h * h;
+            v38 = v2 + v23;
+            v39 = v37.multiply_add(v36, v38);
             v39
         }
     }
@@ -352,35 +414,57 @@ const _: () = {
         }
         #[inline(always)]
         fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
-            let p0 = y[1][0];
-            let k1 = R::from_f64(1.0);
-            let k2 = R::from_f64(2.0);
-            let q0 = y[0][0];
-            let k4 = R::from_f64(0.0);
-            let k5 = R::from_f64(4.0);
-            let k6 = R::from_f64(12.0);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            let v2 = v1.sqrt();
-            let v3 = k2 * p0;
-            let v4 = t.cos();
-            let v5 = k2 * q0;
-            let v6 = q0 * q0;
-            let v7 = k4.less(q0);
-            let [v13, v14] = R::choose(
+            let (
+                p0,
+                k1,
+                k2,
+                q0,
+                k4,
+                k5,
+                k6,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v13,
+                v14,
+                v15,
+                v16,
+            );
+            p0 = y[1][0];
+            k1 = R::from_f64(1.0);
+            k2 = R::from_f64(2.0);
+            q0 = y[0][0];
+            k4 = R::from_f64(0.0);
+            k5 = R::from_f64(4.0);
+            k6 = R::from_f64(12.0);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            v2 = v1.sqrt();
+            v3 = k2 * p0;
+            v4 = t.cos();
+            v5 = k2 * q0;
+            v6 = q0 * q0;
+            v7 = k4.less(q0);
+            [v13, v14] = R::choose(
                 v7,
                 || {
-                    let v8 = v6 * q0;
-                    let v9 = k5 * v8;
-                    let v10 = v9 * v4;
-                    let v11 = v6 * v6;
-                    let v12 = v11 * v4;
+                    let (v8, v9, v10, v11, v12);
+                    v8 = v6 * q0;
+                    v9 = k5 * v8;
+                    v10 = v9 * v4;
+                    v11 = v6 * v6;
+                    v12 = v11 * v4;
                     [v10, v12]
                 },
                 || { [k4, k4] },
             );
-            let v15 = k5 * v4;
-            let v16 = k6 * v4;
+            v15 = k5 * v4;
+            v16 = k6 * v4;
             [v2, p0, v3, q0, v4, v5, v6, v13, v15, v16, v14]
         }
         #[inline(always)]
@@ -392,54 +476,101 @@ const _: () = {
             f: &mut [[R; 1]; 2],
             jacobian: &mut Square<[[R; 1]; 2]>,
         ) {
-            let start_1 = start[1];
-            let dp0 = d[1][0];
-            let k2 = R::from_f64(1.0);
-            let start_0 = start[0];
-            let start_2 = start[2];
-            let k5 = R::from_f64(0.0);
-            let start_3 = start[3];
-            let dq0 = d[0][0];
-            let start_5 = start[5];
-            let start_6 = start[6];
-            let start_4 = start[4];
-            let k11 = R::from_f64(2.0);
-            let start_8 = start[8];
-            let start_9 = start[9];
-            let start_7 = start[7];
-            let k15 = R::from_f64(0.5);
-            let start_10 = start[10];
-            let k17 = R::from_f64(-0.5);
-            let v0 = start_1 + dp0;
-            let v1 = v0 * v0;
-            let v2 = k2 + v1;
-            let v3 = v2.sqrt();
-            let v4 = start_0 + v3;
-            let v5 = k2 / v4;
-            let v6 = start_2 + dp0;
-            let v7 = v6 * v5;
-            let v8 = k5.less(start_3);
-            let v9 = start_3 + dq0;
-            let v10 = k5.less(v9);
-            let v11 = v8 & v10;
-            let v12 = !v8;
-            let v13 = !v10;
-            let v14 = v12 & v13;
-            let v15 = v11 | v14;
-            let [v50, v51] = R::choose(
+            let (
+                start_1,
+                dp0,
+                k2,
+                start_0,
+                start_2,
+                k5,
+                start_3,
+                dq0,
+                start_5,
+                start_6,
+                start_4,
+                k11,
+                start_8,
+                start_9,
+                start_7,
+                k15,
+                start_10,
+                k17,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+                v13,
+                v14,
+                v15,
+                v50,
+                v51,
+                v52,
+                v53,
+                v54,
+                v55,
+                v56,
+                v57,
+                v58,
+            );
+            start_1 = start[1];
+            dp0 = d[1][0];
+            k2 = R::from_f64(1.0);
+            start_0 = start[0];
+            start_2 = start[2];
+            k5 = R::from_f64(0.0);
+            start_3 = start[3];
+            dq0 = d[0][0];
+            start_5 = start[5];
+            start_6 = start[6];
+            start_4 = start[4];
+            k11 = R::from_f64(2.0);
+            start_8 = start[8];
+            start_9 = start[9];
+            start_7 = start[7];
+            k15 = R::from_f64(0.5);
+            start_10 = start[10];
+            k17 = R::from_f64(-0.5);
+            v0 = start_1 + dp0;
+            v1 = v0 * v0;
+            v2 = k2 + v1;
+            v3 = v2.sqrt();
+            v4 = start_0 + v3;
+            v5 = k2 / v4;
+            v6 = start_2 + dp0;
+            v7 = v6 * v5;
+            v8 = k5.less(start_3);
+            v9 = start_3 + dq0;
+            v10 = k5.less(v9);
+            v11 = v8 & v10;
+            v12 = !v8;
+            v13 = !v10;
+            v14 = v12 & v13;
+            v15 = v11 | v14;
+            [v50, v51] = R::choose(
                 v15,
                 || {
-                    let [v24, v25] = R::choose(
+                    let (v24, v25);
+                    [v24, v25] = R::choose(
                         v8,
                         || {
-                            let v16 = start_5 + dq0;
-                            let v17 = v9 * v9;
-                            let v18 = start_6 + v17;
-                            let v19 = start_4 * v16;
-                            let v20 = v19 * v18;
-                            let v21 = k11 * v9;
-                            let v22 = v21.multiply_add(v16, v18);
-                            let v23 = start_4 * v22;
+                            let (v16, v17, v18, v19, v20, v21, v22, v23);
+                            v16 = start_5 + dq0;
+                            v17 = v9 * v9;
+                            v18 = start_6 + v17;
+                            v19 = start_4 * v16;
+                            v20 = v19 * v18;
+                            v21 = k11 * v9;
+                            v22 = v21.multiply_add(v16, v18);
+                            v23 = start_4 * v22;
                             [v20, v23]
                         },
                         || { [k5, k5] },
@@ -447,44 +578,65 @@ const _: () = {
                     [v24, v25]
                 },
                 || {
-                    let [v32, v33, v34] = R::choose(
+                    let (
+                        v32,
+                        v33,
+                        v34,
+                        v35,
+                        v36,
+                        v37,
+                        v38,
+                        v39,
+                        v40,
+                        v41,
+                        v42,
+                        v43,
+                        v44,
+                        v45,
+                        v46,
+                        v47,
+                        v48,
+                        v49,
+                    );
+                    [v32, v33, v34] = R::choose(
                         v10,
                         || {
-                            let v26 = v9 * v9;
-                            let v27 = v26 * v9;
-                            let v28 = start_8 * v27;
-                            let v29 = v26 * v26;
-                            let v30 = start_4 * v29;
-                            let v31 = start_9 * v26;
+                            let (v26, v27, v28, v29, v30, v31);
+                            v26 = v9 * v9;
+                            v27 = v26 * v9;
+                            v28 = start_8 * v27;
+                            v29 = v26 * v26;
+                            v30 = start_4 * v29;
+                            v31 = start_9 * v26;
                             [v28, v30, v31]
                         },
                         || { [k5, k5, k5] },
                     );
-                    let v35 = start_7 + v32;
-                    let v36 = k15 * dq0;
-                    let v37 = v33 - start_10;
-                    let v38 = -v36;
-                    let v39 = v38.multiply_add(v35, v37);
-                    let v40 = k2 / dq0;
-                    let v41 = k15 * v35;
-                    let v42 = v40.multiply_add(v39, v41);
-                    let v43 = v40 * v40;
-                    let v44 = dq0.multiply_add(v34, v35);
-                    let v45 = k17.multiply_add(v44, v32);
-                    let v46 = v40 * v45;
-                    let v47 = -v43;
-                    let v48 = v47.multiply_add(v39, v46);
-                    let v49 = k15.multiply_add(v34, v48);
+                    v35 = start_7 + v32;
+                    v36 = k15 * dq0;
+                    v37 = v33 - start_10;
+                    v38 = -v36;
+                    v39 = v38.multiply_add(v35, v37);
+                    v40 = k2 / dq0;
+                    v41 = k15 * v35;
+                    v42 = v40.multiply_add(v39, v41);
+                    v43 = v40 * v40;
+                    v44 = dq0.multiply_add(v34, v35);
+                    v45 = k17.multiply_add(v44, v32);
+                    v46 = v40 * v45;
+                    v47 = -v43;
+                    v48 = v47.multiply_add(v39, v46);
+                    v49 = k15.multiply_add(v34, v48);
                     [v42, v49]
                 },
             );
-            let v52 = -v50;
-            let v53 = v5 * v5;
-            let v54 = v6 * v0;
-            let v55 = v54 * v53;
-            let v56 = v55 / v3;
-            let v57 = v5 - v56;
-            let v58 = -v51;
+            v52 = -v50;
+            v53 = v5 * v5;
+            v54 = v6 * v0;
+            v55 = v54 * v53;
+            v56 = v55 / v3;
+            v57 = v5 - v56;
+            v58 = -v51;
             f[0][0] = v7;
             f[1][0] = v52;
             jacobian[0][0][0][0] = k5;
@@ -524,38 +676,61 @@ const _: () = {
             f: &mut [[R; 1]; 2],
             jacobian: &mut Square<[[R; 1]; 2]>,
         ) {
-            let p0 = y[1][0];
-            let k1 = R::from_f64(1.0);
-            let k2 = R::from_f64(0.0);
-            let q0 = y[0][0];
-            let k4 = R::from_f64(4.0);
-            let k5 = R::from_f64(12.0);
-            let v0 = p0 * p0;
-            let v1 = k1 + v0;
-            let v2 = v1.sqrt();
-            let v3 = k1 / v2;
-            let v4 = p0 * v3;
-            let v5 = k2.less(q0);
-            let [v13, v14] = R::choose(
+            let (
+                p0,
+                k1,
+                k2,
+                q0,
+                k4,
+                k5,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v13,
+                v14,
+                v15,
+                v16,
+                v17,
+                v18,
+                v19,
+                v20,
+            );
+            p0 = y[1][0];
+            k1 = R::from_f64(1.0);
+            k2 = R::from_f64(0.0);
+            q0 = y[0][0];
+            k4 = R::from_f64(4.0);
+            k5 = R::from_f64(12.0);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            v2 = v1.sqrt();
+            v3 = k1 / v2;
+            v4 = p0 * v3;
+            v5 = k2.less(q0);
+            [v13, v14] = R::choose(
                 v5,
                 || {
-                    let v6 = t.cos();
-                    let v7 = q0 * q0;
-                    let v8 = v7 * q0;
-                    let v9 = k4 * v8;
-                    let v10 = v9 * v6;
-                    let v11 = k5 * v7;
-                    let v12 = v11 * v6;
+                    let (v6, v7, v8, v9, v10, v11, v12);
+                    v6 = t.cos();
+                    v7 = q0 * q0;
+                    v8 = v7 * q0;
+                    v9 = k4 * v8;
+                    v10 = v9 * v6;
+                    v11 = k5 * v7;
+                    v12 = v11 * v6;
                     [v10, v12]
                 },
                 || { [k2, k2] },
             );
-            let v15 = -v13;
-            let v16 = v3 * v3;
-            let v17 = v16 * v3;
-            let v18 = -v0;
-            let v19 = v18.multiply_add(v17, v3);
-            let v20 = -v14;
+            v15 = -v13;
+            v16 = v3 * v3;
+            v17 = v16 * v3;
+            v18 = -v0;
+            v19 = v18.multiply_add(v17, v3);
+            v20 = -v14;
             f[0][0] = v4;
             f[1][0] = v15;
             jacobian[0][0][0][0] = k2;

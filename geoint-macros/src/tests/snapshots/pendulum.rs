@@ -2,6 +2,13 @@
 pub fn pendulum(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
 }
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
 /// Planar pendulum.
 /**
 # What was derived
@@ -19,7 +26,7 @@ Structure
 - H is not a polynomial in q and p
 - H does not depend on time
 
-Conserved by the flow
+Conserved by the flow, at least
 - the energy
 
 Discrete gradients
@@ -42,12 +49,6 @@ Skipped
 - the clock: H does not depend on time
 - recomputing what depends on parameters and the step size: prepared once
 ```*/
-#[derive(
-    ::core::clone::Clone,
-    ::core::marker::Copy,
-    ::core::fmt::Debug,
-    ::core::cmp::PartialEq
-)]
 pub struct Pendulum<R = f64> {
     ///The parameter `m` of the energy.
     pub m: R,
@@ -85,7 +86,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -121,22 +122,23 @@ const _: () = {
         type Action = ();
         #[inline]
         fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
-            let p0 = p[0];
-            let a1 = self.l;
-            let a0 = self.m;
-            let k3 = R::from_f64(0.5);
-            let q0 = q[0];
-            let a2 = self.g;
-            let v0 = p0 * p0;
-            let v1 = a1 * a1;
-            let v2 = a0 * v1;
-            let v3 = k3 * v0;
-            let v4 = v3 / v2;
-            let v5 = q0.cos();
-            let v6 = a1 * a0;
-            let v7 = v6 * a2;
-            let v8 = -v7;
-            let v9 = v8.multiply_add(v5, v4);
+            let (p0, a1, a0, k3, q0, a2, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9);
+            p0 = p[0];
+            a1 = self.l;
+            a0 = self.m;
+            k3 = R::from_f64(0.5);
+            q0 = q[0];
+            a2 = self.g;
+            v0 = p0 * p0;
+            v1 = a1 * a1;
+            v2 = a0 * v1;
+            v3 = k3 * v0;
+            v4 = v3 / v2;
+            v5 = q0.cos();
+            v6 = a1 * a0;
+            v7 = v6 * a2;
+            v8 = -v7;
+            v9 = v8.multiply_add(v5, v4);
             v9
         }
         fn outside_domain(
@@ -146,11 +148,12 @@ const _: () = {
             p: &[R; 1],
             s: &(),
         ) -> ::core::option::Option<&'static str> {
-            let a1 = self.l;
-            let a0 = self.m;
-            let v0 = a1 * a1;
-            let v1 = a0 * v0;
-            if v1.abs().any_below(f64::MIN_POSITIVE) {
+            let (a1, a0, v0, v1);
+            a1 = self.l;
+            a0 = self.m;
+            v0 = a1 * a1;
+            v1 = a0 * v0;
+            if v1.abs().any_not_positive() {
                 return ::core::option::Option::Some("division by zero: m·l²");
             }
             ::core::option::Option::None
@@ -166,18 +169,19 @@ const _: () = {
             dq: &mut [R; 1],
             dp: &mut [R; 1],
         ) {
-            let q0 = q[0];
-            let a1 = self.l;
-            let a0 = self.m;
-            let a2 = self.g;
-            let p0 = p[0];
-            let v0 = q0.sin();
-            let v1 = a1 * a0;
-            let v2 = v1 * a2;
-            let v3 = v2 * v0;
-            let v4 = a1 * a1;
-            let v5 = a0 * v4;
-            let v6 = p0 / v5;
+            let (q0, a1, a0, a2, p0, v0, v1, v2, v3, v4, v5, v6);
+            q0 = q[0];
+            a1 = self.l;
+            a0 = self.m;
+            a2 = self.g;
+            p0 = p[0];
+            v0 = q0.sin();
+            v1 = a1 * a0;
+            v2 = v1 * a2;
+            v3 = v2 * v0;
+            v4 = a1 * a1;
+            v5 = a0 * v4;
+            v6 = p0 / v5;
             dq[0] = v3;
             dp[0] = v6;
         }
@@ -187,22 +191,24 @@ const _: () = {
         type Drift = [R; 1];
         #[inline]
         fn prepare_kick(&self, h: R) -> [R; 1] {
-            let a2 = self.g;
-            let a0 = self.m;
-            let a1 = self.l;
-            let v0 = h * a2;
-            let v1 = v0 * a0;
-            let v2 = v1 * a1;
-            let v3 = -v2;
+            let (a2, a0, a1, v0, v1, v2, v3);
+            a2 = self.g;
+            a0 = self.m;
+            a1 = self.l;
+            v0 = h * a2;
+            v1 = v0 * a0;
+            v2 = v1 * a1;
+            v3 = -v2;
             [v3]
         }
         #[inline]
         fn prepare_drift(&self, h: R) -> [R; 1] {
-            let a1 = self.l;
-            let a0 = self.m;
-            let v0 = a1 * a1;
-            let v1 = a0 * v0;
-            let v2 = h / v1;
+            let (a1, a0, v0, v1, v2);
+            a1 = self.l;
+            a0 = self.m;
+            v0 = a1 * a1;
+            v1 = a0 * v0;
+            v2 = h / v1;
             [v2]
         }
         #[inline(always)]
@@ -214,11 +220,12 @@ const _: () = {
             p: &mut [R; 1],
             _: &mut (),
         ) {
-            let q0 = q[0];
-            let prepared_0 = prepared[0];
-            let p0 = p[0];
-            let v0 = q0.sin();
-            let v1 = prepared_0.multiply_add(v0, p0);
+            let (q0, prepared_0, p0, v0, v1);
+            q0 = q[0];
+            prepared_0 = prepared[0];
+            p0 = p[0];
+            v0 = q0.sin();
+            v1 = prepared_0.multiply_add(v0, p0);
             p[0] = v1;
         }
         #[inline(always)]
@@ -230,10 +237,11 @@ const _: () = {
             p: &mut [R; 1],
             _: &mut (),
         ) {
-            let prepared_0 = prepared[0];
-            let p0 = p[0];
-            let q0 = q[0];
-            let v0 = prepared_0.multiply_add(p0, q0);
+            let (prepared_0, p0, q0, v0);
+            prepared_0 = prepared[0];
+            p0 = p[0];
+            q0 = q[0];
+            v0 = prepared_0.multiply_add(p0, q0);
             q[0] = v0;
         }
     }
@@ -285,29 +293,50 @@ const _: () = {
         const MEAN: Mean = Mean::Parts(1);
         #[inline]
         fn parameters(&self, h: R) -> [R; 4] {
-            let a1 = self.l;
-            let a0 = self.m;
-            let a2 = self.g;
-            let k3 = R::from_f64(1.0);
-            let k4 = R::from_f64(0.5);
-            let v0 = a1 * a0;
-            let v1 = v0 * a2;
-            let v2 = -v1;
-            let v3 = h * v1;
-            let v4 = -v3;
-            let v5 = h * h;
-            let v6 = a1 * a1;
-            let v7 = a0 * v6;
-            let v8 = k3 / v7;
-            let v9 = k4 * v5;
-            let v10 = v9 * v1;
-            let v11 = v10 * v8;
-            let v12 = h * v8;
+            let (
+                a1,
+                a0,
+                a2,
+                k3,
+                k4,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+            );
+            a1 = self.l;
+            a0 = self.m;
+            a2 = self.g;
+            k3 = R::from_f64(1.0);
+            k4 = R::from_f64(0.5);
+            v0 = a1 * a0;
+            v1 = v0 * a2;
+            v2 = -v1;
+            v3 = h * v1;
+            v4 = -v3;
+            v5 = h * h;
+            v6 = a1 * a1;
+            v7 = a0 * v6;
+            v8 = k3 / v7;
+            v9 = k4 * v5;
+            v10 = v9 * v1;
+            v11 = v10 * v8;
+            v12 = h * v8;
             [v2, v4, v11, v12]
         }
         #[inline(always)]
         fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
-            let q0 = y[0];
+            let (q0,);
+            q0 = y[0];
             [q0]
         }
         #[inline(always)]
@@ -319,22 +348,41 @@ const _: () = {
             f: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let k0 = R::from_f64(0.5);
-            let dq0 = d[0];
-            let start_0 = start[0];
-            let prepared_0 = prepared[0];
-            let v0 = k0 * dq0;
-            let v1 = slope::sinc(v0);
-            let v2 = k0.multiply_add(dq0, start_0);
-            let (v3, v4) = v2.sin_cos();
-            let v5 = prepared_0 * v1;
-            let v6 = v5 * v3;
-            let v7 = slope::sinc_derivative(v0);
-            let v8 = k0 * v3;
-            let v9 = k0 * v1;
-            let v10 = v8 * v7;
-            let v11 = v9.multiply_add(v4, v10);
-            let v12 = prepared_0 * v11;
+            let (
+                k0,
+                dq0,
+                start_0,
+                prepared_0,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+            );
+            k0 = R::from_f64(0.5);
+            dq0 = d[0];
+            start_0 = start[0];
+            prepared_0 = prepared[0];
+            v0 = k0 * dq0;
+            v1 = slope::sinc(v0);
+            v2 = k0.multiply_add(dq0, start_0);
+            (v3, v4) = v2.sin_cos();
+            v5 = prepared_0 * v1;
+            v6 = v5 * v3;
+            v7 = slope::sinc_derivative(v0);
+            v8 = k0 * v3;
+            v9 = k0 * v1;
+            v10 = v8 * v7;
+            v11 = v9.multiply_add(v4, v10);
+            v12 = prepared_0 * v11;
             f[0] = v6;
             jacobian[0][0] = v12;
         }
@@ -348,33 +396,55 @@ const _: () = {
             image: &mut [R; 1],
             matrix: &mut Square<[R; 1]>,
         ) {
-            let k0 = R::from_f64(0.5);
-            let dq0 = d[0];
-            let start_0 = start[0];
-            let prepared_1 = prepared[1];
-            let prepared_2 = prepared[2];
-            let k5 = R::from_f64(1.0);
-            let v0 = k0 * dq0;
-            let v1 = slope::sinc(v0);
-            let v2 = k0.multiply_add(dq0, start_0);
-            let (v3, v4) = v2.sin_cos();
-            let v5 = prepared_1 * v1;
-            let v6 = v5 * v3;
-            let v7 = slope::sinc_derivative(v0);
-            let v8 = k0 * v3;
-            let v9 = k0 * v1;
-            let v10 = v8 * v7;
-            let v11 = v9.multiply_add(v4, v10);
-            let v12 = prepared_2.multiply_add(v11, k5);
+            let (
+                k0,
+                dq0,
+                start_0,
+                prepared_1,
+                prepared_2,
+                k5,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+            );
+            k0 = R::from_f64(0.5);
+            dq0 = d[0];
+            start_0 = start[0];
+            prepared_1 = prepared[1];
+            prepared_2 = prepared[2];
+            k5 = R::from_f64(1.0);
+            v0 = k0 * dq0;
+            v1 = slope::sinc(v0);
+            v2 = k0.multiply_add(dq0, start_0);
+            (v3, v4) = v2.sin_cos();
+            v5 = prepared_1 * v1;
+            v6 = v5 * v3;
+            v7 = slope::sinc_derivative(v0);
+            v8 = k0 * v3;
+            v9 = k0 * v1;
+            v10 = v8 * v7;
+            v11 = v9.multiply_add(v4, v10);
+            v12 = prepared_2.multiply_add(v11, k5);
             image[0] = v6;
             matrix[0][0] = v12;
         }
         #[inline(always)]
         fn drift(&self, prepared: &[R; 4], p: &[R; 1]) -> [R; 1] {
             let mut drift = <[R; 1] as Array>::zero();
-            let prepared_3 = prepared[3];
-            let dp0 = p[0];
-            let v0 = prepared_3 * dp0;
+            let (prepared_3, dp0, v0);
+            prepared_3 = prepared[3];
+            dp0 = p[0];
+            v0 = prepared_3 * dp0;
             drift[0] = v0;
             drift
         }
@@ -385,16 +455,17 @@ const _: () = {
         const DERIVATIVE: usize = 2;
         #[inline]
         fn constants(&self) -> [R; 2] {
-            let a1 = self.l;
-            let a0 = self.m;
-            let a2 = self.g;
-            let k3 = R::from_f64(1.0);
-            let v0 = a1 * a0;
-            let v1 = v0 * a2;
-            let v2 = -v1;
-            let v3 = a1 * a1;
-            let v4 = a0 * v3;
-            let v5 = k3 / v4;
+            let (a1, a0, a2, k3, v0, v1, v2, v3, v4, v5);
+            a1 = self.l;
+            a0 = self.m;
+            a2 = self.g;
+            k3 = R::from_f64(1.0);
+            v0 = a1 * a0;
+            v1 = v0 * a2;
+            v2 = -v1;
+            v3 = a1 * a1;
+            v4 = a0 * v3;
+            v5 = k3 / v4;
             [v2, v5]
         }
         #[inline(always)]
@@ -404,9 +475,10 @@ const _: () = {
         #[inline(always)]
         fn velocity(&self, prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
             let mut velocity = <[R; 1] as Array>::zero();
-            let prepared_1 = prepared[1];
-            let p0 = p[0];
-            let v0 = prepared_1 * p0;
+            let (prepared_1, p0, v0);
+            prepared_1 = prepared[1];
+            p0 = p[0];
+            v0 = prepared_1 * p0;
             velocity[0] = v0;
             velocity
         }
@@ -419,19 +491,21 @@ const _: () = {
             f: &mut [R; 1],
             jacobian: &mut Square<[R; 1]>,
         ) {
-            let q0 = y[0];
-            let prepared_0 = prepared[0];
-            let (v0, v1) = q0.sin_cos();
-            let v2 = prepared_0 * v0;
-            let v3 = prepared_0 * v1;
+            let (q0, prepared_0, v0, v1, v2, v3);
+            q0 = y[0];
+            prepared_0 = prepared[0];
+            (v0, v1) = q0.sin_cos();
+            v2 = prepared_0 * v0;
+            v3 = prepared_0 * v1;
             f[0] = v2;
             jacobian[0][0] = v3;
         }
         #[inline(always)]
         fn add(&self, prepared: &[R; 2], w: R, f: &[R; 1], y: &mut [R; 1]) {
-            let prepared_1 = prepared[1];
-            let p0 = f[0];
-            let v0 = prepared_1 * p0;
+            let (prepared_1, p0, v0);
+            prepared_1 = prepared[1];
+            p0 = f[0];
+            v0 = prepared_1 * p0;
             y[0] = w.multiply_add(v0, y[0]);
         }
         #[inline(always)]

@@ -92,7 +92,7 @@ macro_rules! methods {
             }
 
             fn memory() -> Self::Memory {
-                Newton::new()
+                Newton::new(S::Array::LEN, 3)
             }
 
             #[inline(always)]

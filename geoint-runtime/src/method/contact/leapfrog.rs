@@ -51,7 +51,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         let end = t + prepared.h;
         let before = one - half * system.damping(t);
         let after = one + half * system.damping(end);
-        if before.any_below(f64::MIN_POSITIVE) || after.any_below(f64::MIN_POSITIVE) {
+        if before.any_not_positive() || after.any_not_positive() {
             return Err(Refusal::Singular);
         }
         probe.visit(t, &x.q, &x.p, &x.s);

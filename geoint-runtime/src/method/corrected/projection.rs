@@ -1,18 +1,25 @@
-//! x₁ = y + Σ λᵢ∇Iᵢ(y): a step of any method, and back to where the invariants were.
+//! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
-use crate::method::corrected::invariants::{Invariants, plus, product, size};
+use crate::method::corrected::invariants::{Invariants, plus, product};
 use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::Real;
 use crate::solving::linear;
-use crate::solving::stagnation::Stagnation;
-use crate::space::Summation;
-use crate::space::{Array, Square};
+use crate::solving::rounding::correct;
+use crate::solving::size::{Sizes, largest};
+use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{Hamiltonian, Poles};
+use core::cell::Cell;
+
+/// On the way back by less than this, relative to the coordinates, gradients hardly change: corrections that are small and do not
+/// shrink are rounding.
+const STRAIGHT: f64 = 1.0 / 16.0;
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
 /// The order of the method; invariants are kept to rounding as long as their gradients are linearly independent. Neither
-/// symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. Distance is measured in the units in which q and p are given.
+/// symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
+/// shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
+/// units in which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
@@ -25,9 +32,18 @@ pub struct Prepared<P, I> {
     invariants: I,
 }
 
+/// What a step hands on to the next one.
+#[derive(Clone, Debug)]
+pub struct Memory<M, A: Array> {
+    method: M,
+    sizes: Sizes<[A; 2]>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: [Compensated<A>; 2],
+}
+
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
     type Prepared = Prepared<M::Prepared, I>;
-    type Memory = M::Memory;
+    type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
@@ -39,56 +55,65 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
     }
 
-    fn memory() -> M::Memory {
-        M::memory()
+    fn memory() -> Self::Memory {
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         Prepared { method, poles, invariants }: &Self::Prepared,
-        memory: &mut M::Memory,
+        memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
+        let Memory { method: memory, sizes, sums } = memory;
         let before = [step.x.q, step.x.p];
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.q, &x.p, &());
         let moved = plus([x.q, x.p], -1.0, &before);
-        let mut gradients = invariants.gradients(system, &[x.q, x.p]);
-        let gradients = I::Values::entries(&mut gradients);
+        sizes.include(&before, &moved);
 
-        // Simplified Newton: at y, with the gradients that are there already.
+        // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
+        let mut gradients = invariants.gradients(system, &[x.q, x.p]);
+        let directions = I::Values::entries(&mut gradients);
+        let mut terms = I::Values::zero();
+        for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
+            *terms = sizes.normalise(direction);
+        }
+        let back = |multipliers: &I::Values| {
+            let mut back = <[S::Array; 2]>::zero();
+            for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
+                back.add_scaled(*multiplier, direction);
+            }
+            sizes.multiply(&mut back);
+            back
+        };
+        // Simplified Newton for the multipliers: at y, with the gradients that are there already.
         let mut matrix = I::Values::fill(I::Values::zero());
-        fill::<I::Values>(&mut matrix, |i, j| product(&gradients[i], &gradients[j]));
-        let scale = size(&before) + size(&moved);
-        let mut back = [S::Array::zero(); 2];
-        // Where conditions of the energy were decided last.
-        let mut decided;
-        let mut stagnation = Stagnation::new();
-        loop {
-            let change = plus(moved, 1.0, &back);
-            decided = plus(before, 1.0, &change);
-            let mut lambda = invariants.changes(system, &before, &change);
-            // Also where gradients vanish there may be nothing to do.
-            let nothing = lambda.as_slice().iter().all(|change| change.magnitude() == 0.0);
-            if !nothing && linear::solve::<I::Values>(&mut matrix.clone(), &mut lambda).is_none() {
+        fill::<I::Values>(&mut matrix, |i, j| product(&directions[i], &directions[j]));
+        // The increments at whose end conditions of the energy were decided last.
+        let decided = Cell::new(moved);
+        let residual = |multipliers: &I::Values| {
+            let change = plus(moved, 1.0, &back(multipliers));
+            decided.set(change);
+            let mut changes = invariants.changes(system, &before, &change);
+            for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
+                // Also where gradients vanish there may be nothing to do.
+                *change = if change.magnitude() == 0.0 { *change } else { *change / *terms };
+            }
+            changes
+        };
+        let multipliers = correct(I::Values::zero(), STRAIGHT, |multipliers| {
+            let mut delta = residual(multipliers);
+            let relative = largest(delta.as_slice().iter().map(|x| x.magnitude()));
+            if relative > 0.0 && linear::solve(&mut matrix.clone(), &mut delta, &Sizes::equal()).is_none() {
                 return Err(Refusal::Singular);
             }
-            let mut correction = [S::Array::zero(); 2];
-            for (gradient, lambda) in gradients.iter().zip(lambda.as_slice()) {
-                for (x, gradient) in correction.iter_mut().zip(gradient) {
-                    x.add_scaled(-*lambda, gradient);
-                }
-            }
-            back = plus(back, 1.0, &correction);
-            if nothing || stagnation.reached::<R>(size(&correction) / scale)? {
-                break;
-            }
-        }
-        let [dq, dp] = back;
-        x.add(&dq, &dp);
+            Ok((delta, relative))
+        })?;
+        x.correct(sums, &before, &moved, &back(&multipliers));
         if I::KEEP_ENERGY {
-            check_conditions(system, t, &decided, x)?;
+            check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
         }
         check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }

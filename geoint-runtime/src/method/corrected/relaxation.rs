@@ -1,16 +1,19 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
-use crate::method::corrected::invariants::{Energy, Invariants, plus, product, size};
+use crate::method::corrected::invariants::{Energy, Invariants, plus, product};
 use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::{Real, zero};
-use crate::solving::stagnation::Stagnation;
-use crate::space::Array;
-use crate::space::Summation;
+use crate::solving::rounding::correct;
+use crate::solving::size::Sizes;
+use crate::space::{Array, Compensated, Summation};
 use crate::system::{Autonomous, DiscreteField, Poles};
 use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
 const FARTHEST: f64 = 0.5;
+
+/// A change of the energy by so many ε of its terms is rounding.
+const ROUNDINGS: f64 = 4.0;
 
 /// A method whose steps are relaxed: `Relaxation(RK4)`.
 ///
@@ -30,9 +33,18 @@ pub struct Prepared<P, R> {
     h: R,
 }
 
+/// What a step hands on to the next one.
+#[derive(Clone, Debug)]
+pub struct Memory<M, A: Array> {
+    method: M,
+    sizes: Sizes<[A; 2]>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: [Compensated<A>; 2],
+}
+
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
     type Prepared = Prepared<M::Prepared, R>;
-    type Memory = M::Memory;
+    type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
@@ -44,14 +56,14 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), h }
     }
 
-    fn memory() -> M::Memory {
-        M::memory()
+    fn memory() -> Self::Memory {
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
     }
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        memory: &mut M::Memory,
+        Memory { method: memory, sizes, sums }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = [step.x.q, step.x.p];
@@ -59,63 +71,49 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.q, &x.p, &());
         let moved = plus([x.q, x.p], -1.0, &before);
-        let gradient = Energy.gradients(system, &before);
+        sizes.include(&before, &moved);
+        let mut gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
-        // Where conditions of the energy were decided last.
-        let decided = Cell::new(moved);
         let secant = whole - product(&gradient, &moved);
-        let excess = match excess(system, &before, &moved, (whole, secant), &decided) {
-            // A step so short, or an energy so straight, that there is nothing but rounding to put right.
-            Err(_) if whole.magnitude() <= R::epsilon() * size(&gradient) * size(&before) => zero(),
-            outcome => outcome?,
+        let terms = sizes.normalise(&mut gradient);
+
+        // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
+        // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
+        // The increments at whose end conditions of the energy were decided last.
+        let decided = Cell::new(moved);
+        let value = |excess: R| {
+            let gamma = R::from_f64(1.0) + excess;
+            decided.set(moved.map(|d| scaled(gamma, &d)));
+            Energy.changes(system, &before, &decided.get()) / gamma
         };
-        let [dq, dp] = moved.map(|d| scaled(excess, &d));
-        x.add(&dq, &dp);
+        let mut line = (zero(), whole, secant);
+        let solution = correct(zero::<R>(), ROUNDINGS * R::epsilon(), |excess| {
+            if excess.magnitude() > FARTHEST {
+                return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
+            }
+            let (last, before, secant) = line;
+            let (distance, now) = (*excess - last, if excess.magnitude() == 0.0 { whole } else { value(*excess) });
+            // A secant over rounding errors would be none.
+            let far = distance.magnitude() > Real::sqrt(R::epsilon());
+            let secant = if far { (now - before) / distance } else { secant };
+            line = (*excess, now, secant);
+            let relative = now.magnitude() / terms.magnitude();
+            Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
+        });
+        let energy = system.hamiltonian(t, &before[0], &before[1], &()).abs();
+        let excess = match solution {
+            // A step so short, or an energy so straight, that there is nothing but rounding to put right.
+            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * (terms + energy).magnitude() => {
+                decided.set(moved);
+                zero()
+            }
+            solution => solution?,
+        };
+        x.correct(sums, &before, &moved, &moved.map(|d| scaled(excess, &d)));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
         check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }
-}
-
-/// γ − 1 for a step by `d` from `x`: the root of (H(x + γd) − H(x))/γ = ∇̄H·d.
-///
-/// The root γ = 0 is gone, and what is left is almost a straight line. It starts from the value for γ = 1 and the secant from
-/// γ = 0 to there.
-#[inline]
-fn excess<S, R: Real>(
-    system: &S,
-    x: &[S::Array; 2],
-    d: &[S::Array; 2],
-    (mut value, mut secant): (R, R),
-    decided: &Cell<[S::Array; 2]>,
-) -> Result<R, Refusal>
-where
-    S: DiscreteField<R> + Autonomous<R>,
-{
-    let value_at = |excess: R| {
-        let gamma = R::from_f64(1.0) + excess;
-        decided.set(d.map(|d| scaled(gamma, &d)));
-        Energy.changes(system, x, &decided.get()) / gamma
-    };
-    let mut excess = zero::<R>();
-    let mut stagnation = Stagnation::new();
-    while value.magnitude() != 0.0 {
-        let correction = -value / secant;
-        excess += correction;
-        if stagnation.reached::<R>(correction.magnitude() * size(d) / size(x))? {
-            break;
-        }
-        if excess.magnitude() > FARTHEST {
-            return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
-        }
-        let there = value_at(excess);
-        // A secant over rounding errors would be none.
-        if correction.magnitude() > Real::sqrt(R::epsilon()) {
-            secant = (there - value) / correction;
-        }
-        value = there;
-    }
-    Ok(excess)
 }
 
 /// w·x.

@@ -1,15 +1,14 @@
 //! The scheme of Chorin, Hughes, McCracken and Marsden: q along ∂H/∂p, then p along ∂H/∂q, as far as the energy asks.
 
 use super::energy::{Energy, Slope, Staircase};
-use super::matrix::{difference, dot, moved, tiny};
+use super::matrix::{denominator, difference, dot, moved};
 use super::mean::MeanGradient;
 use crate::method::{Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Conservative, DiscreteField};
 
-/// Below this, the cosine of the angle between a direction and the increment along which H is to change is no basis for
-/// a quotient.
+/// Where the terms of the product of a direction and an increment cancel down to this part of them, it is no basis for a quotient.
 const SINGULAR: f64 = 1e-8;
 
 /// q₁ = q₀ + h λ (H(q₁, p₁) − H(q₁, p₀))/(λ·(p₁ − p₀)), p₁ = p₀ − h μ (H(q₁, p₀) − H(q₀, p₀))/(μ·(q₁ − q₀)), with
@@ -62,13 +61,13 @@ impl MeanGradient for CoordinateIncrement {
 
 /// The multiple of `direction` that has the same product with `d` as `g`.
 fn along<A: Array>(direction: &A, g: &A, d: &A) -> Result<A, Refusal> {
-    let (product, square) = (dot(direction, d), dot(direction, direction).max(tiny()));
-    let bound = A::Real::from_f64(SINGULAR * SINGULAR) * square * dot(d, d);
-    if (product * product - bound).any_below(0.0) {
+    let product = dot(direction, d);
+    let terms = direction.as_slice().iter().zip(d.as_slice()).map(|(a, b)| (*a * *b).magnitude());
+    let zero = |x: &A| x.as_slice().iter().all(|x| x.magnitude() == 0.0);
+    if product.magnitude() <= SINGULAR * terms.sum::<f64>() && !zero(direction) && !zero(d) {
         return Err(Refusal::SingularDirection);
     }
     // The excess over 1: where d = 0 that is 0/0 and means 0.
-    let excess = dot(&difference(g, direction), d);
-    let ratio = excess * product / (product * product).max(tiny());
+    let ratio = dot(&difference(g, direction), d) / (product.signum() * denominator(product.abs()));
     Ok(moved(direction, ratio, direction))
 }

@@ -2,11 +2,11 @@
 
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::{Matrix, moved, opposite, scaled};
-use super::mean::{MeanGradient, Prepared};
+use super::mean::{MeanGradient, Memory, Prepared};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::{Compensated, Summation};
+use crate::space::Summation;
 use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J g with gᵢ = H\[…, x₁ᵢ₋₁, (x₀ᵢ, x₁ᵢ), x₀ᵢ₊₁, …\], the divided difference in one coordinate after the other:
@@ -78,8 +78,7 @@ impl MeanGradient for SymmetrisedItohAbe {
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
     /// Both halves, and h/2.
     type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
-    /// The compensations of the sums of q and p.
-    type Memory = [Compensated<S::Array>; 2];
+    type Memory = Memory<S::Array>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
@@ -91,7 +90,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 
     fn memory() -> Self::Memory {
-        [Compensated::new(); 2]
+        Memory::new()
     }
 
     #[inline]

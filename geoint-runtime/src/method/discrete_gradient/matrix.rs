@@ -69,6 +69,16 @@ pub(super) fn scaled<X: Array>(w: X::Real, x: &X) -> X {
     moved(&X::zero(), w, x)
 }
 
+/// The products of entries.
+#[inline(always)]
+pub(super) fn product<X: Array>(x: &X, y: &X) -> X {
+    let mut z = *x;
+    for (z, y) in z.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *z *= *y;
+    }
+    z
+}
+
 /// −x.
 #[inline(always)]
 pub(super) fn opposite<X: Array>(x: &X) -> X {
@@ -93,9 +103,8 @@ pub(super) fn dot<X: Array>(x: &X, y: &X) -> X::Real {
     x.as_slice().iter().zip(y.as_slice()).fold(zero(), |sum: X::Real, (x, y)| x.multiply_add(*y, sum))
 }
 
-/// Far below every square of an increment that means anything: as the least denominator it makes 0/0 be 0.
+/// `x`, which is not negative, as a denominator: 0/0 is 0.
 #[inline(always)]
-pub(super) fn tiny<R: Real>() -> R {
-    let square = R::epsilon() * R::epsilon();
-    R::from_f64(square * square * R::epsilon())
+pub(super) fn denominator<R: Real>(x: R) -> R {
+    x.max(R::from_f64(R::smallest()))
 }

@@ -7,7 +7,7 @@ use crate::method::composition::SymmetricMap;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Claims, Method, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
-use crate::solving::quasi_newton;
+use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
 use crate::space::{Compensated, Summation};
 use crate::system::{Conservative, DiscreteField, Poles};
@@ -51,6 +51,19 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
     poles: Poles,
 }
 
+/// What a step hands on to the next one: the compensations of the sums of q and p, and sizes of increments.
+#[derive(Clone, Debug)]
+pub struct Memory<A: Array> {
+    sums: [Compensated<A>; 2],
+    solver: QuasiNewton<[A; 2]>,
+}
+
+impl<A: Array> Memory<A> {
+    pub(super) fn new() -> Self {
+        Memory { sums: [Compensated::new(); 2], solver: QuasiNewton::new() }
+    }
+}
+
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
         Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h, poles: Poles::of(system) }
@@ -59,7 +72,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
     #[inline]
     pub(super) fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         &self,
-        sums: &mut [Compensated<S::Array>; 2],
+        Memory { sums, solver }: &mut Memory<S::Array>,
         Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Prepared { mean, constants, parameters, h, poles } = self;
@@ -72,7 +85,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let guess = scaled(*h, &rate);
         // The end of the step at which conditions of the energy were decided last.
         let mut decided = x;
-        let d = quasi_newton::solve(&x, guess, |d, residual, matrix| {
+        let d = solver.solve(&x, guess, |d, residual, matrix| {
             let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
             if !S::JUMPS.is_empty() {
                 decided = moved(&x, R::from_f64(1.0), d);
@@ -105,8 +118,7 @@ macro_rules! methods {
             $($bounded: $bound,)?
         {
             type Prepared = Prepared<Self, $system, R>;
-            /// The compensations of the sums of q and p.
-            type Memory = [Compensated<$system::Array>; 2];
+            type Memory = Memory<$system::Array>;
 
             fn claims(&self) -> Claims {
                 Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy }
@@ -117,7 +129,7 @@ macro_rules! methods {
             }
 
             fn memory() -> Self::Memory {
-                [Compensated::new(); 2]
+                Memory::new()
             }
 
             #[inline]

@@ -97,7 +97,7 @@ where
     }
 
     fn memory() -> Self::Memory {
-        Newton::new()
+        Newton::new(Y::Array::LEN, Y::Unknown::LEN / Y::Array::LEN)
     }
 
     #[inline(always)]

@@ -100,6 +100,24 @@ fn single(q: f32, p: f32) -> f32 {
     p * p / 3.0 + short(q)
 }
 
+/// Energies that are parts of others; what damps the one does not damp the other.
+#[energy_function]
+#[hamiltonian]
+fn spring(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) + q.powi(4)
+}
+
+#[hamiltonian(damping = 0.1 * q * q)]
+#[energy_function]
+fn swing(q: f64, p: f64) -> f64 {
+    p * p / 2.6 - q.cos()
+}
+
+#[hamiltonian(with(spring, swing))]
+fn coupled(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+    spring(q[0], p[0], m) + swing(q[1], p[1]) + k * q[0] * q[1]
+}
+
 fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-14 * a.abs().max(1.0), "{a} {b}");
 }
@@ -118,6 +136,11 @@ fn main() {
     close(Above { k: 0.7 }.energy(&State::new(0.3, 0.5)), above(0.3, 0.5, 0.7));
     close(Both.energy(&State::new(0.3, 0.5)), both(0.3, 0.5));
     close(Inside.energy(&State::new(0.3, 0.5)), inside(0.3, 0.5));
+    close(Spring { m: 0.7 }.energy(&State::new(0.3, 0.5)), spring(0.3, 0.5, 0.7));
+    close(Swing.energy(&State::new(0.3, 0.5)), swing(0.3, 0.5));
+    let (q, p) = ([0.3, 0.4], [0.5, -0.6]);
+    close(Coupled { m: 0.7, k: 0.2 }.energy(&State::new(q, p)), coupled(q, p, 0.7, 0.2));
+    Coupled { m: 0.7, k: 0.2 }.integrator(StormerVerlet, 0.1, State::new(q, p)).advance(10).unwrap();
     let (q, p) = (Vector2::new(0.3, -0.4), Vector2::new(0.5, 0.6));
     close(Wave { gamma: 0.3 }.energy(&ContactState::new(q, p, 0.7)), wave(q, p, 0.7, 0.3));
     assert!((Single.energy(&State::new(0.3, 0.5)) - single(0.3, 0.5)).abs() < 1e-6);

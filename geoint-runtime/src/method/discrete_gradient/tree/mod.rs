@@ -56,7 +56,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     }
 
     fn memory() -> Memory<S, R> {
-        Memory { newton: Newton::new(), sums: [Compensated::new(); 2] }
+        Memory { newton: Newton::new(S::Array::LEN, 2), sums: [Compensated::new(); 2] }
     }
 
     #[inline(always)]

@@ -20,6 +20,17 @@ pub(super) enum Atom {
     Float(u64),
 }
 
+impl Atom {
+    /// What it stands for.
+    pub(super) fn node(self, graph: &mut Graph) -> Id {
+        match self {
+            Atom::Node(id) => id,
+            Atom::Long(numerator, denominator) => graph.number(Number::Exact(Ratio { numerator, denominator })),
+            Atom::Float(bits) => graph.number(Number::Float(bits)),
+        }
+    }
+}
+
 /// number · Π atomᵉ · the product of two variables; atoms and variables in order. Different products of atoms count as
 /// independent: what cancels does so whatever the parameters are.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,7 +41,7 @@ pub(super) struct Monomial {
 }
 
 /// A sum of monomials; several may have the same variables and atoms.
-pub(super) type Form = Vec<Monomial>;
+pub(super) type Quadratic = Vec<Monomial>;
 
 impl Monomial {
     const ONE: Monomial = Monomial { variables: [UNIT; 2], atoms: vec![], number: Ratio::ONE };
@@ -81,7 +92,7 @@ const MAX_TERMS: usize = 20_000;
 pub(super) struct Expansion<'a> {
     graph: &'a Graph,
     degrees: &'a Degrees,
-    done: HashMap<Id, Rc<Form>>,
+    done: HashMap<Id, Rc<Quadratic>>,
     terms: usize,
 }
 
@@ -91,7 +102,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// The parts of a leaf, multiplied out.
-    pub(super) fn leaf(&mut self, leaf: &Leaf) -> Option<Form> {
+    pub(super) fn leaf(&mut self, leaf: &Leaf) -> Option<Quadratic> {
         let mut form = vec![];
         match leaf {
             Leaf::Sum(terms) => {
@@ -115,7 +126,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// A node of degree 2 at most.
-    fn node(&mut self, root: Id) -> Option<Rc<Form>> {
+    fn node(&mut self, root: Id) -> Option<Rc<Quadratic>> {
         if self.degrees.get(root) == Some(0) {
             return Some(Rc::new(vec![self.constant(root)?]));
         }
@@ -131,7 +142,7 @@ impl<'a> Expansion<'a> {
     }
 
     /// A node whose operands are done.
-    fn expand(&mut self, id: Id) -> Option<Form> {
+    fn expand(&mut self, id: Id) -> Option<Quadratic> {
         match self.graph.node(id) {
             Node::Symbol(Symbol::Q(i)) => Some(vec![Monomial::variable(2 * i)]),
             Node::Symbol(Symbol::P(i)) => Some(vec![Monomial::variable(2 * i + 1)]),
@@ -159,7 +170,7 @@ impl<'a> Expansion<'a> {
         }
     }
 
-    fn product(&mut self, a: &[Monomial], b: &[Monomial]) -> Option<Form> {
+    fn product(&mut self, a: &[Monomial], b: &[Monomial]) -> Option<Quadratic> {
         self.terms += a.len() * b.len();
         if self.terms > MAX_TERMS {
             return None;

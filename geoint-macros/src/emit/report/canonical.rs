@@ -1,35 +1,21 @@
-//! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
+//! What was found of H(q, p, t), in words.
 
-use super::kernel::Context;
-use crate::analyze::{MeanValue, Split, Structure};
-use crate::diff::Derivatives;
+use super::super::damping;
+use super::super::kernel::Context;
+use super::counted;
+use crate::analyze::{self, MeanValue, Split, Structure};
+use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
-use crate::schedule::{self, Operations};
+use crate::schedule::Plan;
 use std::fmt::Write;
 
-/// What the kernels cost.
-pub(super) struct Costs {
-    pub(super) flows: Option<[Operations; 2]>,
-    /// The field of implicit methods with its derivative.
-    pub(super) field: Operations,
-    pub(super) discrete: Operations,
-}
-
 /// The report. Lines are short enough for a terminal unless a formula is not.
-pub(super) fn report(
-    context: &Context<'_>,
-    graph: &mut Graph,
-    structure: &Structure,
-    derivatives: &Derivatives,
-    costs: &Costs,
-) -> String {
-    let gradient_roots = [&derivatives.gradient.q[..], &derivatives.gradient.p[..]].concat();
-    let gradient_cost = schedule::routine(graph, &gradient_roots).operations();
+pub(crate) fn canonical(context: &Context<'_>, graph: &Graph, structure: &Structure, system: &System<Plan>) -> String {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut text = String::new();
     // Writing to a string cannot fail.
-    let _ = sections(&mut text, context, &printer, structure, derivatives, costs, gradient_cost);
+    let _ = sections(&mut text, context, &printer, structure, system);
     text
 }
 
@@ -38,9 +24,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     context: &Context<'_>,
     printer: &Printer<'_, F>,
     structure: &Structure,
-    derivatives: &Derivatives,
-    costs: &Costs,
-    gradient_cost: Operations,
+    system: &System<Plan>,
 ) -> std::fmt::Result {
     let energy = context.energy;
     let name_of = |role: Role| {
@@ -48,7 +32,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     };
     let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
     writeln!(text, "H = {}", printer.formula(structure.energy))?;
-    for (symbols, slopes) in [(&q, &derivatives.gradient.q), (&p, &derivatives.gradient.p)] {
+    for (symbols, slopes) in [(&q, &system.gradient.q), (&p, &system.gradient.p)] {
         for (i, slope) in slopes.iter().enumerate() {
             let indices: String = energy.coordinates.shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
             writeln!(text, "∂H/∂{symbols}{indices} = {}", formula(printer, *slope))?;
@@ -71,6 +55,11 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
             writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
         }
     }
+    let velocities = &system.gradient.p;
+    let moves = structure.resting.len() < velocities.len();
+    if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
+        writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
+    }
     match structure.degree {
         Some(degree) => writeln!(text, "- H is a polynomial of degree {degree} in {q} and {p}")?,
         None => writeln!(text, "- H is not a polynomial in {q} and {p}")?,
@@ -79,7 +68,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     writeln!(text, "- H {reads_time} on time")?;
 
     if let Some(damping) = &structure.damping {
-        super::damping::section(text, printer, damping, structure.autonomous)?;
+        damping::section(text, printer, damping, structure.autonomous)?;
     }
 
     let listed = |name: &str, indices: &[u32]| {
@@ -95,23 +84,14 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     conserved(text, printer, structure, &unread)?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
-    writeln!(text, "- gradient of H: {}", counted(gradient_cost))?;
-    if let Some([kick, drift]) = costs.flows {
-        writeln!(text, "- kick: {}", counted(kick))?;
-        writeln!(text, "- drift: {}", counted(drift))?;
+    writeln!(text, "- gradient of H: {}", counted(system.slopes.operations()))?;
+    if let Ok(flows) = &system.splitting {
+        writeln!(text, "- kick: {}", counted(flows.kick.kernel.operations()))?;
+        writeln!(text, "- drift: {}", counted(flows.drift.kernel.operations()))?;
     }
-    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(costs.field))?;
-    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(costs.discrete))?;
-
-    writeln!(text, "\nImplicit steps")?;
-    let unknowns = derivatives.field.unknowns.len();
-    let solver = match unknowns {
-        _ if structure.linear() => "the equation is linear, its matrix inverted once",
-        1 => "Newton's iteration for one number",
-        2..=12 => "Newton's iteration with elimination",
-        _ => "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond 12",
-    };
-    writeln!(text, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")?;
+    if let Implicit::Canonical(field) = &system.implicit {
+        implicit(text, field)?;
+    }
 
     writeln!(text, "\nSkipped")?;
     if structure.flows().is_some() {
@@ -138,6 +118,24 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     Ok(())
 }
 
+/// What implicit steps cost, and how they are solved.
+fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
+    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
+    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(field.discrete.operations()))?;
+
+    writeln!(text, "\nImplicit steps")?;
+    let unknowns = field.coordinates.len();
+    let solver = match unknowns {
+        _ if field.linear => "the equation is linear, its matrix inverted once".into(),
+        1 => "Newton's iteration for one number".into(),
+        2..=MOST_UNKNOWNS => "Newton's iteration with elimination".into(),
+        _ => format!(
+            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
+        ),
+    };
+    writeln!(text, "- `DiscreteGradient`, unknowns {unknowns}: {solver}")
+}
+
 /// What the flow conserves and discrete gradients keep; `unread` are coordinates with their conjugates, which H does not
 /// read.
 fn conserved<F: Fn(crate::ir::Symbol) -> String>(
@@ -154,7 +152,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     lines.extend(unread.map(|(kept, unread)| format!("{kept}: H does not read {unread}")));
     let momenta = structure.momenta.iter();
     lines.extend(momenta.map(|momentum| format!("{}: {}", momentum.name, printer.excerpt(momentum.value))));
-    writeln!(text, "\nConserved by the flow")?;
+    writeln!(text, "\nConserved by the flow, at least")?;
     for line in &lines {
         writeln!(text, "- {line}")?;
     }
@@ -162,44 +160,38 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- nothing that was found")?;
     }
 
-    writeln!(text, "\nDiscrete gradients")?;
+    let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        writeln!(text, "- `DiscreteGradient` keeps all of that, to rounding")?;
+        discrete.push("`DiscreteGradient` keeps all of that, to rounding".into());
     }
     if structure.switches {
-        writeln!(
-            text,
-            "- across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
-        )?;
+        discrete.push(
+            "across an `if` that is on different sides at both ends of a step they take the secant of the whole `if`"
+                .into(),
+        );
     }
-    match structure.mean_value {
-        // It is for systems that keep their energy.
-        _ if structure.damping.is_some() => Ok(()),
-        MeanValue::Parts(1) => writeln!(text, "- `MeanValue` has a closed form: it is `DiscreteGradient`"),
-        MeanValue::Parts(parts) => {
-            writeln!(text, "- `MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
-        }
-        MeanValue::Gauss(points) => writeln!(text, "- `MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
-        MeanValue::NotClosed(term) => {
-            let term = printer.excerpt(term);
-            writeln!(
-                text,
-                "- `MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}"
-            )
-        }
+    // It is for systems that keep their energy.
+    if structure.damping.is_none() {
+        discrete.push(match structure.mean_value {
+            MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
+            MeanValue::Parts(parts) => {
+                format!("`MeanValue::<{parts}>` is exact: `DiscreteGradient` over parts of a step, extrapolated")
+            }
+            MeanValue::Gauss(points) => format!("`MeanValue::<{points}>` is exact: Gauss points for a polynomial"),
+            MeanValue::NotClosed(term) => {
+                let term = printer.excerpt(term);
+                format!("`MeanValue::<N>` is a quadrature with N Gauss points: no closed form was found for {term}")
+            }
+        });
     }
+    if !discrete.is_empty() {
+        writeln!(text, "\nDiscrete gradients")?;
+    }
+    discrete.iter().try_for_each(|line| writeln!(text, "- {line}"))
 }
 
 /// A derivative, written out unless it fills the screen.
 fn formula<F: Fn(crate::ir::Symbol) -> String>(printer: &Printer<'_, F>, id: Id) -> String {
     let formula = printer.formula(id);
     if formula.chars().count() > 400 { printer.excerpt(id) } else { formula }
-}
-
-pub(super) fn counted(operations: Operations) -> String {
-    let Operations { arithmetic, divisions, calls } = operations;
-    let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
-    let parts: Vec<String> =
-        kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")).collect();
-    if parts.is_empty() { "nothing".into() } else { parts.join(", ") }
 }

@@ -1,0 +1,100 @@
+//! What is derived from H(q, p, t).
+
+use super::implicit;
+use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
+use crate::analyze::{Parts, Split, Structure};
+use crate::diff::{self, Gradient, modified};
+use crate::ir::{Graph, Id, Number, Symbol};
+use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::schedule::{Kernel, Levels};
+
+/// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
+/// more than the one direction that is needed of it: users do not pay for compiling another one.
+const FEW: u32 = 3;
+
+/// Derives everything that some method needs.
+pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) -> System {
+    let gradient = diff::gradient(graph, structure.energy, degrees);
+    let fields = implicit::field(graph, &gradient, structure, degrees);
+    let drag = structure
+        .damping
+        .as_ref()
+        .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
+    let separable = match (drag, &structure.split) {
+        (Some(term), _) => Err(Missing { marker: "Undamped", term, why: DAMPED }),
+        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED }),
+        (None, Split::Separable(parts)) => Ok(parts),
+    };
+    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
+    let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
+    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
+    let conditions = damping.copied().chain([structure.energy]).collect();
+    let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
+    let proven = [
+        (structure.damping.is_none(), "Conservative"),
+        (structure.conserves_energy(), "Autonomous"),
+        (structure.degree.is_some_and(|degree| degree <= 3), "Cubic"),
+    ];
+    System {
+        energy: structure.energy,
+        conditions,
+        proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
+        value: Some(Kernel::new(Levels::One, vec![structure.energy])),
+        slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat()),
+        gradient,
+        rate,
+        splitting,
+        modified,
+        pieces: None,
+        implicit: Implicit::Canonical(fields.kernels(graph, structure)),
+    }
+}
+
+/// The flows of V and T by derivatives of −hV and hT, not −h and h times those of V and T: then h meets the constants of every term and
+/// is prepared with them, instead of being multiplied to the sum.
+fn kick_drift(
+    graph: &mut Graph,
+    parts: &Parts,
+    (force, gradient): (&[Id], &Gradient),
+    degrees: u32,
+) -> KickDrift<Kernel> {
+    let h = graph.symbol(Symbol::H);
+    let [impulse, shift] = [(parts.potential, Number::MINUS_ONE), (parts.kinetic, Number::ONE)].map(|(part, sign)| {
+        let generator = graph.mul(h, part);
+        let generator = graph.scale(sign, generator);
+        diff::gradient(graph, generator, degrees)
+    });
+    let kick = increments(graph, Symbol::P, &impulse.q);
+    let drift = increments(graph, Symbol::Q, &shift.p);
+    let gradient_kick = match parts.not_quadratic {
+        None if degrees <= FEW => Ok(GradientKick::Collocation),
+        None => {
+            let kick = diff::gradient_kick(graph, parts.potential, force, &gradient.p);
+            Ok(GradientKick::Flow(increments(graph, Symbol::P, &kick.impulse)))
+        }
+        Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC }),
+    };
+    KickDrift { kick, drift, exact_in_time: false, gradient_kick, undamped: None }
+}
+
+/// x ← x + increment. An increment is summed before it is added: x is rounded once.
+fn increments(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> FlowKernel {
+    let mut ends = vec![];
+    for (coordinate, increment) in (0..).map(coordinate).zip(increments) {
+        if !graph.is_zero(*increment) {
+            let start = graph.symbol(coordinate);
+            ends.push((coordinate, graph.add(start, *increment)));
+        }
+    }
+    FlowKernel::new(Levels::Prepared, ends)
+}
+
+/// The energy that steps of Störmer and Verlet keep up to h⁴: in closed form, or where nothing reads time by the kernels of implicit
+/// methods, which costs users no time to compile.
+fn modified_energy(graph: &mut Graph, structure: &Structure, parts: &Parts, gradient: &Gradient) -> Modified<Kernel> {
+    if structure.autonomous && parts.not_quadratic.is_none() {
+        return Modified::Implicit;
+    }
+    let modified = modified::verlet(graph, parts, gradient);
+    Modified::Value(Kernel::new(Levels::One, vec![modified]))
+}

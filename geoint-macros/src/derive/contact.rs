@@ -1,0 +1,71 @@
+//! What is derived from H(q, p, s, t).
+
+use super::implicit;
+use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
+use crate::analyze;
+use crate::diff;
+use crate::ir::{Graph, Id};
+use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
+use crate::schedule::{Kernel, Levels};
+use crate::split::{self, Clock, Flow, Mechanics, Pieces};
+
+/// Derives everything that some method needs. The momenta of a lift are not followed.
+pub(crate) fn contact(
+    graph: &mut Graph,
+    energy: Id,
+    (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
+    (degrees, lift): (u32, bool),
+) -> System {
+    let gradient = diff::gradient(graph, energy, degrees);
+    let pieces = match found {
+        Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
+        Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES }),
+    };
+    let modified = found.as_ref().ok().filter(|_| !lift).map(|pieces| {
+        let modified = split::modified_energy(graph, pieces, degrees);
+        Modified::Value(Kernel::new(Levels::One, vec![modified]))
+    });
+    let splitting = match mechanics {
+        Ok(mechanics) => Ok(kick_drift(graph, mechanics)),
+        Err(term) => Err(Missing { marker: "MechanicalIn", term: *term, why: NOT_MECHANICAL }),
+    };
+    // Positions and momenta move without s.
+    let conformal = !analyze::reads(graph, gradient.s).state();
+    System {
+        energy,
+        conditions: vec![energy],
+        proven: if conformal { vec!["ConformalContact"] } else { vec![] },
+        value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
+        slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),
+        gradient,
+        rate: None,
+        splitting,
+        modified,
+        pieces: Some(pieces),
+        implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+    }
+}
+
+fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Kernel> {
+    let (changes, kernel) = piece.kernel(graph, !lift);
+    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow: FlowKernel { changes, kernel } }
+}
+
+fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
+    let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
+    let (drift, clock) = &mechanics.drift;
+    KickDrift {
+        kick: kernel(&mechanics.kick),
+        drift: kernel(drift),
+        exact_in_time: *clock == Clock::Own,
+        undamped: Some(Undamped {
+            kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
+            drift: (mechanics.free_drift != *drift).then(|| kernel(&mechanics.free_drift)),
+            damping: Kernel::new(Levels::One, vec![mechanics.damping]),
+        }),
+        gradient_kick: match &mechanics.gradient_kick {
+            Ok(flow) => Ok(GradientKick::Flow(kernel(flow))),
+            Err(term) => Err(Missing { marker: "NystromIn", term: *term, why: NOT_NYSTROM }),
+        },
+    }
+}

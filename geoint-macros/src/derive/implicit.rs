@@ -1,0 +1,136 @@
+//! The equations of implicit methods.
+
+use super::system::{FieldKernels, StepKernel};
+use crate::analyze::Structure;
+use crate::diff::Gradient;
+use crate::diff::contact::{self, Equation};
+use crate::diff::field::{self, Field, SecondOrder};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
+use crate::schedule::{Kernel, Levels};
+
+/// With more unknowns than this the runtime prefers the fixed point to Newton's iteration: an elimination costs more than the
+/// evaluations that it saves. For six bodies (18 unknowns) a step with the fixed point takes a third to a tenth of the time.
+///
+/// The runtime reads this number, which has to be one: with a smaller one here, Newton's iteration would do without its own
+/// kernel; with a larger one, that kernel would be compiled for nothing.
+pub(crate) const MOST_UNKNOWNS: usize = 12;
+
+/// The field, with derivatives and with divided differences, and what T adds to it.
+pub(super) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Fields {
+    let field = field::field(graph, gradient, structure, degrees);
+    let discrete = field::discrete(graph, structure, degrees);
+    let second_order = field::second_order(graph, gradient, structure, degrees);
+    Fields { field, discrete, second_order }
+}
+
+/// The field of implicit methods.
+pub(super) struct Fields {
+    pub(super) field: Field,
+    discrete: Field,
+    second_order: Option<SecondOrder>,
+}
+
+impl Fields {
+    /// The kernels of collocation and of discrete gradients.
+    pub(super) fn kernels(self, graph: &mut Graph, structure: &Structure) -> FieldKernels<Kernel> {
+        let Fields { field, discrete, second_order } = self;
+        let folded = second_order.as_ref().filter(|_| field.unknowns.len() <= MOST_UNKNOWNS);
+        let equation = folded.map_or_else(Vec::new, |second_order| equation(graph, &discrete, second_order));
+        let velocity = second_order.as_ref().map_or(&[][..], |second_order| &second_order.velocity);
+        let acceleration = second_order.as_ref().map_or(&[][..], |second_order| &second_order.acceleration);
+        let drift = drift(graph, velocity);
+        FieldKernels {
+            second_order: second_order.is_some(),
+            folded: folded.is_some(),
+            linear: structure.linear(),
+            mean_value: structure.mean_value,
+            collocation: Kernel {
+                levels: Levels::Prepared,
+                routines: vec![roots(&field), velocity.to_vec(), acceleration.to_vec()],
+            },
+            discrete: Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] },
+            coordinates: field.unknowns,
+            increments: discrete.unknowns,
+        }
+    }
+}
+
+fn roots(field: &Field) -> Vec<Id> {
+    field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect()
+}
+
+/// What Newton's iteration needs where T is quadratic: h·f̄, and 1 − h·(∂f̄/∂d)·(∂d/∂impulse) with d = h·M⁻¹(p + impulse/2).
+/// What is known before the step is one factor.
+///
+/// Other systems are left to the runtime: the compiler would take a quarter longer.
+fn equation(graph: &mut Graph, field: &Field, second_order: &SecondOrder) -> Vec<Id> {
+    let (h, n) = (graph.symbol(Symbol::H), field.unknowns.len());
+    let mut roots = field.f.iter().map(|f| graph.mul(h, *f)).collect::<Vec<_>>();
+    let square = graph.pow(h, Ratio::integer(2));
+    let half = graph.scale(Number::HALF, square);
+    for (i, row) in field.jacobian.iter().enumerate() {
+        for j in 0..n {
+            let mut terms = vec![graph.integer((i == j).into())];
+            for (slope, inverse_mass) in row.iter().zip(&second_order.inverse_mass) {
+                let weight = graph.mul(half, inverse_mass[j]);
+                subtract(graph, weight, *slope, &mut terms);
+            }
+            roots.push(graph.sum(&terms));
+        }
+    }
+    roots
+}
+
+/// −weight·x, a sum term by term: the chain of dependent operations is shorter.
+fn subtract(graph: &mut Graph, weight: Id, x: Id, terms: &mut Vec<Id>) {
+    let Node::Linear(constant, summands) = graph.node(x).clone() else {
+        let product = graph.mul(weight, x);
+        return terms.push(graph.neg(product));
+    };
+    terms.push(graph.scale(constant.neg(), weight));
+    for (c, x) in summands {
+        let weight = graph.scale(c, weight);
+        subtract(graph, weight, x, terms);
+    }
+}
+
+/// h ∂T/∂p as a function of what stands for the momenta.
+fn drift(graph: &mut Graph, velocity: &[Id]) -> Vec<Id> {
+    let h = graph.symbol(Symbol::H);
+    let mut mean = Substitution::new(|graph: &mut Graph, symbol| match symbol {
+        Symbol::P(i) => Some(graph.symbol(Symbol::Dp(i))),
+        _ => None,
+    });
+    let mut scaled = |velocity: &Id| {
+        let velocity = mean.apply(graph, *velocity);
+        graph.mul(h, velocity)
+    };
+    velocity.iter().map(&mut scaled).collect()
+}
+
+type Derive = fn(&mut Graph, Id, u32) -> Equation;
+
+/// The methods of contact systems whose steps are solved.
+const METHODS: [(&str, Derive); 2] =
+    [("ContactMidpoint", contact::midpoint), ("ContactDiscreteGradient", contact::discrete)];
+
+/// The equation of each method for contact systems.
+pub(super) fn steps(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<(&'static str, StepKernel<Kernel>)> {
+    let step = |(method, derive): (_, Derive)| {
+        let equation = derive(graph, energy, degrees);
+        (method, step(graph, equation))
+    };
+    METHODS.into_iter().map(step).collect()
+}
+
+/// Φ and 1 − ∂Φ/∂d, and what a solution adds.
+fn step(graph: &mut Graph, Equation { field, end }: Equation) -> StepKernel<Kernel> {
+    let (zero, one) = (graph.zero(), graph.integer(1));
+    let mut image = field.f;
+    for (i, row) in field.jacobian.iter().enumerate() {
+        image.extend(row.iter().enumerate().map(|(j, entry)| graph.sub(if i == j { one } else { zero }, *entry)));
+    }
+    let kernel = Kernel { levels: Levels::Iterated, routines: vec![image, end] };
+    StepKernel { unknowns: field.unknowns, kernel }
+}

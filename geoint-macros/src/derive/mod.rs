@@ -1,0 +1,17 @@
+//! Everything that some method needs of a system, as nodes: derived once, before anything is emitted.
+//!
+//! One value holds it for every form. It is a system of kernels; scheduled, the same is a system of plans. What a form does not have
+//! is `None`, and what an energy does not have is `Err` with the reason.
+
+mod system;
+mod implicit;
+mod canonical;
+mod contact;
+
+pub(crate) use canonical::canonical;
+pub(crate) use contact::contact;
+pub(crate) use implicit::MOST_UNKNOWNS;
+pub(crate) use system::{
+    FieldKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
+    Undamped,
+};

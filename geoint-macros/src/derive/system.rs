@@ -1,0 +1,214 @@
+//! The value that holds what was derived of a system.
+
+use crate::analyze::MeanValue;
+use crate::diff::Gradient;
+use crate::ir::{Graph, Id, Symbol};
+use crate::schedule::{Kernel, Levels, Plan};
+use crate::split::{Clock, Family};
+
+/// What a system offers.
+#[derive(Debug)]
+pub(crate) struct System<K = Kernel> {
+    /// The energy as a node.
+    pub(crate) energy: Id,
+    /// ∂H/∂q, ∂H/∂p and ∂H/∂s as nodes.
+    pub(crate) gradient: Gradient,
+    /// What decides whether scalars have to be compared.
+    pub(crate) conditions: Vec<Id>,
+    /// The traits of what was proven, and needs no kernel.
+    pub(crate) proven: Vec<&'static str>,
+    /// H; nothing if momenta are not followed.
+    pub(crate) value: Option<K>,
+    /// ∇H.
+    pub(crate) slopes: K,
+    /// q' and p', where they are not those of H alone.
+    pub(crate) rate: Option<K>,
+    pub(crate) splitting: Result<KickDrift<K>, Missing>,
+    /// The energy that symmetric steps of order 2 keep up to h⁴.
+    pub(crate) modified: Option<Modified<K>>,
+    /// The flows whose composition is a step; of contact systems.
+    pub(crate) pieces: Option<Result<Vec<PieceKernel<K>>, Missing>>,
+    pub(crate) implicit: Implicit<K>,
+}
+
+/// What an energy lacks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Missing {
+    /// The beginning of the name of the trait that nothing implements.
+    pub(crate) marker: &'static str,
+    /// The term to blame.
+    pub(crate) term: Id,
+    pub(crate) why: &'static str,
+}
+
+/// The end of a flow: what it changes, in order, and the values.
+#[derive(Clone, Debug)]
+pub(crate) struct FlowKernel<K = Kernel> {
+    pub(crate) changes: Vec<Symbol>,
+    pub(crate) kernel: K,
+}
+
+/// Kick and drift.
+#[derive(Debug)]
+pub(crate) struct KickDrift<K> {
+    pub(crate) kick: FlowKernel<K>,
+    pub(crate) drift: FlowKernel<K>,
+    /// Whether a drift is exact in its own time.
+    pub(crate) exact_in_time: bool,
+    pub(crate) gradient_kick: Result<GradientKick<K>, Missing>,
+    /// Of contact systems.
+    pub(crate) undamped: Option<Undamped<K>>,
+}
+
+/// A kick with a force gradient.
+#[derive(Debug)]
+pub(crate) enum GradientKick<K> {
+    /// By the kernel of collocation.
+    Collocation,
+    Flow(FlowKernel<K>),
+}
+
+/// Kick and drift without damping, where they are others; and the damping.
+#[derive(Debug)]
+pub(crate) struct Undamped<K> {
+    pub(crate) kick: Option<FlowKernel<K>>,
+    pub(crate) drift: Option<FlowKernel<K>>,
+    pub(crate) damping: K,
+}
+
+/// H + h²H₂.
+#[derive(Debug)]
+pub(crate) enum Modified<K> {
+    /// By the kernels of implicit methods.
+    Implicit,
+    Value(K),
+}
+
+/// A piece of a contact Hamiltonian.
+#[derive(Debug)]
+pub(crate) struct PieceKernel<K> {
+    pub(crate) energy: Id,
+    pub(crate) family: &'static Family,
+    pub(crate) clock: Clock,
+    pub(crate) flow: FlowKernel<K>,
+}
+
+/// The equations of implicit methods.
+#[derive(Debug)]
+pub(crate) enum Implicit<K> {
+    Canonical(FieldKernels<K>),
+    /// Of each method by name.
+    Contact(Vec<(&'static str, StepKernel<K>)>),
+}
+
+/// The field of implicit methods for (q, p), or for q alone.
+#[derive(Debug)]
+pub(crate) struct FieldKernels<K> {
+    /// The coordinates that are solved for, and their increments.
+    pub(crate) coordinates: Vec<Symbol>,
+    pub(crate) increments: Vec<Symbol>,
+    /// Whether the equation is one of second order.
+    pub(crate) second_order: bool,
+    /// f with its derivative; ∂T/∂p; M⁻¹p.
+    pub(crate) collocation: K,
+    /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
+    pub(crate) discrete: K,
+    /// Whether Newton's iteration has a kernel of its own.
+    pub(crate) folded: bool,
+    /// Whether the equation of a step is linear.
+    pub(crate) linear: bool,
+    pub(crate) mean_value: MeanValue,
+}
+
+/// The equation of an implicit step in (q, p, s).
+#[derive(Debug)]
+pub(crate) struct StepKernel<K> {
+    pub(crate) unknowns: Vec<Symbol>,
+    /// Φ with 1 − ∂Φ/∂d; what a solution adds.
+    pub(crate) kernel: K,
+}
+
+impl FlowKernel {
+    /// A flow by what it changes.
+    pub(super) fn new(levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
+        let (changes, roots) = ends.into_iter().unzip();
+        FlowKernel { changes, kernel: Kernel::new(levels, roots) }
+    }
+}
+
+impl System {
+    /// The statements of all kernels. After that nothing is added to the graph.
+    pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
+        let mut plan = |kernel: Kernel| kernel.plan(graph);
+        System {
+            energy: self.energy,
+            gradient: self.gradient,
+            conditions: self.conditions,
+            proven: self.proven,
+            splitting: self.splitting.map(|splitting| splitting.map(&mut plan)),
+            modified: self.modified.map(|modified| match modified {
+                Modified::Implicit => Modified::Implicit,
+                Modified::Value(value) => Modified::Value(plan(value)),
+            }),
+            pieces: self.pieces.map(|pieces| Ok(pieces?.into_iter().map(|piece| piece.map(&mut plan)).collect())),
+            implicit: self.implicit.map(&mut plan),
+            value: self.value.map(&mut plan),
+            rate: self.rate.map(&mut plan),
+            slopes: plan(self.slopes),
+        }
+    }
+}
+
+impl<K> FlowKernel<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> FlowKernel<L> {
+        FlowKernel { changes: self.changes, kernel: of(self.kernel) }
+    }
+}
+
+impl<K> KickDrift<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> KickDrift<L> {
+        KickDrift {
+            kick: self.kick.map(of),
+            drift: self.drift.map(of),
+            exact_in_time: self.exact_in_time,
+            gradient_kick: self.gradient_kick.map(|kick| match kick {
+                GradientKick::Collocation => GradientKick::Collocation,
+                GradientKick::Flow(flow) => GradientKick::Flow(flow.map(of)),
+            }),
+            undamped: self.undamped.map(|undamped| Undamped {
+                kick: undamped.kick.map(|flow| flow.map(of)),
+                drift: undamped.drift.map(|flow| flow.map(of)),
+                damping: of(undamped.damping),
+            }),
+        }
+    }
+}
+
+impl<K> PieceKernel<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PieceKernel<L> {
+        PieceKernel { energy: self.energy, family: self.family, clock: self.clock, flow: self.flow.map(of) }
+    }
+}
+
+impl<K> Implicit<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Implicit<L> {
+        match self {
+            Implicit::Canonical(field) => Implicit::Canonical(FieldKernels {
+                coordinates: field.coordinates,
+                increments: field.increments,
+                second_order: field.second_order,
+                collocation: of(field.collocation),
+                discrete: of(field.discrete),
+                folded: field.folded,
+                linear: field.linear,
+                mean_value: field.mean_value,
+            }),
+            Implicit::Contact(steps) => {
+                let step = |(name, step): (_, StepKernel<K>)| {
+                    (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
+                };
+                Implicit::Contact(steps.into_iter().map(step).collect())
+            }
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The gradient, and what is in its place between two points.
+
+use super::forward::jacobian;
+use super::{slope, sweep};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Symbol};
+
+/// The partial derivatives of a node with respect to positions, momenta and the action.
+#[derive(Clone, Debug)]
+pub(crate) struct Gradient {
+    pub(crate) q: Vec<Id>,
+    pub(crate) p: Vec<Id>,
+    pub(crate) s: Id,
+}
+
+/// ∇ of `root` by one reverse sweep.
+pub(crate) fn gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
+    let entries = sweep::gradient(graph, root);
+    collect(graph, &entries, degrees)
+}
+
+/// The tree discrete gradient of `root` between (q, p, s) and (q + dq, p + dp, s + ds).
+pub(crate) fn discrete_gradient(graph: &mut Graph, root: Id, degrees: u32) -> Gradient {
+    let entries = slope::Slopes::default().gradient(graph, root);
+    collect(graph, &entries, degrees)
+}
+
+fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradient {
+    let zero = graph.zero();
+    let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
+    let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
+    Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
+}
+
+/// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.
+pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
+    // A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
+    const TIME: u32 = u32::MAX;
+    let stands_for = |symbol| match symbol {
+        Symbol::T => Some(Symbol::Q(TIME)),
+        _ => None,
+    };
+    let back = |symbol| match symbol {
+        Symbol::Q(TIME) => Some(Symbol::T),
+        Symbol::Dq(TIME) => Some(Symbol::H),
+        _ => None,
+    };
+    let root = rename(graph, root, stands_for);
+    let entries = slope::Slopes::default().gradient(graph, root);
+    let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
+    rename(graph, mean, back)
+}
+
+/// A node with some symbols called otherwise.
+pub(super) fn rename(graph: &mut Graph, root: Id, new: impl Fn(Symbol) -> Option<Symbol>) -> Id {
+    Substitution::new(|graph, symbol| new(symbol).map(|symbol| graph.symbol(symbol))).apply(graph, root)
+}
+
+/// ∂root/∂symbol.
+pub(crate) fn partial(graph: &mut Graph, root: Id, symbol: Symbol) -> Id {
+    jacobian(graph, &[root], &[symbol])[0][0]
+}

@@ -1,0 +1,95 @@
+//! What was found of H(q, p, s, t), in words.
+
+use super::super::kernel::Context;
+use super::counted;
+use crate::analyze;
+use crate::derive::{Implicit, KickDrift, System, Undamped};
+use crate::ir::{Graph, Symbol, print::Printer};
+use crate::schedule::Plan;
+use crate::split::Clock;
+use std::fmt::{Result as Written, Write};
+
+/// The report.
+pub(crate) fn contact(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> String {
+    let mut text = String::new();
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    // Writing to a string cannot fail.
+    let _ = structure(&mut text, &printer, graph, system)
+        .and_then(|()| pieces(&mut text, &printer, system))
+        .and_then(|()| implicit(&mut text, context.energy.degrees(), system));
+    text
+}
+
+fn structure<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    graph: &Graph,
+    system: &System<Plan>,
+) -> Written {
+    writeln!(text, "H = {}", printer.formula(system.energy))?;
+    writeln!(text, "\nStructure")?;
+    let reads = analyze::reads(graph, system.gradient.s);
+    let explicit = if analyze::reads(graph, system.energy).t { " + ∂H/∂t" } else { "" };
+    match graph.is_zero(system.gradient.s) {
+        true => {
+            writeln!(text, "- ∂H/∂s = 0: nothing is lost, H' = {}", if explicit.is_empty() { "0" } else { "∂H/∂t" })?
+        }
+        false => writeln!(text, "- ∂H/∂s = {}, and H' = −H ∂H/∂s{explicit}", printer.excerpt(system.gradient.s))?,
+    }
+    match reads.state() {
+        true => writeln!(text, "- s acts back on positions or momenta")?,
+        false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
+    }
+    match &system.splitting {
+        Ok(KickDrift { gradient_kick: Ok(_), .. }) => {
+            writeln!(text, "- T + g·s + V with quadratic T: kick and drift exist, and all tables have their order")
+        }
+        Ok(KickDrift { undamped: Some(Undamped { kick: Some(_), .. }), .. }) => {
+            writeln!(
+                text,
+                "- T + g·s + V: kick and drift exist, with the damping in the kick, because T is no quadratic form; tables of \
+                 Runge–Kutta–Nyström type need one"
+            )
+        }
+        Ok(KickDrift { gradient_kick: Err(missing), .. }) => {
+            let term = printer.excerpt(missing.term);
+            writeln!(
+                text,
+                "- T + g·s + V: kick and drift exist; tables of Runge–Kutta–Nyström type would lose their order by {term}"
+            )
+        }
+        Err(missing) => {
+            writeln!(text, "- not T + g·s + V, so that kick and drift do not exist: {}", printer.excerpt(missing.term))
+        }
+    }
+}
+
+fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
+    writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
+    match &system.pieces {
+        Some(Ok(pieces)) => pieces.iter().try_for_each(|piece| {
+            writeln!(text, "- {}", printer.excerpt(piece.energy))?;
+            writeln!(text, "  {}: {} ({})", piece.family.name, piece.family.energies, piece.family.source)?;
+            let clock = match piece.clock {
+                Clock::Own => "exact in time",
+                Clock::Stage => "time frozen in the middle of a step",
+            };
+            writeln!(text, "  {clock}; {}", counted(piece.flow.kernel.operations()))
+        }),
+        Some(Err(missing)) => writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term)),
+        None => Ok(()),
+    }
+}
+
+fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {
+    writeln!(text, "\nImplicit steps, for the increments of all positions, momenta and the action")?;
+    let Implicit::Contact(steps) = &system.implicit else { return Ok(()) };
+    for (method, step) in steps {
+        let cost = counted(step.kernel.operations());
+        writeln!(text, "- `{method}`, unknowns {}: {cost} an iteration", 2 * degrees + 1)?;
+    }
+    if steps.is_empty() {
+        writeln!(text, "- none: the momenta of a lift are not followed")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,17 @@
+//! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
+
+mod canonical;
+mod contact;
+
+use crate::schedule::Operations;
+pub(crate) use canonical::canonical;
+pub(crate) use contact::contact;
+
+/// How much something costs.
+fn counted(operations: Operations) -> String {
+    let Operations { arithmetic, divisions, calls } = operations;
+    let kinds = [("sums and products", arithmetic), ("divisions and roots", divisions), ("functions", calls)];
+    let parts: Vec<String> =
+        kinds.iter().filter(|(_, count)| *count > 0).map(|(kind, count)| format!("{kind} {count}")).collect();
+    if parts.is_empty() { "nothing".into() } else { parts.join(", ") }
+}

@@ -1,0 +1,57 @@
+//! The equations of implicit steps of contact systems.
+
+use super::implicit::write_field;
+use super::kernel::Context;
+use super::system::self_type;
+use crate::derive::StepKernel;
+use crate::ir::Symbol;
+use crate::schedule::Plan;
+use proc_macro2::{Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// `impl ImplicitStep` for a method.
+pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>, bounds: &TokenStream) -> TokenStream {
+    let StepKernel { unknowns, kernel: plan } = step;
+    let (name, method) = (self_type(context), format_ident!("{method}"));
+    let (unknown, places) = (context.unknown_type(unknowns.len()), context.unknown_places(unknowns.len()));
+    let degrees = context.energy.degrees();
+    let before: Vec<Symbol> =
+        (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
+    let constants = context.stored(plan, 0);
+    let begin = context.planned(&plan.stores[1], (&before, "x"), |values| quote!([#(#values),*]));
+    let image =
+        context.planned(&plan.last[0], (unknowns, "d"), |values| write_field(["f", "matrix"], &places, &values));
+    let end = context.planned(&plan.last[1], (unknowns, "d"), |values| quote!([#(#values),*]));
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    quote! {
+        impl<R: #bounds> ImplicitStep<#method, R> for #name {
+            type Unknown = #unknown;
+            type Constants = [R; #prepared];
+            type Start = [R; #started];
+
+            #[inline]
+            fn constants(&self, h: R) -> [R; #prepared] {
+                #constants
+            }
+            #[inline(always)]
+            fn begin(&self, prepared: &[R; #prepared], t: R, x: &#unknown) -> [R; #started] {
+                #begin
+            }
+            #[inline(always)]
+            fn image(
+                &self,
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                f: &mut #unknown,
+                matrix: &mut Square<#unknown>,
+            ) {
+                #image
+            }
+            #[inline(always)]
+            fn end(&self, prepared: &[R; #prepared], start: &[R; #started], d: &#unknown) -> #unknown {
+                #end
+            }
+        }
+    }
+}

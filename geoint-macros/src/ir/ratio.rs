@@ -1,0 +1,174 @@
+//! Ratios of integers, in lowest terms.
+
+use std::cmp::Ordering;
+
+/// A ratio in lowest terms with positive denominator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Ratio {
+    pub(crate) numerator: i128,
+    pub(crate) denominator: i128,
+}
+
+/// Parts are at most so large: a decimal such as 1.380649e-23, and the square of any number of `f64` near one, are exact.
+const LARGEST: u128 = 1 << 126;
+
+/// Integers up to here are exact in `f64`.
+const EXACT: i128 = 1 << 53;
+
+impl Ratio {
+    pub(crate) const ZERO: Ratio = Ratio::integer(0);
+    pub(crate) const ONE: Ratio = Ratio::integer(1);
+    pub(crate) const HALF: Ratio = Ratio { numerator: 1, denominator: 2 };
+
+    pub(crate) const fn integer(n: i128) -> Ratio {
+        Ratio { numerator: n, denominator: 1 }
+    }
+
+    /// `None` if a part is too large, or the denominator is zero.
+    pub(crate) fn new(numerator: i128, denominator: i128) -> Option<Ratio> {
+        if denominator == 0 {
+            return None;
+        }
+        let divisor = gcd(numerator.unsigned_abs(), denominator.unsigned_abs()).max(1);
+        let (n, d) = (numerator.unsigned_abs() / divisor, denominator.unsigned_abs() / divisor);
+        let sign = if (numerator < 0) == (denominator < 0) { 1 } else { -1 };
+        (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
+    }
+
+    /// The value of an `f64`, if its parts are not too large.
+    pub(super) fn of_f64(x: f64) -> Option<Ratio> {
+        let bits = x.to_bits();
+        let (biased, mantissa) = ((bits >> 52 & 0x7ff) as i32, i128::from(bits & ((1 << 52) - 1)));
+        // Neither a subnormal number nor infinite.
+        let mantissa = (1..0x7ff).contains(&biased).then_some(mantissa | 1 << 52)?;
+        let zeros = mantissa.trailing_zeros();
+        let (mantissa, exponent) = (mantissa >> zeros, biased - 1075 + zeros as i32);
+        let signed = if x < 0.0 { -mantissa } else { mantissa };
+        let power = 1_i128.checked_shl(exponent.unsigned_abs()).filter(|power| *power > 0)?;
+        if exponent < 0 { Ratio::new(signed, power) } else { Ratio::new(signed.checked_mul(power)?, 1) }
+    }
+
+    pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
+        let common = gcd(self.denominator.unsigned_abs(), other.denominator.unsigned_abs()) as i128;
+        let (b, d) = (self.denominator / common, other.denominator / common);
+        let sum = self.numerator.checked_mul(d)?.checked_add(other.numerator.checked_mul(b)?)?;
+        Ratio::new(sum, self.denominator.checked_mul(d)?)
+    }
+
+    pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
+        let cancelled = |n: i128, d: i128| {
+            let common = gcd(n.unsigned_abs(), d.unsigned_abs()).max(1) as i128;
+            (n / common, d / common)
+        };
+        let ((a, d), (c, b)) =
+            (cancelled(self.numerator, other.denominator), cancelled(other.numerator, self.denominator));
+        Ratio::new(a.checked_mul(c)?, b.checked_mul(d)?)
+    }
+
+    /// `None` for zero.
+    pub(crate) fn recip(self) -> Option<Ratio> {
+        Ratio::new(self.denominator, self.numerator)
+    }
+
+    pub(crate) fn neg(self) -> Ratio {
+        Ratio { numerator: -self.numerator, ..self }
+    }
+
+    pub(crate) fn is_integer(self) -> bool {
+        self.denominator == 1
+    }
+
+    /// The largest integer that is not above the ratio.
+    pub(crate) fn floor(self) -> i128 {
+        self.numerator.div_euclid(self.denominator)
+    }
+
+    /// The ratio as an integer of the size of exponents.
+    pub(crate) fn to_integer(self) -> Option<i64> {
+        i64::try_from(self.numerator).ok().filter(|_| self.is_integer())
+    }
+
+    /// Whether both parts are exact in `f64`.
+    pub(crate) fn is_short(self) -> bool {
+        self.numerator.abs() <= EXACT && self.denominator <= EXACT
+    }
+
+    /// The nearest `f64`.
+    pub(crate) fn to_f64(self) -> f64 {
+        if self.is_short() {
+            return self.numerator as f64 / self.denominator as f64;
+        }
+        // Long division to at least 55 bits; what remains decides ties as one more bit.
+        let (n, d) = (self.numerator.unsigned_abs(), self.denominator.unsigned_abs());
+        let (mut quotient, mut rest, mut shift) = (n / d, n % d, 0_i32);
+        while quotient < 1 << 54 {
+            rest <<= 1;
+            quotient = quotient << 1 | u128::from(rest >= d);
+            rest = if rest >= d { rest - d } else { rest };
+            shift += 1;
+        }
+        let magnitude = (quotient | u128::from(rest > 0)) as f64 * 2.0_f64.powi(-shift);
+        if self.numerator < 0 { -magnitude } else { magnitude }
+    }
+}
+
+impl Ord for Ratio {
+    fn cmp(&self, other: &Ratio) -> Ordering {
+        // By whole parts, then by the reciprocals of what remains: products of long parts would overflow.
+        let rest = |x: &Ratio| Ratio { numerator: x.numerator.rem_euclid(x.denominator), ..*x };
+        let (a, b) = (rest(self), rest(other));
+        self.floor().cmp(&other.floor()).then_with(|| match (a.recip(), b.recip()) {
+            (Some(a), Some(b)) => b.cmp(&a),
+            _ => a.numerator.cmp(&b.numerator),
+        })
+    }
+}
+
+impl PartialOrd for Ratio {
+    fn partial_cmp(&self, other: &Ratio) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+fn gcd(a: u128, b: u128) -> u128 {
+    match (u64::try_from(a), u64::try_from(b)) {
+        // Much cheaper.
+        (Ok(mut a), Ok(mut b)) => {
+            while b != 0 {
+                (a, b) = (b, a % b);
+            }
+            a.into()
+        }
+        _ if b == 0 => a,
+        _ => gcd(b, a % b),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratios_are_in_order() {
+        let of = |n, d| Ratio::new(n, d).unwrap();
+        let long = 1_i128 << 120;
+        let ordered = [
+            of(-7, 2),
+            of(-long - 1, long),
+            of(-1, 1),
+            of(-1, 3),
+            of(0, 1),
+            of(1, 3),
+            of(long - 1, 2 * long),
+            of(1, 2),
+            of(long + 1, 2 * long),
+            of(2, 3),
+            of(5, 1),
+        ];
+        for (i, a) in ordered.iter().enumerate() {
+            for (j, b) in ordered.iter().enumerate() {
+                assert_eq!(a.cmp(b), i.cmp(&j), "{a:?} {b:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Loops, which are unrolled, and the ways out of a round.
+
+use super::value::Value;
+use super::{Lowering, MAX_NODES};
+use quote::ToTokens;
+use syn::{ExprForLoop, Lifetime};
+
+/// A loop around what is being evaluated.
+pub(super) struct Loop {
+    label: Option<Lifetime>,
+    /// Branches on data around it.
+    branches: usize,
+}
+
+/// A `continue` or `break` on its way to its loop.
+#[derive(Clone, Copy)]
+pub(super) struct Leaving {
+    /// How many loops are around that loop.
+    depth: usize,
+    /// Whether no other round follows.
+    ends: bool,
+}
+
+impl Lowering {
+    pub(super) fn for_loop(&mut self, for_loop: &ExprForLoop) -> Value {
+        let domain = self.expr(&for_loop.expr);
+        let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
+        let (said, depth) = (self.errors.len(), self.loops.len());
+        let label = for_loop.label.as_ref().map(|label| label.name.clone());
+        self.loops.push(Loop { label, branches: self.conditions.len() });
+        for item in items.iter() {
+            // The other rounds would say the same.
+            if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
+                break;
+            }
+            self.scopes.enter();
+            self.bind(&for_loop.pat, item.clone());
+            self.block(&for_loop.body);
+            self.scopes.leave();
+            match self.leaving {
+                Some(leaving) if leaving.depth < depth => break,
+                Some(leaving) => {
+                    self.leaving = None;
+                    if leaving.ends {
+                        break;
+                    }
+                }
+                None => {}
+            }
+        }
+        self.loops.pop();
+        Value::unit()
+    }
+
+    /// `continue`, or `break`, which `ends` the loop.
+    pub(super) fn leave(&mut self, syntax: &impl ToTokens, label: Option<&Lifetime>, ends: bool) -> Value {
+        let depth = match label {
+            Some(label) => self.loops.iter().rposition(|around| around.label.as_ref() == Some(label)),
+            None => self.loops.len().checked_sub(1),
+        };
+        let Some(depth) = depth else { return self.refuse(syntax, "only a `for` loop can be left") };
+        if self.loops[depth].branches != self.conditions.len() {
+            return self.refuse(
+                syntax,
+                "loops are unrolled, so that data cannot decide how long they are: make what follows the value of a branch, \
+                 as in `x += if … { … } else { 0.0 }`",
+            );
+        }
+        self.leaving = Some(Leaving { depth, ends });
+        Value::Poison
+    }
+
+    /// Whether what follows is not reached.
+    pub(super) fn is_leaving(&self) -> bool {
+        self.leaving.is_some()
+    }
+
+    /// Whether unrolling has gone too far; says so once.
+    pub(super) fn exhausted(&mut self, syntax: &impl ToTokens) -> bool {
+        let exhausted = self.graph.len() > MAX_NODES || self.evaluations > super::MAX_EVALUATIONS;
+        if exhausted {
+            self.refuse(
+                syntax,
+                format!("this unrolls to more than {MAX_NODES} operations, which rustc could not compile in good time"),
+            );
+        }
+        exhausted
+    }
+}

@@ -1,0 +1,21 @@
+//! What is said of a term that a method cannot do with, at compile time and by the type system.
+
+pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
+                                    `ContactMidpoint` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
+                                         `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a quadratic T(p) + g·s exactly in time, so \
+                                      Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a \
+                                      table for every splitting, such as `BlanesMoan6`";
+
+pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
+                                  use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const DAMPED: &str =
+    "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
+                                        Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
+                                        order; use a table for every separable energy, such as `BlanesMoan6`";

@@ -1,0 +1,21 @@
+//! The energy that a composition of flows keeps to the next order.
+
+use super::flow::Piece;
+use super::time::Clock;
+use crate::diff::modified;
+use crate::ir::{Graph, Id};
+
+/// The energy that pieces keep, or let decay, up to h⁴.
+pub(crate) fn modified_energy(graph: &mut Graph, pieces: &[Piece], degrees: u32) -> Id {
+    let frozen = modified::TimeCoordinate(0);
+    // Frozen time moves before and after all flows.
+    let mut parts = vec![modified::Part { energy: graph.zero(), advances: Some(frozen) }];
+    for (i, piece) in (1..).zip(pieces) {
+        let (reads, advances) = match piece.clock {
+            Clock::Own => (modified::TimeCoordinate(i), Some(modified::TimeCoordinate(i))),
+            Clock::Stage => (frozen, None),
+        };
+        parts.push(modified::Part { energy: reads.read(graph, piece.energy), advances });
+    }
+    modified::modified_energy(graph, &parts, degrees)
+}

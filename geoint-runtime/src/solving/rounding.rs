@@ -1,0 +1,118 @@
+//! Is a correction rounding? The one answer for every iteration.
+//!
+//! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and do not shrink
+//! any more. Small is what a correction is relative to the size of what it corrects, and that includes the terms which are added up
+//! on the way to it: see [`terms`](crate::solving::terms).
+
+use crate::scalar::Real;
+use crate::solving::Refusal;
+use crate::space::Array;
+
+/// Reached only where there is no convergence.
+pub(crate) const MAX_ITERATIONS: u32 = 100;
+
+/// Bound on the error that an iteration leaves behind, in units of ε. That error has the same sign in every step, and adds up: at
+/// ε/1024 a drift of the energy is seen after a million steps.
+pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
+
+/// A relative correction of so many ε that does not shrink any more is rounding.
+const ROUNDINGS: f64 = 64.0;
+
+/// Iterations without a smaller correction than all before. Once may be chance, and corrections that turn round one another shrink on
+/// the whole.
+const MOST_STUCK: u32 = 4;
+
+/// What a correction says of the iteration.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Verdict {
+    /// Another one follows.
+    Continue,
+    /// It was the last one.
+    Solved,
+    /// Corrections have stopped to shrink, and are larger than rounding of what they correct. They may shrink again later.
+    Stuck,
+}
+
+/// The corrections of an iteration so far.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Corrections {
+    /// The convergence that the iteration has near the solution: from c₁ to c₂, the next correction is c₂(c₂/c₁)ᵒʳᵈᵉʳ.
+    order: i32,
+    iterations: u32,
+    /// The last one, relative to what it corrects.
+    before: f64,
+    smallest: f64,
+    stuck: u32,
+}
+
+impl Corrections {
+    pub(crate) fn of_order(order: i32) -> Self {
+        Corrections { order, iterations: 0, before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0 }
+    }
+
+    /// Corrections that follow are relative to something else.
+    pub(crate) fn restart(&mut self) {
+        *self = Corrections { iterations: self.iterations, ..Self::of_order(self.order) };
+    }
+
+    /// The last one, relative to what it corrects; infinite if there is none.
+    #[inline(always)]
+    pub(crate) fn last(&self) -> f64 {
+        self.before
+    }
+
+    /// The verdict on the next correction, `relative` to what it corrects.
+    #[inline(always)]
+    pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
+        self.iterations += 1;
+        let shrunk = relative / self.before;
+        let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
+        let solved = next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative);
+        let first = self.before == f64::INFINITY;
+        self.before = relative;
+        self.stuck = if relative < self.smallest { 0 } else { self.stuck + 1 };
+        self.smallest = self.smallest.min(relative);
+        if relative == 0.0 || solved && !first {
+            Verdict::Solved
+        } else if self.stuck == MOST_STUCK {
+            Verdict::Stuck
+        } else {
+            Verdict::Continue
+        }
+    }
+
+    /// The refusal of an iteration that ends here without a solution.
+    #[cold]
+    pub(crate) fn not_converged(&self) -> Refusal {
+        Refusal::NotConverged { iterations: self.iterations, correction: self.before }
+    }
+}
+
+/// Whether a relative correction that does not shrink is rounding.
+#[inline(always)]
+pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
+    relative <= ROUNDINGS * R::epsilon()
+}
+
+/// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
+///
+/// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects; one that does not shrink and is
+/// at most `straight` is rounding of larger terms.
+pub(crate) fn correct<A: Array>(
+    mut x: A,
+    straight: f64,
+    mut correction: impl FnMut(&A) -> Result<(A, f64), Refusal>,
+) -> Result<A, Refusal> {
+    let mut corrections = Corrections::of_order(1);
+    for _ in 0..MAX_ITERATIONS {
+        let (delta, relative) = correction(&x)?;
+        x.add_scaled(A::Real::from_f64(-1.0), &delta);
+        match corrections.judge::<A::Real>(relative) {
+            Verdict::Solved => return Ok(x),
+            Verdict::Stuck if relative <= straight => return Ok(x),
+            _ if !relative.is_finite() => break,
+            _ => {}
+        }
+    }
+    Err(corrections.not_converged())
+}

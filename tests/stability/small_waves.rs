@@ -1,0 +1,160 @@
+//! Forces that cancel: the rounding of a residual is that of its terms. What is solved to it is accepted, and nothing else.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::Collocation;
+use geoint_runtime::{Hamiltonian, Method, Real, Run};
+use geoint_tests::measure::Noise;
+use geoint_tests::problems::*;
+
+/// A ring of springs that pull with a force of 1 at rest.
+macro_rules! rings {
+    ($($function:ident $n:literal $real:ident;)*) => { $(
+        #[hamiltonian]
+        fn $function(q: [$real; $n], p: [$real; $n], m: $real) -> $real {
+            let mut h = 0.0;
+            for i in 0..$n {
+                h += p[i] * p[i] / (2.0 * m) + (q[i] - q[(i + 1) % $n]).exp();
+            }
+            h
+        }
+    )* };
+}
+
+rings! {
+    ring_5 5 f64;
+    ring_8 8 f64;
+    ring_12 12 f64;
+    short_ring 7 f32;
+}
+
+/// Atoms in a row at their distances of rest.
+#[hamiltonian]
+fn row(q: [f64; 13], p: [f64; 13], m: f64) -> f64 {
+    let mut h = 0.0;
+    for i in 0..13 {
+        h += p[i] * p[i] / (2.0 * m);
+    }
+    for i in 0..12 {
+        let r = q[i + 1] - q[i] + 1.122_462_048_309_373;
+        let s = 1.0 / r.powi(6);
+        h += 4.0 * (s * s - s);
+    }
+    h
+}
+
+/// The same ring, not separable.
+#[hamiltonian]
+fn coupled_ring(q: [f64; 4], p: [f64; 4], m: f64) -> f64 {
+    let mut h = 0.0;
+    for i in 0..4 {
+        h += p[i] * p[i] / (2.0 * m) * (1.0 + q[i] * q[i]) + (q[i] - q[(i + 1) % 4]).exp();
+    }
+    h
+}
+
+/// Starts of all amplitudes, and single displacements; the change of the energy in each step, relative to the energy.
+fn runs<S: Hamiltonian<R>, M: Method<S, R>, R: Real + PartialOrd>(name: &str, system: S, method: M, smallest: f64) {
+    let n = <S::Array as geoint_runtime::space::Array>::LEN;
+    let mut noise = Noise::new(3);
+    let mut worst = 0.0_f64;
+    for decade in 2.. {
+        let size = 10.0_f64.powi(-decade);
+        if size < smallest {
+            break;
+        }
+        for h in [0.3, 0.1, 0.01, 0.001] {
+            let mut random = || -> Vec<f64> { noise.by_ref().take(n).map(|x| size * x).collect() };
+            let (q, p) = (random(), random());
+            let site: Vec<f64> = (0..n).map(|i| if i == 0 { size } else { 0.0 }).collect();
+            for (q, p) in [(q, p), (site, vec![0.0; n])] {
+                let mut sim = system.integrator(method, R::from_f64(h), state::<S, R>(0.0, &q, &p));
+                let energy = sim.energy();
+                let outcome = sim.advance(40);
+                assert!(outcome.is_ok(), "{name}, size {size:.0e}, h {h}, step {}: {outcome:?}", sim.steps());
+                worst = worst.max(((sim.energy() - energy) / energy).magnitude());
+            }
+        }
+    }
+    if method.claims().conserves_energy {
+        assert!(worst <= 8.0 * R::epsilon(), "{name}: {worst:.1e}");
+    }
+}
+
+#[test]
+fn small_waves_are_solved() {
+    runs("ring of 12", Ring12 { m: 1.7 }, DiscreteGradient, 1e-13);
+    runs("ring of 12", Ring12 { m: 1.7 }, ImplicitMidpoint, 1e-13);
+    runs("ring of 5", Ring5 { m: 0.6 }, Gauss::<2>, 1e-13);
+    runs("ring of 5", Ring5 { m: 0.6 }, Gonzalez, 1e-11);
+    runs("ring of 5", Ring5 { m: 0.6 }, FourthOrder(DiscreteGradient), 1e-11);
+    runs("ring of 5", Ring5 { m: 0.6 }, Projection(RK4, Energy), 1e-11);
+    runs("ring of 5", Ring5 { m: 0.6 }, Relaxation(RK4), 1e-11);
+    runs("row of 13", Row { m: 1.3 }, DiscreteGradient, 1e-12);
+    runs("row of 13", Row { m: 1.3 }, ImplicitMidpoint, 1e-12);
+    runs("coupled ring", CoupledRing { m: 1.7 }, DiscreteGradient, 1e-13);
+    runs("coupled ring", CoupledRing { m: 1.7 }, Gauss::<2>, 1e-13);
+    runs("short ring", ShortRing { m: 1.7 }, DiscreteGradient, 1e-6);
+    runs("short ring", ShortRing { m: 1.7 }, ImplicitMidpoint, 1e-6);
+    runs("short ring", ShortRing { m: 1.7 }, Gonzalez, 1e-5);
+}
+
+/// The first steps that were refused.
+#[test]
+fn single_displacements() {
+    let mut q = [0.0; 8];
+    q[0] = 1e-3;
+    assert_eq!(Ring8 { m: 1.0 }.integrator(DiscreteGradient, 0.1, State::new(q, [0.0; 8])).advance(100), Ok(()));
+    let mut q = [0.0; 5];
+    q[0] = 1e-8;
+    assert_eq!(Ring5 { m: 1.0 }.integrator(ImplicitMidpoint, 0.2, State::new(q, [0.0; 5])).advance(100), Ok(()));
+}
+
+/// A force that jumps: where the middle of a step would have to be at the jump, the midpoint rule has no solution.
+#[hamiltonian]
+fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {
+    p * p / (2.0 * m) + k * (1.0 - q.cos()) + kink * q.abs()
+}
+
+/// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, relative to x₀, x₁ and their difference.
+fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates>, to: &State<S::Coordinates>) -> f64 {
+    use geoint_runtime::space::Array;
+    let [x0, x1] = [from, to].map(|state| flat(state));
+    let n = x0.len() / 2;
+    let middle: Vec<f64> = x0.iter().zip(&x1).map(|(a, b)| 0.5 * (a + b)).collect();
+    let middle = state::<S, f64>(0.0, &middle[..n], &middle[n..]);
+    let [q, p] = [middle.q, middle.p].map(geoint_runtime::Coordinates::into_array);
+    let (mut by_q, mut by_p) = (S::Array::zero(), S::Array::zero());
+    system.gradient(0.0, &q, &p, &mut by_q, &mut by_p);
+    let rates: Vec<f64> = by_p.as_slice().iter().copied().chain(by_q.as_slice().iter().map(|x| -x)).collect();
+    let change = |i: usize| (x1[i] - x0[i] - h * rates[i]).abs() / (x0[i].abs() + x1[i].abs() + (h * rates[i]).abs());
+    (0..2 * n).map(change).fold(0.0, f64::max)
+}
+
+/// Long steps from random starts: refused, or a solution to rounding.
+#[test]
+fn what_is_accepted_is_a_solution() {
+    fn check<S: Collocation<f64>>(name: &str, system: S, reach: f64, refused: core::ops::Range<usize>) {
+        let n = <S::Array as geoint_runtime::space::Array>::LEN;
+        let (mut noise, mut refusals) = (Noise::new(11), 0);
+        for _ in 0..400 {
+            let mut random = || -> Vec<f64> { noise.by_ref().take(n).map(|x| reach * x).collect() };
+            let start = state::<S, f64>(0.0, &random(), &random());
+            let h = 0.1 * 100.0_f64.powf(0.5 + 0.5 * noise.next().unwrap_or_default());
+            let mut sim = system.integrator(ImplicitMidpoint, h, start);
+            match sim.step() {
+                Ok(()) => {
+                    let residual = residual(&system, h, &start, &sim.state());
+                    assert!(residual <= 1e-13, "{name}, h = {h}: {residual:.1e} from {start:?}");
+                }
+                Err(_) => refusals += 1,
+            }
+        }
+        println!("{name}: {refusals} refused");
+        assert!(refused.contains(&refusals), "{name}: {refusals}");
+    }
+    check("pendulum", Pendulum::system::<f64>(), 2.0, 1..200);
+    check("double pendulum", DoublePendulum::system::<f64>(), 1.0, 1..300);
+    check("kink", Kinked { m: 1.3, k: 0.8, kink: 0.3 }, 0.5, 10..300);
+    check("small kink", Kinked { m: 1.3, k: 0.8, kink: 1e-5 }, 0.01, 1..300);
+    check("toda", Toda::system::<f64>(), 0.5, 0..200);
+}

@@ -1,0 +1,153 @@
+//! Adaptive steps: every coordinate is followed with the same relative accuracy, whatever the others are.
+
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use geoint_tests::measure::distance;
+use geoint_tests::problems::flat;
+
+/// Two oscillators that know nothing of each other.
+#[hamiltonian]
+fn two_oscillators(q: [f64; 2], p: [f64; 2], m: [f64; 2], k: [f64; 2]) -> f64 {
+    (p[0] * p[0] / m[0] + k[0] * q[0] * q[0]) / 2.0 + (p[1] * p[1] / m[1] + k[1] * q[1] * q[1]) / 2.0
+}
+
+#[test]
+fn small_motions_beside_large_ones() {
+    fn check<M: Method<TwoOscillators>>(name: &str, method: M, tolerance: f64) {
+        // Frequencies 1.25 and 8.
+        let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+        for (large, small) in [(1e8, 1e-3), (1e-12, 1e9), (1.0, 1e-14)] {
+            let mut sim = system.adaptive(method, tolerance, State::new([large, small], [0.0, 0.0]));
+            sim.advance_to(20.0).unwrap();
+            let [x, y] = sim.state().q;
+            let errors = [x / large - 25.0_f64.cos(), y / small - 160.0_f64.cos()];
+            println!("{name} {large:e} {small:e}: {errors:.1e?} in {} steps", sim.steps());
+            assert!(errors.iter().all(|e| e.abs() <= 3e3 * tolerance), "{name} {large:e} {small:e}: {errors:?}");
+        }
+    }
+    check("DOP853", DOP853, 1e-6);
+    check("RK4", RK4, 1e-7);
+    check("Gauss", Gauss::<3>, 1e-7);
+    check("Projection", Projection(DOP853, Energy), 1e-8);
+}
+
+/// The Earth in SI units, and a libration beside it: lengths of 10¹¹ m and an angle, momenta of 10²⁹ kg m/s and of 10³⁰ kg m²/s.
+#[hamiltonian]
+fn earth_and_libration(q: [f64; 3], p: [f64; 3], m: f64, mu: f64, inertia: f64, torque: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - mu / (q[0] * q[0] + q[1] * q[1]).sqrt() + p[2] * p[2] / (2.0 * inertia)
+        - torque * q[2].cos()
+}
+
+/// The libration alone.
+#[hamiltonian]
+fn libration(q: f64, p: f64, inertia: f64, torque: f64) -> f64 {
+    p * p / (2.0 * inertia) - torque * q.cos()
+}
+
+#[test]
+fn lengths_and_angles_in_si_units() {
+    let (inertia, year) = (8.0e37, 3.156e7);
+    // Eight librations a year.
+    let torque = inertia * (8.0 * std::f64::consts::TAU / year).powi(2);
+    let system = EarthAndLibration { m: 5.972e24, mu: 7.928e44, inertia, torque };
+    let start = State::new([1.47e11, 0.0, 0.5], [0.0, 5.972e24 * 3.03e4, 0.0]);
+    let mut exact = Libration { inertia, torque }.adaptive(DOP853, 1e-12, State::new(0.5, 0.0));
+    exact.advance_to(2.0 * year).unwrap();
+    let mut sim = system.adaptive(DOP853, 1e-7, start);
+    sim.advance_to(2.0 * year).unwrap();
+    let error = (sim.state().q[2] - exact.state().q).abs();
+    println!("angle {:.6}, error {error:.1e}, {} steps", sim.state().q[2], sim.steps());
+    assert!(error <= 1e-4 && sim.steps() < 2000, "{error:.1e} in {} steps", sim.steps());
+}
+
+#[hamiltonian]
+fn kepler_in_space(q: [f64; 3], p: [f64; 3], m: f64, mu: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) - mu / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]).sqrt()
+}
+
+/// A coordinate that is always zero costs nothing, and one that is only rounding costs little.
+#[test]
+fn planes_in_space() {
+    let system = KeplerInSpace { m: 1.4, mu: 2.2 };
+    let steps = |tilt: f64| {
+        let start = State::new([1.0, 0.0, tilt], [0.0, 1.9, -0.7 * tilt]);
+        let mut sim = system.adaptive(RK4, 1e-8, start);
+        sim.advance_to(50.0).unwrap();
+        (sim.steps() + sim.rejections()) as f64
+    };
+    let [tilted, plane, almost, rounding] = [0.3, 0.0, 1e-9, 1e-17].map(steps);
+    println!("{tilted} {plane} {almost} {rounding}");
+    assert!([plane, almost, rounding].iter().all(|n| (0.7 * tilted..1.3 * tilted).contains(n)));
+}
+
+/// A chain of which one site is displaced: the others are at rest, and the wave comes to them later.
+#[hamiltonian]
+fn chain(q: [f64; 10], p: [f64; 10], m: f64) -> f64 {
+    let mut h = 0.0;
+    for i in 0..10 {
+        let d = q[(i + 1) % 10] - q[i];
+        h += p[i] * p[i] / (2.0 * m) + 0.5 * d * d + 0.2 * d * d * d * d;
+    }
+    h
+}
+
+/// The same with forces of 1 at rest: what has not been reached is rounding.
+#[hamiltonian]
+fn toda_ring(q: [f64; 10], p: [f64; 10], m: f64) -> f64 {
+    let mut h = 0.0;
+    for i in 0..10 {
+        h += p[i] * p[i] / (2.0 * m) + (q[i] - q[(i + 1) % 10]).exp();
+    }
+    h
+}
+
+#[test]
+fn waves_that_have_not_arrived() {
+    let (mut q, p) = ([0.0; 10], [0.0; 10]);
+    q[3] = 0.4;
+    macro_rules! check {
+        ($system:expr, $($method:expr),*) => { $({
+            let run = |tolerance: f64| {
+                let mut sim = $system.adaptive($method, tolerance, State::new(q, p)).steps_at_most(5_000);
+                sim.advance_to(6.0).unwrap();
+                (flat(&sim.state()), sim.steps(), sim.rejections())
+            };
+            let ((coarse, steps, rejections), (fine, ..)) = (run(1e-6), run(1e-9));
+            let error = distance(&coarse, &fine);
+            println!("{}: {error:.1e} in {steps} steps, {rejections} rejected", stringify!($method));
+            assert!(error <= 1e-4 && steps + rejections <= 1500, "{}: {error:.1e}, {steps} steps", stringify!($method));
+        })* };
+    }
+    check!(Chain { m: 1.3 }, RK4, DOP853, DiscreteGradient, Gauss::<2>);
+    check!(TodaRing { m: 1.3 }, RK4, DOP853, DiscreteGradient, Gauss::<2>);
+}
+
+/// An error that does not matter is not paid for.
+#[test]
+fn absolute_errors() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    let start = State::new([1.0, 1e-6], [0.0, 0.0]);
+    let mut strict = system.adaptive(RK4, 1e-8, start);
+    let mut loose = system.adaptive(RK4, 1e-8, start).absolute([0.0, 1e-3], [0.0, 1e-3]);
+    strict.advance_to(20.0).unwrap();
+    loose.advance_to(20.0).unwrap();
+    assert!(3 * loose.steps() < strict.steps(), "{} {}", loose.steps(), strict.steps());
+    for bad in [-1.0, f64::NAN, f64::INFINITY] {
+        let mut sim = system.adaptive(RK4, 1e-8, start).absolute([0.0, bad], [0.0; 2]);
+        assert!(matches!(sim.step(), Err(StepError::InvalidTolerance { .. })), "{bad}");
+    }
+}
+
+/// A run that would take too long ends, and goes on if it is asked to.
+#[test]
+fn a_limit_of_steps() {
+    let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+    let mut sim = system.adaptive(RK4, 1e-10, State::new([1.0, 1.0], [0.0, 0.0])).steps_at_most(50);
+    let error = sim.advance_to(20.0).unwrap_err();
+    let StepError::TooManySteps { t, steps: 50 } = error else { panic!("{error}") };
+    assert!(t == sim.time() && sim.steps() == 50 && t < 20.0 && error.to_string().contains("50 steps"), "{error}");
+    assert!(sim.advance_to(20.0).is_err() && sim.steps() == 100);
+    let mut sim = sim.steps_at_most(u64::MAX);
+    sim.advance_to(20.0).unwrap();
+    assert_eq!(sim.time(), 20.0);
+}

@@ -1,0 +1,218 @@
+//! Units: a change of units by powers of two changes no result by a single bit, and energy is kept to rounding in all of them.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Hamiltonian, Method, Run};
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::*;
+use std::marker::PhantomData;
+
+/// Powers of two: what was 1 in the units of before is 2ᵏ in these.
+#[derive(Clone, Copy, Debug)]
+struct Units {
+    q: i32,
+    p: i32,
+    t: i32,
+}
+
+const PLAIN: Units = Units { q: 0, p: 0, t: 0 };
+const UNITS: [Units; 5] = [
+    Units { q: 3, p: -5, t: 1 },
+    Units { q: 37, p: 97, t: 23 },
+    Units { q: -33, p: -80, t: -53 },
+    Units { q: 100, p: -100, t: -7 },
+    Units { q: -100, p: 100, t: 40 },
+];
+
+/// 2ᵏ.
+fn power(k: i32) -> f64 {
+    2.0_f64.powi(k)
+}
+
+/// A system that can be written in other units.
+trait Measured {
+    type System: Hamiltonian<f64>;
+
+    /// The units in which it is written if some are asked for: a constant of the energy may fix one of them.
+    fn possible(units: Units) -> Units {
+        units
+    }
+    fn system(units: Units) -> Self::System;
+    /// Units of positions, then momenta.
+    fn coordinates(units: Units) -> Vec<i32>;
+    /// In plain units.
+    const START: [&'static [f64]; 2];
+    const STEP: f64;
+}
+
+fn start<P: Measured>(units: Units) -> State<<P::System as geoint_runtime::PhaseSpace>::Coordinates> {
+    let exponents = P::coordinates(units);
+    let (by_q, by_p) = exponents.split_at(P::START[0].len());
+    let [q, p] = [(0, by_q), (1, by_p)]
+        .map(|(i, by)| -> Vec<f64> { P::START[i].iter().zip(by).map(|(x, k)| x * power(*k)).collect() });
+    state::<P::System, f64>(0.0, &q, &p)
+}
+
+/// A state in plain units, bit by bit.
+fn plain<P: Measured, Q: geoint_runtime::Coordinates<Real = f64>>(units: Units, state: &State<Q>) -> Vec<u64> {
+    flat(state).iter().zip(P::coordinates(units)).map(|(x, k)| (x * power(-k)).to_bits()).collect()
+}
+
+impl Measured for Kepler {
+    type System = Kepler;
+    fn system(Units { q, p, t }: Units) -> Kepler {
+        Kepler { mass: 1.6 * power(p + t - q), mu: 2.3 * power(2 * q + p - t) }
+    }
+    fn coordinates(Units { q, p, .. }: Units) -> Vec<i32> {
+        vec![q, q, p, p]
+    }
+    const START: [&'static [f64]; 2] = [&[0.9, 0.2], &[-0.3, 1.9]];
+    const STEP: f64 = 0.05;
+}
+
+impl Measured for HenonHeiles {
+    type System = HenonHeiles;
+    // The stiffness is 1.
+    fn possible(units: Units) -> Units {
+        Units { t: units.p - units.q, ..units }
+    }
+    fn system(Units { q, p, .. }: Units) -> HenonHeiles {
+        HenonHeiles { m: [1.7, 0.6].map(|m| m * power(2 * p - 2 * q)), lambda: 0.8 * power(-q) }
+    }
+    fn coordinates(Units { q, p, .. }: Units) -> Vec<i32> {
+        vec![q, q, p, p]
+    }
+    const START: [&'static [f64]; 2] = [&[0.3, -0.2], &[0.35, 0.0]];
+    const STEP: f64 = 0.2;
+}
+
+/// The same ellipse in polar coordinates: a length beside an angle, and not separable.
+#[hamiltonian]
+fn polar(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1] / (q[0] * q[0])) / (2.0 * m) - k / q[0]
+}
+
+impl Measured for Polar {
+    type System = Polar;
+    fn system(Units { q, p, t }: Units) -> Polar {
+        Polar { m: 1.6 * power(p + t - q), k: 2.3 * power(2 * q + p - t) }
+    }
+    fn coordinates(Units { q, p, .. }: Units) -> Vec<i32> {
+        vec![q, 0, p, q + p]
+    }
+    const START: [&'static [f64]; 2] = [&[0.9, 0.0], &[-0.3, 1.9]];
+    const STEP: f64 = 0.05;
+}
+
+/// Walks over a list of methods on one system.
+struct InUnits<P>(Vec<String>, PhantomData<P>);
+
+impl<P: Measured> Visitor<P::System, f64> for InUnits<P> {
+    fn visit<M: Method<P::System, f64>>(&mut self, name: &'static str, method: M) {
+        // Refused or not, after the same number of steps.
+        let run = |units: Units| {
+            let mut sim = P::system(units).integrator(method, P::STEP * power(units.t), start::<P>(units));
+            let energy = sim.energy();
+            let outcome = sim.advance(30).is_ok();
+            (plain::<P, _>(units, &sim.state()), (sim.energy() - energy).abs() / energy.abs(), sim.steps(), outcome)
+        };
+        let (expected, _, steps, outcome) = run(PLAIN);
+        for units in UNITS.map(P::possible) {
+            let seen = run(units);
+            if (&seen.0, seen.2, seen.3) != (&expected, steps, outcome) {
+                self.0.push(format!("{name} in {units:?}: {seen:?}, plain {expected:?}"));
+            }
+            if method.claims().conserves_energy && !(seen.1 <= 1e-14) {
+                self.0.push(format!("{name} in {units:?}: energy {:.1e}", seen.1));
+            }
+        }
+    }
+}
+
+macro_rules! in_all_units {
+    ($($test:ident: $System:ident, $($list:ident)*;)*) => { $(
+        #[test]
+        fn $test() {
+            let mut units = InUnits::<$System>(vec![], PhantomData);
+            $( methods::$list(&mut units); )*
+            assert!(units.0.is_empty(), "{}", units.0.join("\n"));
+        }
+    )* };
+}
+
+in_all_units! {
+    kepler_in_all_units: Kepler, general discrete_gradient projected relaxed separable nystrom force_gradient;
+    henon_heiles_in_all_units: HenonHeiles, cubic itoh_abe itoh_abe_one_way coordinate_increment discrete_gradient;
+    polar_in_all_units: Polar, general discrete_gradient itoh_abe itoh_abe_one_way coordinate_increment projected relaxed;
+}
+
+/// Steps that adapt have the same lengths as well.
+#[test]
+fn adaptive_in_all_units() {
+    fn check<P: Measured, M: Method<P::System, f64>>(name: &str, method: M) {
+        let run = |units: Units| {
+            let mut sim = P::system(units).adaptive(method, 1e-7, start::<P>(units));
+            sim.advance(30).unwrap();
+            (plain::<P, _>(units, &sim.state()), (sim.time() * power(-units.t)).to_bits(), sim.rejections())
+        };
+        for units in UNITS.map(P::possible) {
+            assert_eq!(run(units), run(PLAIN), "{name} in {units:?}");
+        }
+    }
+    check::<Kepler, _>("DOP853", DOP853);
+    check::<Kepler, _>("DiscreteGradient", DiscreteGradient);
+    check::<Polar, _>("DiscreteGradient", DiscreteGradient);
+    check::<Polar, _>("Projection", Projection(RK4, Energy));
+}
+
+/// Energy in metres, kilograms and seconds: the Earth, and an electron.
+struct Si {
+    energies: Vec<(&'static str, f64)>,
+    kepler: Kepler,
+    polar: Polar,
+    h: f64,
+    radius: f64,
+    momentum: f64,
+}
+
+fn largest<S: Hamiltonian<f64>, M: Method<S>>(system: S, method: M, h: f64, start: State<S::Coordinates>) -> f64 {
+    let mut sim = system.integrator(method, h, start);
+    let energy = sim.energy();
+    (0..300).map(|_| sim.step().map_or(f64::INFINITY, |()| (sim.energy() / energy - 1.0).abs())).fold(0.0, f64::max)
+}
+
+impl Visitor<Kepler, f64> for Si {
+    fn visit<M: Method<Kepler, f64>>(&mut self, name: &'static str, method: M) {
+        if method.claims().conserves_energy {
+            let start = State::new([self.radius, 0.0], [0.0, self.momentum]);
+            self.energies.push((name, largest(self.kepler, method, self.h, start)));
+        }
+    }
+}
+
+impl Visitor<Polar, f64> for Si {
+    fn visit<M: Method<Polar, f64>>(&mut self, name: &'static str, method: M) {
+        if method.claims().conserves_energy {
+            let start = State::new([self.radius, 0.0], [0.0, self.momentum * self.radius]);
+            self.energies.push((name, largest(self.polar, method, self.h, start)));
+        }
+    }
+}
+
+#[test]
+fn energy_in_si_units() {
+    // Mass, coupling, distance and speed.
+    for (m, k, radius, speed) in [(5.972e24, 7.928e44, 1.47e11, 3.6e4), (9.109e-31, 2.307e-28, 5.29e-11, 2.4e6)] {
+        let (kepler, polar) = (Kepler { mass: m, mu: k }, Polar { m, k });
+        let mut si = Si { energies: vec![], kepler, polar, h: 0.1 * radius / speed, radius, momentum: m * speed };
+        methods::discrete_gradient::<Kepler, f64, _>(&mut si);
+        methods::projected::<Kepler, f64, _>(&mut si);
+        methods::relaxed::<Kepler, f64, _>(&mut si);
+        methods::discrete_gradient::<Polar, f64, _>(&mut si);
+        methods::projected::<Polar, f64, _>(&mut si);
+        methods::relaxed::<Polar, f64, _>(&mut si);
+        for (name, error) in si.energies {
+            println!("{name:36} {error:.1e}");
+            assert!(error <= 3e-14, "{name}: {error:.1e}");
+        }
+    }
+}
