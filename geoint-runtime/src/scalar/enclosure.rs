@@ -324,14 +324,10 @@ mod tests {
                         }
                         last = Some((x, y));
                     }
-                    // Narrow parts have narrow values, but where the function jumps.
-                    let narrow =
-                        found.value.high - found.value.low < 30.0 * (b - a) / (a.min(1.0 - a.abs()).abs() + 0.01);
-                    assert!(
-                        parts < 1000 || narrow || *name == "chosen" || name.contains("rt"),
-                        "{name} on {a}..{b}: {:?}",
-                        found.value
-                    );
+                    // Narrow parts have narrow values.
+                    let (width, steepest) = (found.value.high - found.value.low, found.rate.abs().high);
+                    let narrow = parts < 1000 || width <= 4.0 * (1.0 + steepest) * (b - a);
+                    assert!(narrow, "{name} on {a}..{b}: {:?}", found.value);
                 }
             }
         }
