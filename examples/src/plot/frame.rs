@@ -197,7 +197,7 @@ impl<'a> Frame<'a> {
         let x = self.left + self.width + SPACE;
         let leader = Pen { colour: "#777", width: 5, dashes: "none", clip: None, rounding: false };
         for ((curve, end), y) in named(self.panel).zip(ends).zip(heights) {
-            to.lines(&[vec![end, (10 * x, 10 * y)]], leader);
+            to.lines(&[vec![end, (10 * x, 10 * y)]], Pen { rounding: curve.rounding, ..leader });
             self.sample(curve, (x, y), to);
         }
     }
