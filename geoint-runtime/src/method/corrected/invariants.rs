@@ -121,11 +121,3 @@ pub(crate) fn plus<A: Array>(mut x: [A; 2], w: f64, y: &[A; 2]) -> [A; 2] {
     }
     x
 }
-
-/// The largest entry of `x`.
-#[inline]
-pub(crate) fn size<A: Array>(x: &[A]) -> f64 {
-    // Not `max`: that would lose a NaN.
-    let larger = |max: f64, x: f64| if x > max || x.is_nan() { x } else { max };
-    x.iter().flat_map(|x| x.as_slice()).fold(0.0, |max, x| larger(max, x.magnitude()))
-}

@@ -80,7 +80,8 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         let mut gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
         let secant = whole - product(&gradient, &moved);
-        let terms = sizes.normalise(&mut gradient);
+        // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
+        let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before[0], &before[1], &()).abs();
 
         // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
         // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
@@ -105,10 +106,9 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
             let relative = now.magnitude() / terms.magnitude();
             Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
         });
-        let energy = system.hamiltonian(t, &before[0], &before[1], &()).abs();
         let excess = match solution {
             // A step so short, or an energy so straight, that there is nothing but rounding to put right.
-            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * (terms + energy).magnitude() => {
+            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * terms.magnitude() => {
                 decided.set(moved);
                 zero()
             }
