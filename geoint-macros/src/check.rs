@@ -2,7 +2,7 @@
 
 use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
@@ -75,16 +75,18 @@ pub(crate) fn pieces(
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
         let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        let missing = graph.sub(root, sum);
+        let missing = difference(graph, root, sum);
         let verdict = analyze::identity(graph, missing);
         let printer = Printer::new(graph, &name);
         let message = match verdict {
             Identity::Zero => None,
-            Identity::Left(Remainder { rest, certain: true, case }) => {
-                Some(format!("{NOT_THE_SUM}{} is: {}", in_case(&printer, &case), printer.excerpt(rest)))
-            }
-            Identity::Left(Remainder { rest, certain: false, case }) => {
-                let (case, rest) = (in_case(&printer, &case), printer.excerpt(rest));
+            Identity::Left(Remainder { rest, certain, case }) if certain || is_term(graph, missing) => Some(format!(
+                "{NOT_THE_SUM}{} is: {}",
+                in_case(&printer, &case),
+                shorter(&printer, missing, rest, &case)
+            )),
+            Identity::Left(Remainder { rest, case, .. }) => {
+                let (case, rest) = (in_case(&printer, &case), shorter(&printer, missing, rest, &case));
                 Some(format!("{NOT_THE_SUM}{case} is: {rest}; {SAME_SPELLING}"))
             }
             Identity::TooLong => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
@@ -108,6 +110,24 @@ fn whole(groups: &[(Id, Place)]) -> Place {
     let [first, last] =
         [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
     (first, last)
+}
+
+/// a − b, in which terms that are written alike have cancelled.
+fn difference(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let [mut terms, other] = [a, b].map(|root| analyze::terms(graph, root));
+    terms.extend(other.into_iter().map(|term| graph.neg(term)));
+    graph.sum(&terms)
+}
+
+/// Whether a node is one term.
+fn is_term(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.node(graph.coefficient(id).1), Node::Linear(..))
+}
+
+/// What is left, as it is written or multiplied out.
+fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
+    let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
+    if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
 }
 
 /// " where a < b and not c = d", or nothing.

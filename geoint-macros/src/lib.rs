@@ -201,7 +201,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// - `q = x`, `p = px`, `s = z`, `t = time`: other names for positions, momenta, action and time.
 /// - `const N = 8`, `type P = [f64; 3]`: as for [`macro@hamiltonian`].
 /// - `split = "terms | terms"`: the pieces, if they are to be others than those found: sums of terms in the language of the body,
-///   which add up to H.
+///   which add up to H: that is decided exactly, however they are written.
 /// - `lift`: q' = X(q) written as H = p·X(q), or a flow of (q, s) written as p·a(q, s) + b(q, s). The momenta are not followed,
 ///   which would blow up in finite time: they stay what they are, and the energy is not a number. A field of q alone has the
 ///   argument `_s`.

@@ -124,6 +124,12 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
+/// What nobody else can implement, so that it may grow.
+mod sealed {
+    /// Is implemented here.
+    pub trait Sealed {}
+}
+
 pub mod scalar;
 pub mod space;
 pub mod slope;

@@ -1,7 +1,7 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::method::Method;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;

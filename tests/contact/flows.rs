@@ -140,6 +140,10 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     GeodesicInTime, "geodesic" => -0.75 * t.cos() * q * q * p * p;
     GeodesicThroughZero, "geodesic" => 0.75 * q * p * p;
     GeodesicOfCube, "geodesic" => -0.1875 * q.powi(3) * p * p;
+    ShiftedGeodesic, "geodesic" => 0.75 * (q - 0.25) * p * p;
+    ShiftedGeodesicOfSquare, "geodesic" => -0.75 * (0.5 * q - 0.25).powi(2) * p * p;
+    ShiftedGeodesicInTime, "geodesic" => t.cos() * (0.125 - q) * p * p;
+    ConjugateOfShifted, "Legendre conjugate" => (p - 0.5) * q * q;
     CubicGeodesic, "geodesic" => (2.0 + q).powi(4) * p * p / 16.0;
     // 24–25: conjugates.
     ConjugateFriction, "Legendre conjugate" => (p.sin() + 1.375) * (s - p * q);

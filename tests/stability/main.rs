@@ -13,4 +13,5 @@ mod rounding;
 mod same_bits;
 mod trajectories;
 mod time;
+mod names;
 mod tolerance;

@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod language;
 mod loops;
 mod method;
 mod scope;

@@ -1,8 +1,8 @@
 //! H = T(p, t) + g(t)·s + V(q, t)? A kick and a drift, as mechanical systems have them.
 
 use super::Clock;
+use super::families::{damped, kinetic, prolongation};
 use super::flow::{Flow, Group};
-use super::{damped, kinetic, prolongation};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};

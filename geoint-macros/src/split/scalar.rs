@@ -204,7 +204,7 @@ fn shifted_power(graph: &mut Graph, equation: &Equation) -> Option<Solution> {
 }
 
 /// ((1 + u)^r − 1)/u without a difference, also for u = 0.
-fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
+pub(super) fn mean_of_power(graph: &mut Graph, u: Id, r: Ratio) -> Option<Id> {
     let one = graph.integer(1);
     let d = graph.add(one, u);
     let d = graph.call(Function::NotNegative, &[d]);

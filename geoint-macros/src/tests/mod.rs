@@ -1,10 +1,9 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
 mod cost;
-mod damping;
+mod facts;
 mod flows;
 mod fuzz;
-mod identity;
 mod precise;
 mod derivatives;
 mod rounding;
@@ -12,13 +11,10 @@ mod slopes;
 mod edges;
 mod trees;
 mod schedules;
-mod mean_value;
 mod meaning;
-mod momenta;
 mod pieces;
 mod poles;
 mod snapshots;
-mod structures;
 
 use crate::ir::Graph;
 use crate::{lower, parse};

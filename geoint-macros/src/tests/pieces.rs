@@ -224,6 +224,11 @@ fn pieces_that_are_given_add_up_however_they_are_written() {
         let said = said_of(&split, &item);
         assert_eq!(said, format!("{missing} {left}"), "{split}");
     }
+    // As it is written, where that is shorter.
+    let catenary =
+        quote! { fn f(q: f64, p: f64, s: f64, a: f64) -> f64 { p * p / 2.0 + s + a * (q / a).cosh() + q.max(0.0) } };
+    assert_eq!(said_of("p * p / 2.0 | s + q.max(0.0)", &catenary), format!("{missing} is: a·cosh(q/a)"));
+    assert_eq!(said_of("p * p / 2.0 | s + a * (q / a).cosh()", &catenary), format!("{missing} is: max(q, 0)"));
     let logarithm = quote! { fn f(q: f64, p: f64, s: f64) -> f64 { p * p / 2.0 + s - (q - 5.0).ln() } };
     assert_eq!(said_of("p * p / 2.0 | s", &logarithm), format!("{missing} is: -ln(q - 5)"));
     // A relation that is not known is no proof.

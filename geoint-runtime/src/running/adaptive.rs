@@ -241,7 +241,11 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                     self.rejections += 1;
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
-                        let reason = self.reason(h);
+                        // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+                        let reason = match self.reason(h) {
+                            Reason::NotConverged | Reason::Singular => self.reason(16.0 * h),
+                            reason => reason,
+                        };
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
                     continue;
@@ -293,7 +297,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let step = Judged { h: prepared.h, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let time = self.controller.time(prepared.h, self.tolerance.relative);
+        let step = Judged { h: prepared.h, time, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
         let error = self.tolerance.error(&step, |[q, p]| {
             let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
             [slope_p, slope_q]

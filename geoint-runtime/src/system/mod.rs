@@ -79,6 +79,8 @@ pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S a
             `ContactDiscreteGradient`"
 )]
 pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
 
@@ -111,11 +113,17 @@ pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
     label = "this method keeps the energy, and must not be used where damping takes it away",
     note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
 )]
-pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// The flow keeps H: time does not appear in it, and nothing damps.
 #[diagnostic::on_unimplemented(
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"
 )]
-pub trait Autonomous<R: Real = f64>: Conservative<R> {}
+pub trait Autonomous<R: Real = f64>: Conservative<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}

@@ -2,7 +2,7 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square, Summation};
@@ -79,11 +79,16 @@ fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Arr
 macro_rules! methods {
     ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
         impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
+            type Proof = <S as ImplicitStep<$method, R>>::Proof;
             type Prepared = PreparedFor<S, Self, R>;
             type Memory = Newton<S::Unknown>;
 
             fn claims(&self) -> Claims {
-                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                Name::new(stringify!($method))
             }
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {

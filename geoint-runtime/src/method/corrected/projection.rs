@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::{Invariants, plus, product};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::correct;
@@ -40,13 +40,18 @@ pub struct Memory<M, A: Array> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
+    type Proof = <M::Proof as And<I::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Projection").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

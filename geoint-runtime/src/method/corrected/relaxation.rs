@@ -1,7 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
@@ -41,13 +41,18 @@ pub struct Memory<M, A: Array> {
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
+    type Proof = <M::Proof as And<<S as Autonomous<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: true }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Relaxation").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

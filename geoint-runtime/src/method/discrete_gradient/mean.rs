@@ -5,7 +5,7 @@ use super::matrix::{entries, moved, scaled, turned};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
@@ -22,6 +22,9 @@ use crate::system::{Conservative, DiscreteField};
 pub trait MeanGradient: Copy {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
+
+    /// The name of the method.
+    fn mean_name(&self) -> Name;
 
     /// Whether g is a discrete gradient of the system, so that steps keep the energy.
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
@@ -110,11 +113,16 @@ macro_rules! methods {
             R: Real,
             $($bounded: $bound,)?
         {
+            type Proof = <$system as Conservative<R>>::Proof;
             type Prepared = Prepared<Self, $system, R>;
             type Memory = Memory<$system::Array>;
 
             fn claims(&self) -> Claims {
-                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy }
+                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                self.mean_name()
             }
 
             fn prepare(&self, system: &$system, h: R) -> Self::Prepared {

@@ -26,7 +26,7 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
@@ -66,11 +66,16 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
+    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocation<R>>::Proof>>::Both;
     type Prepared = Prepared<Y::Constants, R, S>;
     type Memory = Newton<[Y::Unknown; S]>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1])
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
@@ -181,11 +186,16 @@ where
 }
 
 impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
+    type Proof = <Y as Collocation<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
     type Memory = <Gauss<1> as Method<Y, R>>::Memory;
 
     fn claims(&self) -> Claims {
         Method::<Y, R>::claims(&Gauss::<1>)
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ImplicitMidpoint")
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {

@@ -5,7 +5,7 @@ mod equation;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::Newton;
@@ -41,11 +41,16 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
 }
 
 impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
+    type Proof = <S as DiscreteField<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S, R>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("DiscreteGradient")
     }
 
     fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
@@ -96,6 +101,10 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
 
 /// The tree discrete gradient as others use it.
 impl MeanGradient for DiscreteGradient {
+    fn mean_name(&self) -> Name {
+        Name::new("DiscreteGradient")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,

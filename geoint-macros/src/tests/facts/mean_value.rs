@@ -1,6 +1,6 @@
 //! Mean values of the gradient that are known in closed form, against quadrature.
 
-use super::{Noise, lowered};
+use super::super::{Noise, lowered};
 use crate::analyze::{self, MeanValue};
 use crate::ir::eval::eval;
 use crate::ir::print::Printer;

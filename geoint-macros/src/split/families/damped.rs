@@ -1,8 +1,8 @@
 //! Damping g·s together with a drift or a kick.
 
-use super::flow::{Flow, Group};
-use super::polynomial::{Polynomial, degree, is_free, is_momentum, times_powers};
-use super::time::{Clock, OverTime, over_time};
+use super::super::flow::{Flow, Group};
+use super::super::polynomial::{Polynomial, degree, is_free, is_momentum, times_powers};
+use super::super::time::{Clock, OverTime, over_time};
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
@@ -29,7 +29,7 @@ fn damped_parts(graph: &mut Graph, group: &Group) -> Option<(Id, Id)> {
 }
 
 /// p·Wp/2 + g s: with E = exp(−∫g) and w = ∫E, q moves by w·Wp, P = E p, S = E (s + w T).
-pub(super) fn drift(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn drift(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let (kinetic, g) = damped_parts(graph, group)?;
     let free_of_time = |graph: &Graph, id| is_free(graph, id, &|symbol| symbol == Symbol::T);
     if group.clock == Clock::Own && !free_of_time(graph, kinetic) {
@@ -107,7 +107,7 @@ fn decay_over_time(graph: &mut Graph, g: Id) -> Option<(Decay, Id)> {
 }
 
 /// V(q) + g s at frozen time: q stands still, P = E p − w ∂V/∂q, S = E s − w V, with E and w as above.
-pub(super) fn kick(graph: &mut Graph, potential: Id, g: Id, degrees: u32) -> Flow {
+pub(in super::super) fn kick(graph: &mut Graph, potential: Id, g: Id, degrees: u32) -> Flow {
     let (decay, weight) = decay(graph, g);
     let mut flow = Flow::rest(graph, degrees);
     // Derivatives of −wV, so that w meets the constants of every term and is prepared with them.

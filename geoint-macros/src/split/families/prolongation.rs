@@ -3,14 +3,14 @@
 //! They follow from (Q, S) because ds − p dq is kept up to a factor: with d_j = ∂/∂q_j + p_j ∂/∂s,
 //! Σᵢ d_jQᵢ Pᵢ = d_jS.
 
-use super::flow::{Flow, Group};
-use super::polynomial::{Polynomial, is_free};
-use super::scalar::{self, Equation, rotation};
-use super::time::Clock;
+use super::super::flow::{Flow, Group};
+use super::super::polynomial::{Polynomial, is_free};
+use super::super::scalar::{self, Equation, rotation};
+use super::super::time::Clock;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
-pub(super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn solve(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let rates = base(graph, group)?;
     let mut moving: Vec<(Symbol, Id)> = rates.into_iter().filter(|(_, rate)| !graph.is_zero(*rate)).collect();
     let (mut flow, mut by_start) = (Flow::rest(graph, group.degrees), vec![]);

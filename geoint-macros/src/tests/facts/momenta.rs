@@ -1,7 +1,7 @@
 //! Momenta that are found, each with its bracket along the flow and over a step evaluated at some state; and those that must
 //! not be claimed.
 
-use super::{Noise, lowered};
+use super::super::{Noise, lowered};
 use crate::ir::eval::eval;
 use crate::ir::print::Printer;
 use crate::ir::{Graph, Id, Symbol};

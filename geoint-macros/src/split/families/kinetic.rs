@@ -1,16 +1,16 @@
 //! Pieces whose momenta keep their direction.
 
-use super::flow::{Flow, Group};
-use super::polynomial::{
+use super::super::flow::{Flow, Group};
+use super::super::polynomial::{
     Polynomial, degree, is_free, is_momentum, parted, quotient, replaced, single_momentum, times_powers,
 };
-use super::scalar::{self, Equation, positive_power};
-use super::time::Clock;
+use super::super::scalar::{self, Equation, positive_power};
+use super::super::time::Clock;
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// T(p, t): q moves by ∂T/∂p, s by p·∂T/∂p − T.
-pub(super) fn free(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn free(graph: &mut Graph, group: &Group) -> Option<Flow> {
     if !is_free(graph, group.energy, &|symbol| matches!(symbol, Symbol::Q(_) | Symbol::S)) {
         return None;
     }
@@ -48,7 +48,7 @@ fn legendre(graph: &mut Graph, group: &Group) -> Option<(Vec<Id>, Id)> {
 }
 
 /// K(p)·F(s) with a homogeneous K of degree 2: F p is constant, and s' = K(F p)/F(s).
-pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let changes = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::T && group.clock == Clock::Own;
     let (mut kinetic, mut weight) = (graph.zero(), None);
@@ -94,7 +94,7 @@ pub(super) fn weighted(graph: &mut Graph, group: &Group) -> Option<Flow> {
 }
 
 /// c s pᵢᵏ: D = 1 + k c h pᵢᵏ, Qᵢ = qᵢ + k c h pᵢᵏ⁻¹ s, P = p D^(−1/k), S = s D^((k−1)/k).
-pub(super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn power(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| is_momentum(symbol) || symbol == Symbol::S)?;
     let (monomial, c) = powers.single()?;
     let (i, k) = single_momentum(monomial)?;

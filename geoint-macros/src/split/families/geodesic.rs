@@ -1,13 +1,16 @@
 //! Pieces in which one coordinate moves along a geodesic.
 
-use super::flow::{Flow, Group};
-use super::polynomial::{Polynomial, factors, is_free, is_momentum, parted, quotient, replaced, single_momentum};
-use super::scalar::{self, Equation, positive_power};
-use super::time::Clock;
+use super::super::flow::{Flow, Group};
+use super::super::polynomial::{
+    Polynomial, factors, is_free, is_momentum, parted, quotient, replaced, single_momentum,
+};
+use super::super::scalar::{self, Equation, positive_power};
+use super::super::time::Clock;
+use crate::diff;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// c f(qᵢ) pᵢ²: with R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).
-pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
     let (monomial, coefficient) = powers.single()?;
     let (i, _) = single_momentum(monomial).filter(|(_, power)| *power == Ratio::integer(2))?;
@@ -20,6 +23,7 @@ pub(super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let p = graph.symbol(Symbol::P(i));
     let (end, change) = match factors(graph, f)[..] {
         [(base, k)] if base == graph.symbol(x) => along_power(graph, (base, k), p, weight)?,
+        [(base, k)] if slope(graph, base, x).is_some() => along_shifted_power(graph, (x, base, k), p, weight)?,
         _ if is_free(graph, coefficient, &|symbol| symbol == Symbol::T) || group.clock == Clock::Stage => {
             let double = graph.scale(Number::integer(2), f);
             let root = smooth_root(graph, double);
@@ -60,6 +64,36 @@ fn along_power(graph: &mut Graph, (q, k): (Id, Ratio), p: Id, weight: Id) -> Opt
     let grown = positive_power(graph, d, inverse.mul(Ratio::integer(2))?);
     let shrunk = positive_power(graph, d, inverse.mul(k)?.mul(Ratio::integer(-1))?);
     Some((graph.mul(q, grown), shrunk))
+}
+
+/// a of a·x + b, if that is a number but not zero.
+fn slope(graph: &mut Graph, base: Id, x: Symbol) -> Option<Number> {
+    let slope = diff::partial(graph, base, x);
+    graph.as_number(slope).filter(|slope| !slope.is_zero())
+}
+
+/// The same for f = (a x + b)ᵏ: in u = x + b/a it is aᵏ uᵏ, and x moves as u does. Returned are x at the end, and P/p.
+fn along_shifted_power(graph: &mut Graph, (x, base, k): (Symbol, Id, Ratio), p: Id, weight: Id) -> Option<(Id, Id)> {
+    let a = slope(graph, base, x)?;
+    let a = graph.number(a);
+    let (u, scale) = (graph.div(base, a), graph.pow(a, k));
+    let lower = graph.pow(u, k.add(Ratio::integer(-1))?);
+    let rise = graph.product(&[weight, scale, lower, p]);
+    let left = Ratio::integer(2).add(k.neg())?;
+    let x = graph.symbol(x);
+    let (relative, shrunk) = if left.numerator == 0 {
+        let z = graph.scale(Number::integer(2), rise);
+        let back = graph.neg(z);
+        (graph.call(Function::ExpM1, &[z]), graph.call(Function::Exp, &[back]))
+    } else {
+        let rise = graph.scale(Number::Exact(left), rise);
+        let (one, inverse) = (graph.integer(1), left.recip()?);
+        let d = graph.add(one, rise);
+        let mean = scalar::mean_of_power(graph, rise, inverse.mul(Ratio::integer(2))?)?;
+        (graph.mul(rise, mean), positive_power(graph, d, inverse.mul(k)?.neg()))
+    };
+    let change = graph.mul(u, relative);
+    Some((graph.add(x, change), shrunk))
 }
 
 /// A root that changes sign where its square touches zero: q of q².

@@ -1,9 +1,9 @@
 //! Pieces that are quadratic in (q, p).
 
-use super::flow::{Flow, Group};
-use super::polynomial::{Monomial, Polynomial, is_free};
-use super::scalar::rotation;
-use super::time::Clock;
+use super::super::flow::{Flow, Group};
+use super::super::polynomial::{Monomial, Polynomial, is_free};
+use super::super::scalar::rotation;
+use super::super::time::Clock;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// The coefficients of every term, if they are constant, and H has no other than these.
@@ -23,7 +23,7 @@ fn coefficients(graph: &mut Graph, group: &Group, allowed: impl Fn(&[(Symbol, i1
 
 /// Σ (a p² + 2e q p + b q²)/2 + c s, an oscillator a degree of freedom: with d = e + c/2, ω² = ab − d², C = cos ωh and
 /// S = sin ωh/ω, Q = e^(−ch/2)·(C q + S (d q + a p)), P = e^(−ch/2)·(C p − S (b q + d p)), and s − q·p/2 decays like e^(−ct).
-pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let same = |a: &Symbol, b: &Symbol| {
         let index = |symbol: &Symbol| match symbol {
             Symbol::Q(i) | Symbol::P(i) => Some(*i),
@@ -97,7 +97,7 @@ pub(super) fn oscillator(graph: &mut Graph, group: &Group) -> Option<Flow> {
 }
 
 /// p·Wp/2 + b·p + g·q + c: the parabola of a throw.
-pub(super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
+pub(in super::super) fn uniform_field(graph: &mut Graph, group: &Group) -> Option<Flow> {
     let powers = coefficients(graph, group, |monomial| {
         matches!(
             monomial,

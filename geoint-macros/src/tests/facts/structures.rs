@@ -1,6 +1,6 @@
 //! Facts, and the witnesses where they do not hold.
 
-use super::lowered;
+use super::super::lowered;
 use crate::analyze::{self, Split, Structure};
 use crate::ir::Symbol;
 use crate::ir::print::Printer;

@@ -2,9 +2,15 @@
 //!
 //! H in terms of q, p, s gives q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
+pub(super) mod kinetic;
+pub(super) mod damped;
+mod geodesic;
+mod quadratic;
+pub(super) mod prolongation;
+mod conjugate;
+
 use super::flow::{Family, Flow, Group, Piece};
 use super::time::Clock;
-use super::{conjugate, damped, geodesic, kinetic, prolongation, quadratic};
 use crate::ir::{Graph, Id};
 
 /// In order of preference, where an energy belongs to several.

@@ -1,11 +1,11 @@
 //! (q, p, s) → (p, −q, s − q·p) keeps ds − p dq: with a flow there is the flow of the conjugate energy.
 
-use super::flow::{Flow, Group};
+use super::super::flow::{Flow, Group};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 
 /// The flow of an energy from that of its conjugate, if `rules` know it.
-pub(super) fn solve(
+pub(in super::super) fn solve(
     graph: &mut Graph,
     group: &Group,
     rules: impl Fn(&mut Graph, &Group) -> Option<Flow>,

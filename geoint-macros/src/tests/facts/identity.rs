@@ -1,6 +1,6 @@
 //! Is it seen what is zero, and is nothing else taken for zero?
 
-use super::lowered;
+use super::super::lowered;
 use crate::analyze::{Identity, Remainder, identity};
 use crate::ir::print::Printer;
 use crate::ir::{Graph, Id, Symbol};
