@@ -173,7 +173,7 @@ impl<'a> Frame<'a> {
 
     /// A piece of a curve and its name, beginning at a place in pixels.
     fn sample(&self, curve: &Curve, (x, y): Place, to: &mut Document) {
-        let pen = Pen { clip: None, rounding: false, ..self.pen(curve) };
+        let pen = Pen { clip: None, ..self.pen(curve) };
         if curve.width > 0.0 {
             let wide = Pen { width: pen.width.max(14), ..pen };
             to.lines(&[vec![(10 * x, 10 * y), (10 * (x + SAMPLE), 10 * y)]], wide);

@@ -120,7 +120,7 @@ pub(super) fn phase_space(
         Some(value) => context.values(value, |mut values| values.remove(0)),
         None => quote!(R::from_f64(f64::NAN)),
     };
-    let DomainTests { space, hidden } = domain;
+    let DomainTests(space) = domain;
     let (form, given, receives, returned) = match context.energy.form {
         Form::Hamiltonian => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
         Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
@@ -158,7 +158,6 @@ pub(super) fn phase_space(
                 #slopes
             }
             #rate
-            #hidden
         }
     }
 }

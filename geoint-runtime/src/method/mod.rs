@@ -21,8 +21,8 @@ pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
 pub use name::Name;
-pub(crate) use probe::check_end;
 pub use probe::{Probe, Unwatched};
+pub(crate) use probe::{check_conditions, check_end, check_poles, start};
 
 pub use crate::solving::Refusal;
 

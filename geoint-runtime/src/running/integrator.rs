@@ -8,7 +8,7 @@ use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Action, Coordinates};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf};
+use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -71,15 +71,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         self.check_start()?;
         let mut left = n;
         while left > 0 {
-            let steps = left.min(STEPS_BETWEEN_LOOKS);
+            let steps = left.min(if S::EXAMINED { 1 } else { STEPS_BETWEEN_LOOKS });
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
-            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps, [&self.x, &x]).is_none() {
+            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
                 (self.memory, self.x) = (memory, x);
                 self.pass(steps);
             } else {
+                // One by one, as single steps are taken, to stop where those do.
                 for _ in 0..steps {
-                    self.step_watched(None)?;
+                    self.step_within(None)?;
                 }
             }
             left -= steps;
@@ -133,7 +134,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
-            && self.singular_time(1, [&start, &self.x]).is_none();
+            && self.singular_time(1).is_none();
         if good && self.ends_within(limit, &self.x, t) {
             self.pass(1);
             return Ok(true);
@@ -149,7 +150,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         let mut watch = Watch::new(&self.system, self.time(), &self.x);
         let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
-        let (t, singular) = (signed(self.time()), self.singular_time(1, [&self.x, &x]));
+        let (t, singular) = (signed(self.time()), self.singular_time(1));
         if outcome.is_ok() && self.is_good(1, &x) {
             if let Some(what) = singular {
                 return Err(StepError::OutsideDomain { t, what });
@@ -216,9 +217,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
 
     /// The first coefficient, if any, that is singular at a time within one of the next steps.
     #[inline(always)]
-    fn singular_time(&self, steps: u64, [from, to]: [&Point<S::Array, C, S::Action>; 2]) -> Option<&'static str> {
-        let (clock, q, p, s) = (&self.clock, [&from.q, &to.q], [&from.p, &to.p], [&from.s, &to.s]);
-        (0..steps).find_map(|n| self.system.singular_time_between([clock.at(n), clock.at(n + 1)], q, p, s))
+    fn singular_time(&self, steps: u64) -> Option<&'static str> {
+        singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
     }
 
     #[inline(always)]

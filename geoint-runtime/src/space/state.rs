@@ -172,6 +172,8 @@ pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
     type State<Q: Coordinates<Real = R>>: Snapshot<Real = R>;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
+    /// The action, if there is one.
+    fn scalar(&self) -> Option<R>;
     /// Not a number.
     fn unknown() -> Self;
     /// A point from its parts.
@@ -189,6 +191,10 @@ impl<R: Real> Action<R> for () {
     fn is_finite(&self) -> bool {
         true
     }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        None
+    }
     fn unknown() {}
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
         State { t, q, p }
@@ -203,6 +209,10 @@ impl<R: Real> Action<R> for R {
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY
+    }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        Some(*self)
     }
     fn unknown() -> R {
         R::from_f64(f64::NAN)

@@ -157,6 +157,66 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        const JUMPS: &'static [&'static str] = &[
+            "the energy jumps at the end of the step, by cos(t)·abs(q)⁴",
+        ];
+        #[inline]
+        fn same_sides(
+            &self,
+            t: R,
+            q: [&[R; 1]; 2],
+            p: [&[R; 1]; 2],
+            s: [&(); 2],
+        ) -> bool {
+            let sides = |q: &[R; 1], p: &[R; 1], s: &()| -> [R; 1] {
+                let (k0, q0, k2, k3, v0, v1);
+                k0 = R::from_f64(0.0);
+                q0 = q[0];
+                k2 = R::from_f64(1.0);
+                k3 = R::from_f64(-1.0);
+                v0 = k0.less(q0);
+                [v1] = R::choose(v0, || { [k2] }, || { [k3] });
+                [v1]
+            };
+            sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
+        }
+        fn jump<Scalar: Real>(
+            &self,
+            index: usize,
+            lift: impl Fn(R) -> Scalar,
+            t: Scalar,
+            q: &[Scalar],
+            p: &[Scalar],
+            s: Scalar,
+        ) -> [Scalar; 2] {
+            fn values<R: Real>(
+                index: usize,
+                parameters: &[R],
+                t: R,
+                q: &[R],
+                p: &[R],
+                s: R,
+            ) -> [R; 2] {
+                match index {
+                    _ => {
+                        let (k0, q0, k2, k3, v0, v1, v2, v3, v4, v5, v6);
+                        k0 = R::from_f64(0.0);
+                        q0 = q[0];
+                        k2 = R::from_f64(1.0);
+                        k3 = R::from_f64(-1.0);
+                        v0 = k0.less(q0);
+                        [v1] = R::choose(v0, || { [k2] }, || { [k3] });
+                        v2 = t.cos();
+                        v3 = q0.abs();
+                        v4 = v3 * v3;
+                        v5 = v4 * v4;
+                        v6 = v2 * v5;
+                        [v1, v6]
+                    }
+                }
+            }
+            values(index, &[], t, q, p, s)
+        }
     }
     impl<R: Real> Hamiltonian<R> for Spring {
         type Proof = ();

@@ -26,12 +26,12 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Plain, Point, Summation};
-use crate::system::Collocation;
+use crate::system::{Collocation, Poles};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -50,6 +50,7 @@ pub struct ImplicitMidpoint;
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, R, const S: usize> {
+    poles: Poles,
     constants: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
@@ -90,6 +91,7 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
+            poles: Poles::of(system),
             constants: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
@@ -105,7 +107,7 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
-        Prepared { constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
+        Prepared { poles, constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
         newton: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -178,10 +180,10 @@ where
             system.add(constants, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
-        let (q, p) = (x.q, x.p);
+        let before = start::<Y, R, C>(x);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        check_end(system, [t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()])
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
 
