@@ -115,7 +115,7 @@ fn waves_that_have_not_arrived() {
             let ((coarse, steps, rejections), (fine, ..)) = (run(1e-6), run(1e-9));
             let error = distance(&coarse, &fine);
             println!("{}: {error:.1e} in {steps} steps, {rejections} rejected", stringify!($method));
-            assert!(error <= 1e-4 && steps + rejections <= 1500, "{}: {error:.1e}, {steps} steps", stringify!($method));
+            assert!(error <= 1e-4 && steps + rejections <= 2500, "{}: {error:.1e}, {steps} steps", stringify!($method));
         })* };
     }
     check!(Chain { m: 1.3 }, RK4, DOP853, DiscreteGradient, Gauss::<2>);

@@ -4,6 +4,9 @@ use crate::scalar::{Real, signed};
 use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
 
+/// An error, in units of what is tolerated, that lets the next step be as long as it may be.
+const SMALL: f64 = 1.0 / 64.0;
+
 /// The tolerance of a step's error in every coordinate of (q, p): a part of the largest magnitude that the coordinate has had, and
 /// an absolute error.
 #[derive(Clone, Copy, Debug)]
@@ -80,7 +83,7 @@ impl<A: Array> Tolerance<A> {
             let before = coupling;
             self.couple(&mut coupling, step, &tolerated, &field);
             together = error(&|i| tolerated(i).max(entry(&coupling, i)));
-            if together <= 1.0 || coupling == before {
+            if together <= SMALL || coupling == before {
                 break;
             }
         }

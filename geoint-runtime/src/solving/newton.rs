@@ -203,8 +203,7 @@ impl<A: Array> Newton<A> {
                 self.sizes.include(origin, &x);
                 return Some(x);
             }
-            // Not a number is not less.
-            if !(correction <= SHRINKING * before) {
+            if correction.is_nan() || correction > SHRINKING * before {
                 return is_rounding::<A::Real>(correction).then_some(x);
             }
         }

@@ -90,7 +90,7 @@ impl<A: Array> Sizes<A> {
         let terms = A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum());
         if terms.magnitude() > 0.0 {
             for x in gradient.as_mut_slice() {
-                *x = *x / terms;
+                *x /= terms;
             }
         }
         terms
