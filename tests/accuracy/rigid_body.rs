@@ -98,6 +98,7 @@ impl Collocation for RigidBody {
 /// c g₁ × g₂ with the discrete gradients g of the energy and of half the square of angular momentum, 1/c = the product of all
 /// moments of inertia.
 impl DiscreteField for RigidBody {
+    type Proof = ();
     type Parameters = ();
     type Start = [f64; 3];
     type Inverse = ();
