@@ -11,7 +11,8 @@ use criterion::Criterion;
 use geoint_runtime::method::Method;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
-use geoint_runtime::space::Coordinates;
+use geoint_runtime::space::{Action, Coordinates};
+use geoint_runtime::system::StateOf;
 use nalgebra::Vector3;
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;
@@ -32,12 +33,14 @@ fn main() {
     }
     let discrete = discrete_gradients();
     let action = without_action();
+    let single = single_steps();
 
     // A test run only wants to know whether this runs.
     if !std::env::args().any(|arg| arg == "--test" || arg == "--list") {
         table("generated / hand-written", &by_hand);
         table("discrete gradient / Verlet", &discrete);
         table("without the action / with it", &action);
+        table("step() in a loop / advance(n)", &single);
     }
     if std::env::var("RATIOS").is_ok_and(|value| value == "only") {
         return;
@@ -256,7 +259,7 @@ fn henon_heiles() -> Vec<Pair> {
 
 /// Astronomical units, days and solar masses, the inner planets added to the Sun: E. Hairer, C. Lubich & G. Wanner,
 /// *Geometric Numerical Integration*, I.2.4.
-fn outer_solar_system() -> Vec<Pair> {
+fn six_bodies() -> (systems::OuterSolarSystem, State<[Vector3<f64>; 6]>, f64) {
     let m = [
         1.000_005_976_82,
         0.000_954_786_104_043,
@@ -283,11 +286,15 @@ fn outer_solar_system() -> Vec<Pair> {
         [0.002_767_25, -0.001_707_02, -0.001_365_04],
     ];
     let p: [[f64; 3]; 6] = std::array::from_fn(|i| v[i].map(|v| m[i] * v));
-    let system = || black_box(systems::OuterSolarSystem { m, g });
-    let hand = move || black_box(by_hand::outer_solar_system::OuterSolarSystem { m, g });
-    let start = State::new(q.map(Vector3::from), p.map(Vector3::from));
+    (systems::OuterSolarSystem { m, g }, State::new(q.map(Vector3::from), p.map(Vector3::from)), 50.0)
+}
+
+fn outer_solar_system() -> Vec<Pair> {
+    let (bodies, start, h) = six_bodies();
+    let system = || black_box(bodies);
+    let hand = move || black_box(by_hand::outer_solar_system::OuterSolarSystem { m: bodies.m, g: bodies.g });
+    let (q, p) = (start.q.into_array(), start.p.into_array());
     let flat = |(q, p): ([[f64; 3]; 6], [[f64; 3]; 6])| [q, p].as_flattened().as_flattened().to_vec();
-    let h = 50.0;
     vec![
         Pair {
             name: "outer solar system, StormerVerlet".into(),
@@ -334,6 +341,49 @@ fn discrete_gradients() -> Vec<Pair> {
             subject: generated(henon_heiles_system(), method, 0.05, plane(HENON_HEILES)),
             unit: generated(henon_heiles_system(), StormerVerlet, 0.05, plane(HENON_HEILES)),
         },
+    ]
+}
+
+/// What steps one by one cost, a pendulum and six bodies: with flows that are merged in the loop, and without.
+fn single_steps() -> Vec<Pair> {
+    fn pair<S, M>(name: &str, system: S, method: M, h: f64, start: StateOf<S, f64>) -> Pair
+    where
+        S: PhaseSpace + 'static,
+        M: Method<S> + 'static,
+    {
+        let flat = |state: StateOf<S, f64>| {
+            let (_, q, p, _) = <S::Action as Action<f64>>::parts(state);
+            [q, p].iter().flat_map(|x| x.into_array().as_slice().to_vec()).collect::<Vec<f64>>()
+        };
+        let run = move || Integrator::new(black_box(system), method, black_box(h), start);
+        Pair {
+            name: name.into(),
+            subject: Box::new(move |n| {
+                let mut sim = run();
+                (0..n).for_each(|_| sim.step().expect("a regular problem"));
+                flat(sim.state())
+            }),
+            unit: Box::new(move |n| {
+                let mut sim = run();
+                sim.advance(n).expect("a regular problem");
+                flat(sim.state())
+            }),
+        }
+    }
+    let (system, start) = (pendulum_system(), State::new(PENDULUM.0, PENDULUM.1));
+    let (bodies, bodies_start, h) = six_bodies();
+    let contact = systems::DampedKepler { mu: 1.0, alpha: 0.07 };
+    let contact_start = ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0);
+    vec![
+        pair("pendulum, StormerVerlet", system, StormerVerlet, 0.01, start),
+        pair("pendulum, BlanesMoan4", system, BlanesMoan4, 0.01, start),
+        pair("pendulum, DiscreteGradient", system, DiscreteGradient, 0.01, start),
+        pair("pendulum, ImplicitMidpoint", system, ImplicitMidpoint, 0.01, start),
+        pair("outer solar system, StormerVerlet", bodies, StormerVerlet, h, bodies_start),
+        pair("outer solar system, BlanesMoan4", bodies, BlanesMoan4, h, bodies_start),
+        pair("outer solar system, DiscreteGradient", bodies, DiscreteGradient, h, bodies_start),
+        pair("outer solar system, ImplicitMidpoint", bodies, ImplicitMidpoint, h, bodies_start),
+        pair("damped Kepler, ContactSplitting", contact, ContactSplitting, 0.01, contact_start),
     ]
 }
 

@@ -16,8 +16,6 @@ pub trait Invariants<S, R: Real = f64>: Copy
 where
     S: crate::Hamiltonian<R>,
 {
-    /// `()`, or what an invariant needs of the system; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
     /// One scalar an invariant: `R`, or an array.
     type Values: Array<Real = R>;
     /// Whether H is a function of the invariants.
@@ -39,8 +37,8 @@ where
 pub struct Energy;
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
-    type Proof = <S as Autonomous<R>>::Proof;
-    type Values = R;
+    /// Where H is not kept, no type is known here: see [`Method::Proof`](crate::Method::Proof).
+    type Values = <<S as Autonomous<R>>::Proof as And<R>>::Both;
     const KEEP_ENERGY: bool = true;
 
     #[inline]
@@ -70,18 +68,17 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     }
 }
 
-/// The proofs of all.
-macro_rules! proofs {
-    ($I:ident) => { $I::Proof };
-    ($I:ident $($rest:ident)+) => { <$I::Proof as And<proofs!($($rest)+)>>::Both };
+/// A type that is known where those of all are.
+macro_rules! known {
+    ($last:ty;) => { $last };
+    ($last:ty; $I:ident $($rest:ident)*) => { <$I::Values as And<known!($last; $($rest)*)>>::Both };
 }
 
 /// Single invariants side by side.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
         impl<S: crate::Hamiltonian<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
-            type Proof = proofs!($($I)*);
-            type Values = [R; $n];
+            type Values = known!([R; $n]; $($I)*);
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
 
             #[inline]

@@ -42,7 +42,7 @@ pub struct Memory<M, A: Array> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
-    type Proof = <M::Proof as And<I::Proof>>::Both;
+    type Proof = <M::Proof as And<I::Values>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
