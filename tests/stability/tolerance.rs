@@ -1,7 +1,7 @@
 //! Adaptive steps: every coordinate is followed with the same relative accuracy, whatever the others are.
 
-use geoint_runtime::prelude::*;
 use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
 use geoint_tests::measure::distance;
 use geoint_tests::problems::flat;
 

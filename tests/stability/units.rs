@@ -47,9 +47,8 @@ trait Measured {
 fn start<P: Measured>(units: Units) -> State<<P::System as geoint_runtime::PhaseSpace>::Coordinates> {
     let exponents = P::coordinates(units);
     let (by_q, by_p) = exponents.split_at(P::START[0].len());
-    let [q, p] = [(0, by_q), (1, by_p)].map(|(i, by)| -> Vec<f64> {
-        P::START[i].iter().zip(by).map(|(x, k)| x * power(*k)).collect()
-    });
+    let [q, p] = [(0, by_q), (1, by_p)]
+        .map(|(i, by)| -> Vec<f64> { P::START[i].iter().zip(by).map(|(x, k)| x * power(*k)).collect() });
     state::<P::System, f64>(0.0, &q, &p)
 }
 
