@@ -1,6 +1,6 @@
 //! What a run costs: time, and evaluations of the energy.
 
-use geoint_runtime::method::{Probe, Refusal, Step};
+use geoint_runtime::method::{Probe, Step};
 use geoint_runtime::space::{Coordinates, Plain, Point};
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
@@ -36,12 +36,7 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     for n in 0..steps {
         let step = Step { system: &system, t: start.t + n as f64 * h, x: &mut x, probe: &mut count };
         let outcome = M::step(&prepared, &mut memory, step);
-        outcome.map_err(|refusal| match refusal {
-            Refusal::NotConverged { iterations, .. } => format!("no convergence in {iterations} iterations"),
-            Refusal::Singular => "no unique solution".into(),
-            Refusal::SingularDirection => "an increment orthogonal to its direction".into(),
-            Refusal::OutsideDomain { what } => what.into(),
-        })?;
+        outcome.map_err(|refusal| refusal.to_string())?;
     }
     Ok(count.0)
 }

@@ -101,7 +101,8 @@
 //!
 //! # Conventions
 //!
-//! - **q' = ∂H/∂p, p' = −∂H/∂q**. Coordinates always come in the order q, p, t, and as named fields.
+//! - **q' = ∂H/∂p, p' = −∂H/∂q**. Coordinates always come in the order q, p, s, t, and as named fields.
+//! - Of contact systems **q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H**; the flow multiplies the form ds − p dq by a factor.
 //! - A *kick* of length h is the flow of V(q, t): p ← p − h ∂V/∂q. A *drift* is the flow of T(p, t): q ← q + h ∂T/∂p.
 //! - `h` may be negative. Time is `t0 + n·h`, never a running sum; output never changes the step.
 //!   With [`Adaptive`] it is a compensated sum, and the last step ends at the time asked for.
@@ -113,7 +114,8 @@
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
 //! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
-//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps. Methods of
+//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; both are
+//! a [`Trajectory`], so that a method can be chosen while the program runs. Methods of
 //! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
@@ -121,6 +123,12 @@
 
 #[cfg(feature = "alloc")]
 extern crate alloc;
+
+/// What nobody else can implement, so that it may grow.
+mod sealed {
+    /// Is implemented here.
+    pub trait Sealed {}
+}
 
 pub mod scalar;
 pub mod space;

@@ -1,7 +1,7 @@
 //! What emitted code may name. Not part of the public interface.
 
-pub use crate::method::Method;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
@@ -11,7 +11,7 @@ pub use crate::space::{Array, ContactState, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep, Mean,
-    Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
+    Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces, Pole,
     QuadraticKinetic, Separable,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

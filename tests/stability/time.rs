@@ -17,12 +17,8 @@ where
     methods::itoh_abe(visitor);
     methods::itoh_abe_one_way(visitor);
     methods::cubic(visitor);
-    if R::epsilon() < 1e-10 {
-        methods::projected(visitor);
-    }
-    if R::epsilon() < 1e-10 {
-        methods::relaxed(visitor);
-    }
+    methods::projected(visitor);
+    methods::relaxed(visitor);
     methods::separable(visitor);
     methods::nystrom(visitor);
     methods::force_gradient(visitor);
@@ -71,7 +67,7 @@ impl<R: Scalar> Visitor<HenonHeiles<R>, R> for Ends {
         } else {
             assert_eq!(walked.steps(), steps, "{name}");
             let left = number(before.time() - to).abs();
-            assert!(missed > rounding || left <= rounding, "{name}: a whole number of steps, less {missed:.1e}");
+            assert!(missed > 0.5 * rounding || left <= rounding, "{name}: a whole number of steps, less {missed:.1e}");
         }
         let (walked_to, stepped_to) = (walked.state(), before.state());
         assert!(walked_to.q == stepped_to.q && walked_to.p == stepped_to.p, "{name}: output changes the trajectory");

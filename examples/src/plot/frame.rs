@@ -173,7 +173,7 @@ impl<'a> Frame<'a> {
 
     /// A piece of a curve and its name, beginning at a place in pixels.
     fn sample(&self, curve: &Curve, (x, y): Place, to: &mut Document) {
-        let pen = Pen { clip: None, rounding: false, ..self.pen(curve) };
+        let pen = Pen { clip: None, ..self.pen(curve) };
         if curve.width > 0.0 {
             let wide = Pen { width: pen.width.max(14), ..pen };
             to.lines(&[vec![(10 * x, 10 * y), (10 * (x + SAMPLE), 10 * y)]], wide);
@@ -197,7 +197,7 @@ impl<'a> Frame<'a> {
         let x = self.left + self.width + SPACE;
         let leader = Pen { colour: "#777", width: 5, dashes: "none", clip: None, rounding: false };
         for ((curve, end), y) in named(self.panel).zip(ends).zip(heights) {
-            to.lines(&[vec![end, (10 * x, 10 * y)]], leader);
+            to.lines(&[vec![end, (10 * x, 10 * y)]], Pen { rounding: curve.rounding, ..leader });
             self.sample(curve, (x, y), to);
         }
     }

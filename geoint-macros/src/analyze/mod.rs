@@ -12,7 +12,9 @@ mod generators;
 mod weights;
 mod momenta;
 mod mean_value;
+mod enclosable;
 mod poles;
+mod jumps;
 mod identity;
 
 use crate::ir::{Graph, Id, Node, Symbol};
@@ -21,9 +23,10 @@ pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
 pub(crate) use identity::{Identity, Remainder, identity};
+pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
-pub(crate) use poles::{Pole, poles};
+pub(crate) use poles::{Pole, Quick, has_edge, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.

@@ -2,7 +2,7 @@
 
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
-use crate::analyze::{Parts, Split, Structure};
+use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Symbol};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
@@ -74,7 +74,8 @@ fn kick_drift(
         }
         Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC }),
     };
-    KickDrift { kick, drift, exact_in_time: false, gradient_kick, undamped: None }
+    let repeats = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
+    KickDrift { kick, drift, exact_in_time: false, repeats, gradient_kick, undamped: None }
 }
 
 /// x ← x + increment. An increment is summed before it is added: x is rounded once.

@@ -55,6 +55,8 @@ pub(crate) struct KickDrift<K> {
     pub(crate) drift: FlowKernel<K>,
     /// Whether a drift is exact in its own time.
     pub(crate) exact_in_time: bool,
+    /// Whether a kick adds to the momenta what positions alone decide.
+    pub(crate) repeats: bool,
     pub(crate) gradient_kick: Result<GradientKick<K>, Missing>,
     /// Of contact systems.
     pub(crate) undamped: Option<Undamped<K>>,
@@ -171,6 +173,7 @@ impl<K> KickDrift<K> {
             kick: self.kick.map(of),
             drift: self.drift.map(of),
             exact_in_time: self.exact_in_time,
+            repeats: self.repeats,
             gradient_kick: self.gradient_kick.map(|kick| match kick {
                 GradientKick::Collocation => GradientKick::Collocation,
                 GradientKick::Flow(flow) => GradientKick::Flow(flow.map(of)),

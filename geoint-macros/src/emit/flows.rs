@@ -29,6 +29,7 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, boun
             const DRIFTS_ARE_EXACT_IN_TIME: bool = true;
         )
     });
+    let repeats = flows.repeats;
     let [kick, drift] = [("kick", &flows.kick), ("drift", &flows.drift)].map(|(name, each)| flow(context, name, each));
     let gradient_kick = match &flows.gradient_kick {
         Ok(GradientKick::Collocation) => quadratic(
@@ -46,7 +47,7 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, boun
         }
         Err(missing) => {
             let (marker, tokens) = unsatisfied(context, graph, *missing);
-            let never = not_quadratic(context, &quote!(#bounds + #marker));
+            let never = not_quadratic(context, bounds, &marker);
             quote!(#tokens #never)
         }
     };
@@ -54,6 +55,8 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, boun
     let [(kick_type, prepare_kick, kick), (drift_type, prepare_drift, drift)] = [kick, drift];
     quote! {
         impl<R: #bounds> Separable<R> for #name {
+            type Proof = ();
+            const KICKS_REPEAT: bool = #repeats;
             type Kick = #kick_type;
             type Drift = #drift_type;
             #exact
@@ -112,6 +115,7 @@ fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>, bounds: &TokenSt
     let damping = context.values(&undamped.damping, |mut values| values.remove(0));
     quote! {
         impl<R: #bounds> MechanicalContact<R> for #name {
+            type Proof = ();
             #kick
             #drift
             #[inline(always)]
@@ -149,7 +153,9 @@ fn free_flow(context: &Context<'_>, [upper, lower]: [&str; 2], own: Option<&Flow
 fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3], bounds: &TokenStream) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     quote! {
-        impl<R: #bounds> QuadraticKinetic<R> for #name {}
+        impl<R: #bounds> QuadraticKinetic<R> for #name {
+            type Proof = ();
+        }
         impl<R: #bounds> ForceGradient<R> for #name {
             type GradientKick = #prepared;
             #[inline]
@@ -165,12 +171,14 @@ fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3]
 }
 
 /// The same for no scalar.
-fn not_quadratic(context: &Context<'_>, bounds: &TokenStream) -> TokenStream {
+fn not_quadratic(context: &Context<'_>, bounds: &TokenStream, marker: &Ident) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let never = quote!(::core::convert::Infallible);
     quote! {
-        impl<R: #bounds> QuadraticKinetic<R> for #name {}
-        impl<R: #bounds> ForceGradient<R> for #name {
+        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {
+            type Proof = <R as #marker>::Proof;
+        }
+        impl<R: #bounds + #marker> ForceGradient<R> for #name {
             type GradientKick = #never;
             fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
@@ -187,7 +195,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
-    let not_quadratic = not_quadratic(context, &quote!(#bounds + #marker));
+    let not_quadratic = not_quadratic(context, bounds, &marker);
     let prepare = |name: &str| {
         let name = format_ident!("prepare_{name}");
         quote! {
@@ -211,6 +219,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
         let [kick, drift] = ["free_kick", "free_drift"].map(flow);
         quote! {
             impl<R: #bounds + #marker> MechanicalContact<R> for #name {
+                type Proof = <R as #marker>::Proof;
                 type FreeKick = #never;
                 type FreeDrift = #never;
                 #prepare_kick
@@ -226,6 +235,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
     quote! {
         #tokens
         impl<R: #bounds + #marker> Separable<R> for #name {
+            type Proof = <R as #marker>::Proof;
             type Kick = #never;
             type Drift = #never;
             #prepare_kick
@@ -250,7 +260,9 @@ pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
     let tokens = quote! {
         #[diagnostic::on_unimplemented(message = #message, label = #label)]
-        pub trait #marker {}
+        pub trait #marker {
+            type Proof;
+        }
     };
     (marker, tokens)
 }

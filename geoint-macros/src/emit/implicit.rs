@@ -70,6 +70,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     };
     quote! {
         impl<R: #bounds> DiscreteField<R> for #name {
+            type Proof = ();
             type Parameters = [R; #prepared];
             type Start = [R; #started];
             type Inverse = #inverse;
@@ -129,6 +130,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>, bou
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
         impl<R: #bounds> Collocation<R> for #name {
+            type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];
             const DERIVATIVE: usize = #derivative;

@@ -1,7 +1,7 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
 use super::straight_line;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::parse::{Energy, Form, Role, Shape};
 use crate::schedule::{self, Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
@@ -12,8 +12,8 @@ pub(crate) struct Context<'a> {
     pub(super) energy: &'a Energy,
     /// Constants that live outside the function.
     constants: &'a [TokenStream],
-    /// What must be defined wherever the energy is.
-    pub(super) partial: &'a [Id],
+    /// What is not defined everywhere.
+    pub(super) partial: &'a [Partial],
 }
 
 /// `base[i][j]…`
@@ -38,7 +38,7 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream], partial: &'a [Id]) -> Self {
+    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream], partial: &'a [Partial]) -> Self {
         Context { energy, constants, partial }
     }
 
@@ -97,6 +97,12 @@ impl<'a> Context<'a> {
             return quote!([R; #unknowns]);
         }
         quote!([#array; 2])
+    }
+
+    /// All scalars of parameters, in order.
+    pub(super) fn scalars(&self) -> Vec<TokenStream> {
+        let count: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
+        (0..count as u32).map(|i| self.parameter(i)).collect()
     }
 
     /// A scalar of a parameter, or a constant from outside.

@@ -10,6 +10,7 @@ mod flows;
 mod implicit;
 mod kernel;
 mod pieces;
+mod poles;
 pub(crate) mod report;
 mod steps;
 mod straight_line;

@@ -57,6 +57,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
     quote! {
         impl<R: #bounds> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
+            type Proof = ();
             type Flows = #types;
             type Frozen = #frozen_types;
 
@@ -90,6 +91,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
         #tokens
         impl<R: #bounds + #marker> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[];
+            type Proof = <R as #marker>::Proof;
             type Flows = #never;
             type Frozen = ();
             fn prepare_flows(&self, _: R, _: R) -> #never {

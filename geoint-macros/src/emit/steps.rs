@@ -25,6 +25,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>,
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: #bounds> ImplicitStep<#method, R> for #name {
+            type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];
             type Start = [R; #started];

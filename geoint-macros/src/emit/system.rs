@@ -49,12 +49,12 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
             /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
             ///
             /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float>>(
+            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
                 self,
                 method: M,
                 tolerance: f64,
                 state: #state<#coordinates>,
-            ) -> Adaptive<Self, M, #float> {
+            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
                 Adaptive::new(self, method, tolerance, state)
             }
         }
@@ -73,12 +73,12 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
             /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
             ///
             /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-            pub fn integrator<M: Method<Self, #float>>(
+            pub fn integrator<M: Method<Self, #float, Proof = P>, P>(
                 self,
                 method: M,
                 h: #float,
                 state: #state<#coordinates>,
-            ) -> Integrator<Self, M, #float> {
+            ) -> <P as ProofAnd<Integrator<Self, M, #float>>>::Both {
                 Integrator::new(self, method, h, state)
             }
 
@@ -120,7 +120,7 @@ pub(super) fn phase_space(
         Some(value) => context.values(value, |mut values| values.remove(0)),
         None => quote!(R::from_f64(f64::NAN)),
     };
-    let DomainTests { space, hidden } = domain;
+    let DomainTests(space) = domain;
     let (form, given, receives, returned) = match context.energy.form {
         Form::Hamiltonian => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
         Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
@@ -137,7 +137,7 @@ pub(super) fn phase_space(
     });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
-        #(impl<R: #bounds> #proven<R> for #name {})*
+        #(impl<R: #bounds> #proven<R> for #name { type Proof = (); })*
         impl<R: #bounds> PhaseSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
@@ -150,6 +150,7 @@ pub(super) fn phase_space(
             #space
         }
         impl<R: #bounds> #form<R> for #name {
+            type Proof = ();
             #[inline]
             fn gradient(
                 &self, t: R, q: &#array, p: &#array, #receives dq: &mut #array, dp: &mut #array, #returned
@@ -157,7 +158,6 @@ pub(super) fn phase_space(
                 #slopes
             }
             #rate
-            #hidden
         }
     }
 }

@@ -54,11 +54,21 @@ impl Node {
     }
 }
 
+/// A node that is not defined everywhere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Partial {
+    pub(crate) node: Id,
+    /// The condition under which it is computed, if there is one.
+    pub(crate) condition: Option<Id>,
+}
+
 /// Interned expressions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
     known: HashMap<Node, Id>,
+    /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
+    partial: Option<Vec<Id>>,
     /// Scratch space of traversals: the number of the traversal that saw a node last.
     seen: RefCell<(u32, Vec<u32>)>,
 }
@@ -127,6 +137,7 @@ impl Graph {
     pub(crate) fn is_partial(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Power(_, exponent) => !exponent.is_integer() || exponent.numerator < 0,
+            Node::Call(Function::Tan, _) => true,
             Node::Call(function, _) => function.entry().domain != Domain::Everywhere,
             _ => false,
         }
@@ -134,10 +145,24 @@ impl Graph {
 
     pub(super) fn intern(&mut self, node: Node) -> Id {
         let next = Id::from_index(self.nodes.len());
-        *self.known.entry(node).or_insert_with_key(|node| {
+        let id = *self.known.entry(node).or_insert_with_key(|node| {
             self.nodes.push(node.clone());
             next
-        })
+        });
+        if self.partial.is_some() && self.is_partial(id) {
+            self.partial.get_or_insert_default().push(id);
+        }
+        id
+    }
+
+    /// What of the nodes that were asked for since the last call is not defined everywhere.
+    pub(crate) fn take_partial(&mut self) -> Vec<Id> {
+        self.partial.replace(vec![]).unwrap_or_default()
+    }
+
+    /// Ends the record of such nodes.
+    pub(crate) fn stop_recording(&mut self) {
+        self.partial = None;
     }
 
     pub(crate) fn number(&mut self, value: Number) -> Id {

@@ -15,7 +15,7 @@ pub(crate) mod substitute;
 mod sum;
 mod table;
 
-pub(crate) use graph::{Graph, Node};
+pub(crate) use graph::{Graph, Node, Partial};
 pub(crate) use hash::HashMap;
 pub(crate) use id::Id;
 pub(crate) use number::Number;

@@ -1,7 +1,7 @@
 //! Operators, powers and casts: of numbers, of vectors, of integers.
 
 use super::Lowering;
-use super::expr::EXPRESSIONS;
+use super::language::{EXPRESSIONS, is_arithmetic};
 use super::value::Value;
 use crate::ir::{Id, Number, Ratio, Relation};
 use quote::{ToTokens, quote};
@@ -180,14 +180,6 @@ impl Lowering {
         }
         None
     }
-}
-
-pub(super) fn is_arithmetic(op: &BinOp) -> bool {
-    matches!(op, BinOp::Add(_) | BinOp::Sub(_) | BinOp::Mul(_) | BinOp::Div(_) | BinOp::Rem(_))
-}
-
-pub(super) fn is_comparison(op: &BinOp) -> bool {
-    matches!(op, BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) | BinOp::Eq(_) | BinOp::Ne(_))
 }
 
 /// `n as target`: the bits that fit. Of `usize` and `isize` only what fits on every processor.

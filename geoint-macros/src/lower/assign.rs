@@ -4,8 +4,9 @@
 //! afterwards would depend on data, or on who calls.
 
 use super::Lowering;
+use super::language::compound;
 use super::scope::{Around, Refused};
-use super::value::Value;
+use super::value::{Value, axis};
 use quote::ToTokens;
 use std::rc::Rc;
 use syn::visit::Visit;
@@ -111,7 +112,7 @@ impl Lowering {
                 let mut target = self.target(&field.base)?;
                 target.indices.push(match &field.member {
                     Member::Unnamed(index) => index.index as usize,
-                    Member::Named(name) => match super::expr::axis(name) {
+                    Member::Named(name) => match axis(name) {
                         Some(axis) => axis,
                         None => {
                             self.refuse(&field.member, "only components of vectors and tuples can be assigned to");
@@ -194,23 +195,6 @@ fn replace_part(value: &mut Value, indices: &[usize], new: Value) -> Option<()> 
         _ => return None,
     }
     Some(())
-}
-
-/// The operator inside of a compound assignment.
-pub(super) fn compound(op: &BinOp) -> Option<BinOp> {
-    Some(match op {
-        BinOp::AddAssign(_) => BinOp::Add(Default::default()),
-        BinOp::SubAssign(_) => BinOp::Sub(Default::default()),
-        BinOp::MulAssign(_) => BinOp::Mul(Default::default()),
-        BinOp::DivAssign(_) => BinOp::Div(Default::default()),
-        BinOp::RemAssign(_) => BinOp::Rem(Default::default()),
-        BinOp::BitXorAssign(_) => BinOp::BitXor(Default::default()),
-        BinOp::BitAndAssign(_) => BinOp::BitAnd(Default::default()),
-        BinOp::BitOrAssign(_) => BinOp::BitOr(Default::default()),
-        BinOp::ShlAssign(_) => BinOp::Shl(Default::default()),
-        BinOp::ShrAssign(_) => BinOp::Shr(Default::default()),
-        _ => return None,
-    })
 }
 
 /// Whether an expression contains an assignment.

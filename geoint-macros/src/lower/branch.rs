@@ -14,7 +14,12 @@ impl Lowering {
         {
             return left;
         }
-        let before = self.enter_branch();
+        let condition = match left {
+            Value::Truth(id) if matches!(binary.op, BinOp::Or(_)) => self.graph.not(id),
+            Value::Truth(id) => id,
+            _ => self.graph.truth(true),
+        };
+        let before = self.enter_branch(condition);
         let right = self.expr(&binary.right);
         self.leave_branch(before);
         self.arithmetic(binary, &binary.op, left, right)
@@ -39,7 +44,7 @@ impl Lowering {
         let Some((_, otherwise)) = &branch.else_branch else {
             // What the branch would do is to assign; that message is the better one.
             let said = self.errors.len();
-            let before = self.enter_branch();
+            let before = self.enter_branch(condition);
             self.block(&branch.then_branch);
             self.leave_branch(before);
             if self.errors.len() == said {
@@ -47,8 +52,11 @@ impl Lowering {
             }
             return Value::Poison;
         };
-        let before = self.enter_branch();
+        let before = self.enter_branch(condition);
         let first = self.block(&branch.then_branch);
+        self.leave_branch(before);
+        let opposite = self.graph.not(condition);
+        let before = self.enter_branch(opposite);
         let second = self.expr(otherwise);
         self.leave_branch(before);
         self.select(branch, condition, first, second)

@@ -1,17 +1,13 @@
 //! Expressions.
 
-use super::arithmetic::{is_arithmetic, is_comparison};
-use super::assign::compound;
+use super::language::{EXPRESSIONS, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
 use super::scope::{Found, Item};
-use super::value::{Callable, Value};
+use super::value::{Callable, Value, axis};
 use super::{Lowering, constants};
 use crate::ir::Number;
 use quote::{ToTokens, quote};
 use std::rc::Rc;
 use syn::{BinOp, Expr, ExprBinary, Lit, Member, Path, RangeLimits, UnOp};
-
-pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vectors, `+ - * /`, methods of `f64`, `if … else`, \
-                           closures, `for` over ranges, and sums over iterators";
 
 impl Lowering {
     pub(super) fn expr(&mut self, expr: &Expr) -> Value {
@@ -38,7 +34,7 @@ impl Lowering {
             Expr::Paren(inner) => self.expr(&inner.expr),
             Expr::Group(inner) => self.expr(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expr(&inner.expr),
-            Expr::Reference(inner) => self.refuse(inner, super::statement::THROUGH_REFERENCE),
+            Expr::Reference(inner) => self.refuse(inner, THROUGH_REFERENCE),
             Expr::Unary(unary) => {
                 let value = self.expr(&unary.expr);
                 match (&unary.op, value) {
@@ -250,15 +246,4 @@ impl Lowering {
         self.evaluations += (high - low).max(0) as usize;
         Value::iterator((low..high).map(Value::Integer))
     }
-}
-
-/// The index of a component that is named by its axis.
-pub(super) fn axis(name: &proc_macro2::Ident) -> Option<usize> {
-    ["x", "y", "z", "w"].iter().position(|axis| name == axis)
-}
-
-/// Says that a macro inside the body is not understood.
-pub(super) fn other_macro(call: &syn::Macro) -> String {
-    let name = call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
-    format!("this attribute cannot see into `{name}!`: check arguments where the function is called; {EXPRESSIONS}")
 }

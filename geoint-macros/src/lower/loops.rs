@@ -27,7 +27,7 @@ impl Lowering {
         let Some(items) = self.list(&for_loop.expr, domain) else { return Value::Poison };
         let (said, depth) = (self.errors.len(), self.loops.len());
         let label = for_loop.label.as_ref().map(|label| label.name.clone());
-        self.loops.push(Loop { label, branches: self.branches });
+        self.loops.push(Loop { label, branches: self.conditions.len() });
         for item in items.iter() {
             // The other rounds would say the same.
             if self.errors.len() > said || self.exhausted(&for_loop.for_token) {
@@ -59,7 +59,7 @@ impl Lowering {
             None => self.loops.len().checked_sub(1),
         };
         let Some(depth) = depth else { return self.refuse(syntax, "only a `for` loop can be left") };
-        if self.loops[depth].branches != self.branches {
+        if self.loops[depth].branches != self.conditions.len() {
             return self.refuse(
                 syntax,
                 "loops are unrolled, so that data cannot decide how long they are: make what follows the value of a branch, \

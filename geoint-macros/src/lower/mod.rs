@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod language;
 mod loops;
 mod method;
 mod scope;
@@ -18,13 +19,13 @@ mod unseen;
 mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy};
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
-use std::collections::HashMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fmt::Display;
 use std::rc::Rc;
 use value::{Callable, Value};
@@ -40,8 +41,8 @@ pub(crate) struct Lowered {
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Where nodes were written first: the first and the last token.
     pub(crate) places: HashMap<Id, Place>,
-    /// Nodes that are not defined everywhere and are computed whatever the conditions are, simplified away or not.
-    pub(crate) partial: Vec<Id>,
+    /// Nodes that are not defined everywhere, simplified away or not.
+    pub(crate) partial: Vec<Partial>,
     /// Constants that live outside the function: symbols `Parameter(n)` after those of the parameters.
     pub(crate) constants: Vec<TokenStream>,
 }
@@ -83,13 +84,14 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         evaluations: 0,
         depth: 0,
         heights: vec![],
-        branches: 0,
+        conditions: vec![],
         loops: vec![],
         leaving: None,
-        partial: vec![],
+        partial: BTreeMap::new(),
         calls: vec![],
         float: energy.float.to_string(),
     };
+    lowering.graph.take_partial();
     for (role, argument) in &energy.arguments {
         let symbols = energy.symbols(*role, argument);
         let value = lowering.argument(argument, &symbols);
@@ -106,7 +108,14 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         (lowering.real(expr, value), place(expr))
     };
     let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| group(&mut lowering, expr)).collect());
-    let Lowering { graph, errors, places, partial, constants, .. } = lowering;
+    lowering.note_partial();
+    let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
+    graph.stop_recording();
+    let partial = partial.into_iter().map(|(node, conditions)| {
+        let all: Option<Vec<Id>> = conditions.into_iter().collect();
+        Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
+    });
+    let partial = partial.collect();
     errors.or(Lowered { graph, energy: root, damping, groups, places, partial, constants })
 }
 
@@ -124,13 +133,14 @@ struct Lowering {
     depth: usize,
     /// How deep each node is, of those that have been looked at.
     heights: Vec<u32>,
-    /// Branches around what is being evaluated.
-    branches: usize,
+    /// Conditions of the branches around what is being evaluated.
+    conditions: Vec<Id>,
     /// Loops around it.
     loops: Vec<Loop>,
     /// Set while nothing is reached.
     leaving: Option<Leaving>,
-    partial: Vec<Id>,
+    /// Nodes that are not defined everywhere, with the conditions under which they are computed: `None` if there is none.
+    partial: BTreeMap<Id, BTreeSet<Option<Id>>>,
     /// Closures and nested functions being evaluated.
     calls: Vec<Rc<Callable>>,
     /// The type of all numbers.
@@ -194,23 +204,35 @@ impl Lowering {
             return self
                 .refuse(syntax, "this is nested too deeply: it depends on a value that depends on a value, and so on");
         }
-        if self.branches == 0 {
-            self.partial.extend(new.iter().filter(|id| self.graph.is_partial(**id)));
-        }
+        self.note_partial();
         if !new.iter().all(|id| self.is_finite(*id)) {
             return self.refuse(syntax, "this is not a finite number, whatever the state is");
         }
         value
     }
 
-    /// Enters a side of a branch; returns what [`Self::leave_branch`] needs.
-    fn enter_branch(&mut self) -> (usize, Around) {
-        self.branches += 1;
+    /// Notes what has been computed and is not defined everywhere, with the conditions around it.
+    fn note_partial(&mut self) {
+        let nodes = self.graph.take_partial();
+        if nodes.is_empty() {
+            return;
+        }
+        let all = self.conditions.iter().copied().reduce(|a, b| self.graph.and(a, b));
+        for node in nodes {
+            self.partial.entry(node).or_default().insert(all);
+        }
+    }
+
+    /// Enters the side of a branch in which a condition holds; returns what [`Self::leave_branch`] needs.
+    fn enter_branch(&mut self, condition: Id) -> (usize, Around) {
+        self.note_partial();
+        self.conditions.push(condition);
         self.scopes.close(Around::Branch)
     }
 
     fn leave_branch(&mut self, before: (usize, Around)) {
-        self.branches -= 1;
+        self.note_partial();
+        self.conditions.pop();
         self.scopes.open(before);
     }
 

@@ -2,6 +2,7 @@
 
 use super::Lowering;
 use super::constants::imported;
+use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
 use super::scope::{self, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
 use crate::ir::Number;
@@ -10,11 +11,6 @@ use std::cell::RefCell;
 use std::rc::Rc;
 use syn::visit::Visit;
 use syn::{Block, Expr, Item, Pat, PatIdent, Stmt};
-
-const STATEMENTS: &str = "a body is made of `let`, `const`, nested `fn`, `for`, assignments, and a last expression";
-
-pub(super) const THROUGH_REFERENCE: &str =
-    "what is changed through a reference is not followed: bind a new variable with `let`";
 
 impl Lowering {
     pub(super) fn block(&mut self, block: &Block) -> Value {
@@ -101,7 +97,7 @@ impl Lowering {
                 // A statement that was refused may have been the value: `return x;`.
                 if semicolon.is_some() && !matches!(value, Value::Poison) { Value::unit() } else { value }
             }
-            Stmt::Macro(call) => self.refuse(call, super::expr::other_macro(&call.mac)),
+            Stmt::Macro(call) => self.refuse(call, other_macro(&call.mac)),
         }
     }
 

@@ -113,3 +113,8 @@ pub(super) fn shaped(shape: &Shape, ids: &[Id]) -> Value {
         }
     }
 }
+
+/// The index of a component that is named by its axis.
+pub(super) fn axis(name: &proc_macro2::Ident) -> Option<usize> {
+    ["x", "y", "z", "w"].iter().position(|axis| name == axis)
+}

@@ -31,6 +31,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ModifiedEnergy",
     "PhaseSpace",
     "PieceClock",
+    "ProofAnd",
     "QuadraticKinetic",
     "Real",
     "Separable",

@@ -28,7 +28,7 @@
 
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
 use crate::method::total::adds_up;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::PhaseSpace;
@@ -36,13 +36,14 @@ use crate::system::PhaseSpace;
 /// Weights γ₁, …, γ_K, reading the same from both ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composition<const K: usize> {
+    name: Name,
     order: u32,
     gamma: [f64; K],
 }
 
 impl<const K: usize> Composition<K> {
     /// A palindrome given by its first half (the middle included).
-    pub(crate) const fn palindrome<const HALF: usize>(order: u32, half: [f64; HALF]) -> Self {
+    pub(crate) const fn palindrome<const HALF: usize>(name: &'static str, order: u32, half: [f64; HALF]) -> Self {
         assert!(HALF == K.div_ceil(2));
         let mut gamma = [0.0; K];
         let mut i = 0;
@@ -51,7 +52,7 @@ impl<const K: usize> Composition<K> {
             i += 1;
         }
         assert!(adds_up(&gamma, 1.0), "the weights add up to 1");
-        Composition { order, gamma }
+        Composition { name: Name::new(name), order, gamma }
     }
 
     /// This composition of a symmetric map of order 2.
@@ -60,6 +61,11 @@ impl<const K: usize> Composition<K> {
     /// [`StormerVerlet`] and [`PositionVerlet`] become splitting tables with neighbouring flows merged.
     pub fn of<M: SymmetricMap>(self, map: M) -> M::Composed<K> {
         map.compose(self)
+    }
+
+    /// The name.
+    pub const fn name(&self) -> Name {
+        self.name
     }
 
     /// The order for a map of order 2.
@@ -106,14 +112,14 @@ pub(crate) use substeps;
 impl SymmetricMap for StormerVerlet {
     type Composed<const K: usize> = Splitting<K, KickFirst>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, KickFirst> {
-        Splitting::of_verlet(composition.order, composition.gamma)
+        Splitting::of_verlet(composition.name.of(Name::new("StormerVerlet")), composition.order, composition.gamma)
     }
 }
 
 impl SymmetricMap for PositionVerlet {
     type Composed<const K: usize> = Splitting<K, DriftFirst>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
-        Splitting::of_verlet(composition.order, composition.gamma)
+        Splitting::of_verlet(composition.name.of(Name::new("PositionVerlet")), composition.order, composition.gamma)
     }
 }
 
@@ -125,6 +131,7 @@ pub struct Composed<M, const K: usize> {
 }
 
 impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> for Composed<M, K> {
+    type Proof = M::Proof;
     /// Each substep with the time, after the start, at which it begins.
     type Prepared = [(M::Prepared, R); K];
     /// That of each substep: increments are extrapolated from those of the same substep in earlier steps. From one sequence for all
@@ -134,7 +141,12 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
-        Claims { order: self.composition.order, ..self.map.claims() }
+        let map = self.map.claims();
+        Claims { order: self.composition.order, forces: map.forces.map(|forces| K as u32 * forces), ..map }
+    }
+
+    fn name(&self) -> Name {
+        self.composition.name.of(self.map.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -19,7 +19,7 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
@@ -36,11 +36,16 @@ use crate::system::{Conservative, Cubic};
 pub struct Kahan;
 
 impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
+    type Proof = <<S as Cubic<R>>::Proof as And<<S as Conservative<R>>::Proof>>::Both;
     type Prepared = (S::Constants, R);
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: false }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: false, forces: Some(1) }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Kahan")
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

@@ -1,5 +1,6 @@
 //! What a method is: coefficients prepared once for a step size, and a step in place. The families of methods, a module each.
 
+pub mod catalogue;
 mod clock;
 pub mod composition;
 pub mod contact;
@@ -9,16 +10,19 @@ pub mod explicit;
 mod field;
 pub mod gauss;
 pub mod kahan;
+mod name;
 mod probe;
 pub mod splitting;
 pub mod tableau;
 pub mod tables;
 mod total;
 
+pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use field::{gradient_kick, modified_verlet};
-pub(crate) use probe::check_end;
+pub use name::Name;
 pub use probe::{Probe, Unwatched};
+pub(crate) use probe::{check_conditions, check_end, check_poles, start};
 
 pub use crate::solving::Refusal;
 
@@ -30,6 +34,7 @@ use crate::system::PhaseSpace;
 ///
 /// Damping leaves order and symmetry as they are. The step is then no symplectic map, and the energy falls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Claims {
     /// Global error O(hᵖ).
     pub order: u32,
@@ -40,6 +45,40 @@ pub struct Claims {
     /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
     /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
     pub conserves_energy: bool,
+    /// Evaluations of the force, or of both derivatives of H, that a step costs where others follow, if it costs the same
+    /// everywhere: not known of steps that solve an equation.
+    pub forces: Option<u32>,
+}
+
+impl Claims {
+    /// Order p, and nothing else.
+    pub const fn of_order(order: u32) -> Self {
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: false, forces: None }
+    }
+
+    /// A symmetric method.
+    pub const fn symmetric(mut self) -> Self {
+        self.symmetric = true;
+        self
+    }
+
+    /// A symplectic method, or a contact map.
+    pub const fn symplectic(mut self) -> Self {
+        self.symplectic = true;
+        self
+    }
+
+    /// A method that keeps the energy.
+    pub const fn conserving_energy(mut self) -> Self {
+        self.conserves_energy = true;
+        self
+    }
+
+    /// A method of so many forces a step.
+    pub const fn forces(mut self, forces: u32) -> Self {
+        self.forces = Some(forces);
+        self
+    }
 }
 
 /// A one-step method for the system `S`.
@@ -49,6 +88,10 @@ pub struct Claims {
     note = "`Gauss` has 1 to 6 stages"
 )]
 pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
+    /// What was proven of `S` and is needed: a property's own `Proof`, two of them by [`And`]. Where something is missing the compiler
+    /// knows no type here, nor that of [`Run::integrator`](crate::Run::integrator); the message that says what is missing is then
+    /// the only one.
+    type Proof;
     /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
     type Prepared: Clone;
     /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
@@ -59,6 +102,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// What the method promises.
     fn claims(&self) -> Claims;
+
+    /// What it is called.
+    fn name(&self) -> Name;
 
     /// Coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
@@ -95,6 +141,16 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         }
         Ok(())
     }
+}
+
+/// Both of two proofs: known where both are.
+pub trait And<Q> {
+    /// As well as the other one.
+    type Both;
+}
+
+impl<P, Q> And<Q> for P {
+    type Both = Q;
 }
 
 /// A step that is about to be taken: of which system, when, from where, and who watches.

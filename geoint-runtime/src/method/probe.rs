@@ -1,8 +1,10 @@
 //! What sees the points at which a step evaluates the energy.
 
+use crate::method::Step;
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::system::PhaseSpace;
+use crate::space::{Array, Point};
+use crate::system::{Known, PhaseSpace, Poles, jump_between};
 
 /// Is shown every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real> {
@@ -31,16 +33,62 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn visit(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
 }
 
-/// Whether the energy is defined at the end of a step, and on the same side of its poles as at the start, for methods that look at
-/// it in between only.
+/// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
+/// between only.
 #[inline(always)]
-pub(crate) fn check_end<S: PhaseSpace<R>, R: Real>(
-    system: &S,
-    t: [R; 2],
-    q: [&S::Array; 2],
-    p: [&S::Array; 2],
-    s: [&S::Action; 2],
+pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
+    poles: &Poles,
+    times: [R; 2],
+    before: &Start<S, R>,
+    step: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    Refusal::outside(system.outside_domain(t[1], q[1], p[1], s[1]))?;
-    Refusal::outside(system.pole_between(t, q, p, s))
+    let x = &*step.x;
+    Refusal::outside(step.system.outside_domain(times[1], &x.q, &x.p, &x.s))?;
+    check_poles(poles, false, times, before, step)
+}
+
+/// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
+///
+/// Without patience the step is spoilt where only a search can tell, so that it is repeated: one more way out of the loop over steps
+/// would cost a tenth of a short step.
+#[inline(always)]
+pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
+    poles: &Poles,
+    divided: bool,
+    times: [R; 2],
+    (q, p, s): &Start<S, R>,
+    Step { system, x, .. }: Step<'_, S, R, C, P>,
+) -> Result<(), Refusal> {
+    let ends = (times, [q, &x.q], [p, &x.p], [s, &x.s]);
+    if P::PATIENT || Known::<S, R>::SEARCHED {
+        return Refusal::outside(poles.between(system, divided, ends));
+    }
+    if !poles.is_clear(system, divided, ends) {
+        x.p.as_mut_slice()[0] = R::from_f64(f64::NAN);
+    }
+    Ok(())
+}
+
+/// Refuses the end of a step where rounding has decided a condition otherwise than the equation of the step has, which decided it at
+/// `decided`, and the energy jumps there.
+#[inline(always)]
+pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
+    system: &S,
+    t: R,
+    [q, p]: &[S::Array; 2],
+    x: &Point<S::Array, C>,
+) -> Result<(), Refusal> {
+    Refusal::outside(jump_between(system, t, [q, &x.q], [p, &x.p], [&(), &()]))
+}
+
+/// Where a step starts: q, p, s.
+pub(crate) type Start<S, R> = (<S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+
+/// A copy of a point, entry by entry, so that both may stay in registers.
+#[inline(always)]
+pub(crate) fn start<S: PhaseSpace<R>, R: Real, C>(x: &Point<S::Array, C, S::Action>) -> Start<S, R> {
+    let mut start = (S::Array::zero(), S::Array::zero(), x.s);
+    start.0.copy_from(&x.q);
+    start.1.copy_from(&x.p);
+    start
 }

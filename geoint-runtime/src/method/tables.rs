@@ -15,6 +15,7 @@ use crate::method::splitting::{DriftFirst, KickFirst, Nystrom, Splitting, WithGr
 /// [`PEFRL`] reaches the same error with fewer. E. Forest & R. D. Ruth, Physica D 43 (1990) 105, (4.8); J.
 /// Candy & W. Rozmus, J. Comput. Phys. 92 (1991) 230. Closed form.
 pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
+    "ForestRuth4",
     4,
     [0.67560359597982881702384390448573041346099968810857, -0.17560359597982881702384390448573041346099968810857],
     [1.3512071919596576340476878089714608269219993762171, -1.7024143839193152680953756179429216538439987524343],
@@ -24,6 +25,7 @@ pub const ForestRuth4: Splitting<3, DriftFirst> = Splitting::palindrome(
 /// step. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 146 (2002) 188, (20), (22). 1 free
 /// parameter.
 pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
+    "PEFRL",
     4,
     [
         0.17861789584480906806090424619759054303677229820293,
@@ -36,6 +38,7 @@ pub const PEFRL: Splitting<4, DriftFirst> = Splitting::palindrome(
 /// Kick first. Order 4, 6 forces: the order-4 table for a general T(p) + V(q). S. Blanes & P. C. Moan, J. Comput.
 /// Appl. Math. 142 (2002) 313, table 2, S₆. 3 free parameters.
 pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
+    "BlanesMoan4",
     4,
     [
         0.079203696431195674197649623763222600151721661209021,
@@ -53,6 +56,7 @@ pub const BlanesMoan4: Splitting<6, KickFirst> = Splitting::palindrome(
 /// Kick first. Order 6, 10 forces: the default for a general T(p) + V(q) from errors of about 10⁻⁷ on. S. Blanes &
 /// P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₁₀. 1 free parameter.
 pub const BlanesMoan6: Splitting<10, KickFirst> = Splitting::palindrome(
+    "BlanesMoan6",
     6,
     [
         0.050262764400392722764635017045126956496782598115552,
@@ -74,6 +78,7 @@ pub const BlanesMoan6: Splitting<10, KickFirst> = Splitting::palindrome(
 /// Kick first. Order 4, 6 forces: quadratic T, modest accuracy. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₆ᵇ. 3 free parameters.
 pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = Nystrom(Splitting::palindrome(
+    "BlanesMoanSrkn6b",
     4,
     [
         0.082984406417404982334898567313094841348650647924373,
@@ -91,6 +96,7 @@ pub const BlanesMoanSrkn6b: Nystrom<6, KickFirst> = Nystrom(Splitting::palindrom
 /// Kick first. Order 6, 11 forces: quadratic T where stages must be few. S. Blanes & P. C. Moan, J. Comput. Appl.
 /// Math. 142 (2002) 313, table 3, SRKN₁₁ᵇ. 4 free parameters.
 pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = Nystrom(Splitting::palindrome(
+    "BlanesMoanSrkn11b",
     6,
     [
         0.04146499851826284228254482679970052589381118880362,
@@ -113,6 +119,7 @@ pub const BlanesMoanSrkn11b: Nystrom<11, KickFirst> = Nystrom(Splitting::palindr
 /// Drift first. Order 6, 14 forces: the default for quadratic T. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142
 /// (2002) 313, table 3, SRKN₁₄ᵃ. 7 free parameters.
 pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = Nystrom(Splitting::palindrome(
+    "BlanesMoanSrkn14a",
     6,
     [
         0.037859319840611597851298805511558783189153941200291,
@@ -138,6 +145,7 @@ pub const BlanesMoanSrkn14a: Nystrom<14, DriftFirst> = Nystrom(Splitting::palind
 /// Drift first. Order 8, 17 forces: quadratic T, errors from 10⁻⁹ down to rounding. S. Blanes, F. Casas & A.
 /// Escorihuela-Tomàs, Appl. Numer. Math. 182 (2022) 14. Isolated solution of the order conditions.
 pub const BceRkn17_8: Nystrom<17, DriftFirst> = Nystrom(Splitting::palindrome(
+    "BceRkn17_8",
     8,
     [
         0.052092434384033900642603796835345763922847247466348,
@@ -165,12 +173,14 @@ pub const BceRkn17_8: Nystrom<17, DriftFirst> = Nystrom(Splitting::palindrome(
 
 /// Kick first. Order 2, 1 force and 1 gradient: a change of variables, and back, would make of its steps those of a method of order 4.
 /// M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765; G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
-pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> = Splitting::palindrome(2, [0.5], [1.0])
-    .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
+pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
+    Splitting::palindrome("TakahashiImada2", 2, [0.5], [1.0])
+        .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
 
 /// Kick first. Order 4, 2 forces and 1 gradient, all weights positive; stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
 /// algorithm A. Closed form.
 pub const Chin4A: Splitting<2, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4A",
     4,
     [0.16666666666666666666666666666666666666666666666667, 0.66666666666666666666666666666666666666666666666667],
     [0.5],
@@ -180,6 +190,7 @@ pub const Chin4A: Splitting<2, KickFirst<WithGradient>> = Splitting::palindrome(
 /// Drift first. Order 4, 2 forces and 2 gradients, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm B. Closed
 /// form: a₁ = (1 − 1/√3)/2, g = (2 − √3)/48.
 pub const Chin4B: Splitting<2, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4B",
     4,
     [0.21132486540518711774542560974902127217619912436494, 0.57735026918962576450914878050195745564760175127013],
     [0.5],
@@ -189,6 +200,7 @@ pub const Chin4B: Splitting<2, DriftFirst<WithGradient>> = Splitting::palindrome
 /// Drift first. Order 4, 3 forces and 1 gradient, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm C. Closed
 /// form.
 pub const Chin4C: Splitting<3, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4C",
     4,
     [0.16666666666666666666666666666666666666666666666667, 0.33333333333333333333333333333333333333333333333333],
     [0.375, 0.25],
@@ -198,6 +210,7 @@ pub const Chin4C: Splitting<3, DriftFirst<WithGradient>> = Splitting::palindrome
 /// Kick first. Order 4, 3 forces and 2 gradients, all weights positive. S. A. Chin & C. R. Chen, Celest. Mech. Dyn. Astron. 91 (2005)
 /// 301, algorithm D. Closed form.
 pub const Chin4D: Splitting<3, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4D",
     4,
     [0.125, 0.375],
     [0.33333333333333333333333333333333333333333333333333, 0.33333333333333333333333333333333333333333333333333],
@@ -207,6 +220,7 @@ pub const Chin4D: Splitting<3, KickFirst<WithGradient>> = Splitting::palindrome(
 /// Kick first. Order 4, 4 forces and 2 gradients: the smallest error for the work at order 4. I. P. Omelyan, I. M. Mryglod & R. Folk,
 /// Comput. Phys. Commun. 151 (2003) 272, (48), (54). 2 free parameters.
 pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan4_4F2GV",
     4,
     [
         0.068408059707277659678529370501034559501206634379969,
@@ -220,6 +234,7 @@ pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::pal
 /// Drift first. Order 4, 5 forces and 2 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
 /// (78). 3 free parameters.
 pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan4_5F2GP",
     4,
     [
         0.064191088668162354934005214469822428385683973456823,
@@ -237,6 +252,7 @@ pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
 /// Drift first. Order 6, 5 forces and 3 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
 /// (76). Isolated solution of the order conditions.
 pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan6_5F3GP",
     6,
     [
         0.10970597239486819130899039214759417287742195595536,
@@ -258,6 +274,7 @@ pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
 /// Drift first. Order 8, 11 forces and 11 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Phys. Rev. E 66 (2002) 026701, (53).
 /// Isolated solution of the order conditions.
 pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan8_11F11GP",
     8,
     [
         0.41009674738801111928784693005079711687671736405615,
@@ -288,12 +305,14 @@ pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting:
 /// The triple jump, γ₁ = 1/(2 − ∛2). Order 4, 3 maps; large weights, so large errors. M. Creutz & A. Gocksch, Phys.
 /// Rev. Lett. 63 (1989) 9; H. Yoshida, Phys. Lett. A 150 (1990) 262. Closed form.
 pub const Yoshida4: Composition<3> = Composition::palindrome(
+    "Yoshida4",
     4,
     [1.3512071919596576340476878089714608269219993762171, -1.7024143839193152680953756179429216538439987524343],
 );
 
 /// The fractal, γ = 1/(4 − ∛4). Order 4, 5 maps. M. Suzuki, Phys. Lett. A 146 (1990) 319. Closed form.
 pub const Suzuki4: Composition<5> = Composition::palindrome(
+    "Suzuki4",
     4,
     [
         0.41449077179437573714235406286076149571177460401671,
@@ -305,6 +324,7 @@ pub const Suzuki4: Composition<5> = Composition::palindrome(
 /// Order 4, 5 maps: the order-4 composition of choice. R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151, table
 /// 2, γ₁ = 0.28. Isolated solution of the order conditions.
 pub const McLachlan4: Composition<5> = Composition::palindrome(
+    "McLachlan4",
     4,
     [0.28, 0.62546642846767004501233890549264901291821583114235, -0.81093285693534009002467781098529802583643166228469],
 );
@@ -312,6 +332,7 @@ pub const McLachlan4: Composition<5> = Composition::palindrome(
 /// Order 6, 7 maps. H. Yoshida, Phys. Lett. A 150 (1990) 262, table 1, solution A. Isolated solution of the order
 /// conditions.
 pub const Yoshida6a: Composition<7> = Composition::palindrome(
+    "Yoshida6a",
     6,
     [
         0.78451361047755726381949763386634987577682441745149,
@@ -324,6 +345,7 @@ pub const Yoshida6a: Composition<7> = Composition::palindrome(
 /// Order 6, 9 maps: the order-6 composition of choice. R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151, table
 /// 2, γ₁ = 0.1867. Isolated solution of the order conditions.
 pub const McLachlan6_9: Composition<9> = Composition::palindrome(
+    "McLachlan6_9",
     6,
     [
         0.1867,
@@ -337,6 +359,7 @@ pub const McLachlan6_9: Composition<9> = Composition::palindrome(
 /// Order 8, 17 maps: the order-8 composition of choice. W. Kahan & R.-C. Li, Math. Comp. 66 (1997) 1089, s17odr8a;
 /// Hairer, Lubich & Wanner (V.3.13). 1 free parameter.
 pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
+    "KahanLi8_17a",
     8,
     [
         0.13020248308889008087881763209670052235725364342006,
@@ -354,6 +377,7 @@ pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
 /// Order 10, 35 maps. M. Sofroniou & G. Spaletta, Optim. Methods Softw. 20 (2005) 597; Hairer, Lubich & Wanner
 /// (V.3.14). 2 free parameters.
 pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
+    "SofroniouSpaletta10_35",
     10,
     [
         0.078795722521686419263907679337684248219863872766624,
@@ -380,6 +404,7 @@ pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
 /// Any number of pieces. Order 4, 6 flows of the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table 2, S₆,
 /// as a table of maps and adjoints. 3 free parameters.
 pub const BlanesMoan4X: PieceComposition<6> = PieceComposition::palindrome(
+    "BlanesMoan4X",
     4,
     [
         0.079203696431195674197649623763222600151721661209021,
@@ -394,6 +419,7 @@ pub const BlanesMoan4X: PieceComposition<6> = PieceComposition::palindrome(
 /// Any number of pieces. Order 6, 10 flows of the last piece. S. Blanes & P. C. Moan, J. Comput. Appl. Math. 142 (2002) 313, table
 /// 2, S₁₀, as a table of maps and adjoints. 1 free parameter.
 pub const BlanesMoan6X: PieceComposition<10> = PieceComposition::palindrome(
+    "BlanesMoan6X",
     6,
     [
         0.050262764400392722764635017045126956496782598115552,

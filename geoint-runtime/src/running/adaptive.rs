@@ -4,7 +4,7 @@
 //! What rests on equal steps is lost: a symplectic method drifts like any other.
 
 use super::watch::{Found, Watch};
-use crate::method::corrected::invariants::{plus, size};
+use crate::method::corrected::invariants::plus;
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::{Reason, StepError};
 use crate::running::output::{Samples, Until};
@@ -128,11 +128,16 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
-    /// In how long, roughly, the state changes by itself: the shortest of |q|/|q'|, |p|/|p'|.
+    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
     fn guess(&self) -> f64 {
         let [slope_q, slope_p] = self.gradient(&self.x);
-        let time = |x: f64, rate: f64| if x > 0.0 && rate > 0.0 { x / rate } else { f64::INFINITY };
-        time(magnitude(&self.x.q), magnitude(&slope_p)).min(time(magnitude(&self.x.p), magnitude(&slope_q)))
+        let times = [(&self.x.q, &slope_p), (&self.x.p, &slope_q)].map(|(x, rate)| {
+            let time = |(x, rate): (&R, &R)| {
+                if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
+            };
+            x.as_slice().iter().zip(rate.as_slice()).map(time).fold(f64::INFINITY, f64::min)
+        });
+        times[0].min(times[1])
     }
 
     fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
@@ -241,7 +246,11 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                     self.rejections += 1;
                     self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
                     if h.abs() <= bounds.shortest {
-                        let reason = self.reason(h);
+                        // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+                        let reason = match self.reason(h) {
+                            Reason::NotConverged | Reason::Singular => self.reason(16.0 * h),
+                            reason => reason,
+                        };
                         return Err(StepError::StepTooSmall { t, h, reason });
                     }
                     continue;
@@ -293,7 +302,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let step = Judged { h: prepared.h, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let time = self.controller.time(prepared.h, self.tolerance.relative);
+        let step = Judged { h: prepared.h, time, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
         let error = self.tolerance.error(&step, |[q, p]| {
             let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
             [slope_p, slope_q]
@@ -380,10 +390,6 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 fn prepare<S: Hamiltonian<R>, M: Method<S, R>, R: Real>(system: &S, method: &M, h: f64) -> Prepared<M::Prepared> {
     let prepare = |h: f64| method.prepare(system, R::from_f64(h));
     Prepared { h, whole: prepare(h), half: prepare(0.5 * h) }
-}
-
-fn magnitude<A: Array>(x: &A) -> f64 {
-    size(core::slice::from_ref(x))
 }
 
 impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {

@@ -23,7 +23,8 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// A stage of the step left the domain of a function in the energy, or a pole of it is between the ends of the step.
+    /// A stage of the step left the domain of a function in the energy; or it cannot be excluded that a pole of it lies on the straight
+    /// line between the ends of an implicit step; or the energy jumps at the end of a step that keeps it.
     OutsideDomain {
         /// Time of the last good state.
         t: f64,
@@ -91,7 +92,7 @@ pub enum Reason {
         /// The estimate, in units of what is tolerated.
         error: f64,
     },
-    /// It looks at the energy where that is not defined, or from both sides of a pole.
+    /// It evaluates the energy where that is not defined, or a pole on its way cannot be excluded, or the energy jumps at its end.
     OutsideDomain {
         /// The function and the term.
         what: &'static str,

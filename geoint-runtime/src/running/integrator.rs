@@ -8,7 +8,7 @@ use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Action, Coordinates};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf};
+use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -71,15 +71,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         self.check_start()?;
         let mut left = n;
         while left > 0 {
-            let steps = left.min(STEPS_BETWEEN_LOOKS);
+            let steps = left.min(if S::EXAMINED { 1 } else { STEPS_BETWEEN_LOOKS });
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
-            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps, &x).is_none() {
-                self.memory = memory;
-                self.accept(steps, x);
+            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
+                (self.memory, self.x) = (memory, x);
+                self.pass(steps);
             } else {
+                // One by one, as single steps are taken, to stop where those do.
                 for _ in 0..steps {
-                    self.step_watched(None)?;
+                    self.step_within(None)?;
                 }
             }
             left -= steps;
@@ -128,21 +129,18 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// One step that does not end beyond `limit`; else `false`.
     #[inline(always)]
     fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        // Memory is not copied, which may cost more than the step: where the step is refused, it is made anew.
-        let before = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
-        let mut x = self.x;
-        let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut Unwatched };
-        let outcome = M::step(&self.prepared, &mut self.memory, step);
-        if outcome.is_err() || !self.is_good(1, &x) || self.singular_time(1, &x).is_some() {
-            self.memory = before.unwrap_or_else(M::memory);
-            return self.step_watched(limit);
+        // In place: one copy, for steps that are refused, in place of two.
+        let (t, memory, start) = (self.time(), self.memory.clone(), self.x);
+        let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
+        let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
+            && self.is_good(1, &self.x)
+            && self.singular_time(1).is_none();
+        if good && self.ends_within(limit, &self.x, t) {
+            self.pass(1);
+            return Ok(true);
         }
-        if !self.ends_within(limit, &x) {
-            self.memory = before.unwrap_or_else(M::memory);
-            return Ok(false);
-        }
-        self.accept(1, x);
-        Ok(true)
+        (self.x, self.memory) = (start, memory);
+        if good { Ok(false) } else { self.step_watched(limit) }
     }
 
     /// The same step watched, to say why it is refused, if it is.
@@ -152,16 +150,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         let mut watch = Watch::new(&self.system, self.time(), &self.x);
         let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
-        let (t, singular) = (signed(self.time()), self.singular_time(1, &x));
+        let (t, singular) = (signed(self.time()), self.singular_time(1));
         if outcome.is_ok() && self.is_good(1, &x) {
             if let Some(what) = singular {
                 return Err(StepError::OutsideDomain { t, what });
             }
-            if !self.ends_within(limit, &x) {
+            if !self.ends_within(limit, &x, self.time()) {
                 return Ok(false);
             }
-            self.memory = memory;
-            self.accept(1, x);
+            (self.memory, self.x) = (memory, x);
+            self.pass(1);
             return Ok(true);
         }
         watch.visit(self.clock.at(1), &x.q, &x.p, &x.s);
@@ -211,22 +209,20 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         self.clock.at(steps) + x.ahead.value()
     }
 
-    /// Whether a step to `x` does not end beyond `limit`.
+    /// Whether a step from time `start` to `x` does not end beyond `limit`.
     #[inline(always)]
-    fn ends_within(&self, limit: Option<R>, x: &Point<S::Array, C, S::Action>) -> bool {
-        limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [self.time(), self.end(1, x)]))
+    fn ends_within(&self, limit: Option<R>, x: &Point<S::Array, C, S::Action>, start: R) -> bool {
+        limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
     /// The first coefficient, if any, that is singular at a time within one of the next steps.
     #[inline(always)]
-    fn singular_time(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> Option<&'static str> {
-        let (clock, q, p, s) = (&self.clock, [&self.x.q, &x.q], [&self.x.p, &x.p], [&self.x.s, &x.s]);
-        (0..steps).find_map(|n| self.system.singular_time_between([clock.at(n), clock.at(n + 1)], q, p, s))
+    fn singular_time(&self, steps: u64) -> Option<&'static str> {
+        singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
     }
 
     #[inline(always)]
-    fn accept(&mut self, steps: u64, x: Point<S::Array, C, S::Action>) {
-        self.x = x;
+    fn pass(&mut self, steps: u64) {
         self.clock.pass(steps);
         self.steps += steps;
     }

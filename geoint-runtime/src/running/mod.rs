@@ -3,6 +3,8 @@
 mod adaptive;
 mod error;
 mod integrator;
+#[cfg(feature = "alloc")]
+mod named;
 mod output;
 mod run;
 mod step_size;
@@ -13,6 +15,8 @@ mod watch;
 pub use adaptive::Adaptive;
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;
+#[cfg(feature = "alloc")]
+pub use named::{DynTrajectory, Named};
 pub use output::{Samples, StatesAt, Until};
 pub use run::Run;
 pub use trajectory::{Scalar, Trajectory};

@@ -58,9 +58,13 @@ impl<T: Trajectory> Iterator for Samples<'_, T> {
         if self.failed {
             return None;
         }
-        let outcome = self.run.advance(self.stride);
-        self.failed = outcome.is_err();
-        Some(outcome.map(|()| self.run.state()))
+        match self.run.advance(self.stride) {
+            Ok(()) => Some(Ok(self.run.state())),
+            Err(error) => {
+                self.failed = true;
+                Some(Err(error))
+            }
+        }
     }
 }
 

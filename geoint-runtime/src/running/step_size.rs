@@ -65,6 +65,11 @@ impl Controller {
         self.set(if h > 0.0 && h < f64::INFINITY { h } else { 1.0 });
     }
 
+    /// The time in which the state changes, if a step `h` has the tolerance for error.
+    pub(crate) fn time(&self, h: f64, tolerance: f64) -> f64 {
+        h.abs() / Real::powf(tolerance, 1.0 / self.exponent)
+    }
+
     pub(crate) fn set(&mut self, h: f64) {
         self.rung = rung(h);
         self.backwards = h < 0.0;

@@ -4,9 +4,6 @@ use crate::scalar::{Real, signed};
 use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
 
-/// The error that errors of other coordinates cause within a step is tolerated so many times.
-const COUPLING: f64 = 4.0;
-
 /// The tolerance of a step's error in every coordinate of (q, p): a part of the largest magnitude that the coordinate has had, and
 /// an absolute error.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +16,8 @@ pub(crate) struct Tolerance<A: Array> {
 /// A step as its error is judged.
 pub(crate) struct Judged<'a, A: Array> {
     pub(crate) h: f64,
+    /// The time in which the state changes.
+    pub(crate) time: f64,
     pub(crate) before: &'a [A; 2],
     pub(crate) after: &'a [A; 2],
     /// The estimated error.
@@ -75,39 +74,55 @@ impl<A: Array> Tolerance<A> {
         if alone <= 1.0 {
             return alone;
         }
-        let coupling = self.coupling(step, &tolerated, field);
-        error(&|i| tolerated(i).max(entry(&coupling, i)))
+        // Each round reaches the next neighbours.
+        let (mut coupling, mut together) = (<[A; 2]>::zero(), alone);
+        for _ in 0..A::LEN {
+            let before = coupling;
+            self.couple(&mut coupling, step, &tolerated, &field);
+            together = error(&|i| tolerated(i).max(entry(&coupling, i)));
+            if together <= 1.0 || coupling == before {
+                break;
+            }
+        }
+        together
     }
 
-    /// What the tolerated errors of all coordinates cause in each of them within the step. That is tolerated as well: in coordinates
-    /// which are small because a motion has not reached them yet, and where there is nothing but rounding.
+    /// What the tolerated errors of other degrees of freedom cause in one of them within the time in which the state changes. That is
+    /// tolerated there as well: a motion that has not reached it yet, or is nothing but rounding, does not hold up the others.
     #[cold]
-    fn coupling(
+    fn couple(
         &self,
+        coupling: &mut [A; 2],
         step: &Judged<'_, A>,
         tolerated: &dyn Fn(usize) -> f64,
-        field: impl Fn(&[A; 2]) -> [A; 2],
-    ) -> [A; 2] {
-        let mut coupling = <[A; 2]>::zero();
+        field: &impl Fn(&[A; 2]) -> [A; 2],
+    ) {
+        let (n, before) = (A::LEN, *coupling);
         let here = field(step.before);
-        // With equal and with alternating signs: errors of neighbours may cancel.
-        for alternate in [1.0, -1.0] {
-            let (mut moved, mut sign) = (*step.before, 1.0);
-            for (i, x) in Array::as_mut_slice(&mut moved).iter_mut().enumerate() {
-                let error = tolerated(i);
-                *x += A::Real::from_f64(if error.is_finite() { sign * error } else { 0.0 });
-                sign *= alternate;
-            }
-            let there = field(&moved);
-            for (i, x) in Array::as_mut_slice(&mut coupling).iter_mut().enumerate() {
-                let change = (Array::as_slice(&there)[i] - Array::as_slice(&here)[i]).magnitude();
-                let error = COUPLING * step.h.abs() * change;
-                // What is not a number is no error.
-                if error > x.magnitude() {
-                    *x = A::Real::from_f64(error);
+        // The error that is tolerated in a degree of freedom that moves, for those that do not.
+        let error = |i: usize| Some(tolerated(i)).filter(|error| error.is_finite()).unwrap_or(0.0);
+        let most = [0, n].map(|first| largest((first..first + n).map(error)));
+        for i in 0..n {
+            // With equal and with alternating signs: errors of neighbours may cancel.
+            for alternate in [1.0, -1.0] {
+                let (mut moved, mut sign) = (*step.before, 1.0);
+                for (j, x) in Array::as_mut_slice(&mut moved).iter_mut().enumerate() {
+                    // Of its own momentum or position only what others cause there.
+                    let caused = Array::as_slice(&before)[j].magnitude();
+                    let error = if j % n == i { caused } else { error(j).max(caused) };
+                    *x += A::Real::from_f64(sign * error);
+                    sign *= alternate;
+                }
+                let there = field(&moved);
+                for (k, most) in [i, i + n].into_iter().zip(most) {
+                    let change = (Array::as_slice(&there)[k] - Array::as_slice(&here)[k]).magnitude();
+                    let (error, x) = ((step.time * change).min(most), &mut Array::as_mut_slice(coupling)[k]);
+                    // What is not a number is no error.
+                    if error > x.magnitude() {
+                        *x = A::Real::from_f64(error);
+                    }
                 }
             }
         }
-        coupling
     }
 }

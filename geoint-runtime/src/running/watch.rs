@@ -4,12 +4,13 @@ use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::space::Point;
-use crate::system::PhaseSpace;
+use crate::system::{PhaseSpace, Poles};
 
 /// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
 /// that ended before it was through.
 pub(crate) struct Watch<'a, S, X> {
     system: &'a S,
+    poles: Poles,
     start: X,
     found: Option<Found>,
 }
@@ -28,7 +29,7 @@ type Start<S, R> = (R, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array,
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
-        Watch { system, start: (t, x.q, x.p, x.s), found: None }
+        Watch { system, poles: Poles::of(system), start: (t, x.q, x.p, x.s), found: None }
     }
 }
 
@@ -46,7 +47,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
         if self.found.is_none() {
             let (t0, q0, p0, s0) = &self.start;
-            let pole = || self.system.pole_between([*t0, t], [q0, q], [p0, p], [s0, s]);
+            let pole = || self.poles.between(self.system, false, ([*t0, t], [q0, q], [p0, p], [s0, s]));
             self.found = self.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
         }
     }

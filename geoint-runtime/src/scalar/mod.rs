@@ -1,7 +1,11 @@
 //! The scalar of every kernel.
 
-mod floats;
 mod real;
+mod floats;
+mod interval;
+mod enclosure;
 
+pub(crate) use enclosure::{Enclosure, bounds};
+pub(crate) use interval::Interval;
 pub use real::Real;
 pub(crate) use real::{signed, zero};

@@ -53,6 +53,16 @@ pub trait Real:
         (-self).any_below(-bound)
     }
 
+    /// Whether every component is a positive number.
+    fn all_positive(self) -> bool {
+        self.all_at_least_zero() && !self.any_not_positive()
+    }
+
+    /// Whether every component is a number that is not negative.
+    fn all_at_least_zero(self) -> bool {
+        self.magnitude() < f64::INFINITY && !self.any_below(0.0)
+    }
+
     /// The distance from 1 to the next larger number.
     fn epsilon() -> f64;
 

@@ -8,6 +8,7 @@ mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
 pub(crate) mod rounding;
+pub(crate) mod segment;
 mod semidefinite;
 pub(crate) mod size;
 mod terms;

@@ -144,6 +144,7 @@ impl<A: Array> Newton<A> {
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let (mut corrections, mut terms) = (Corrections::of_order(2), Terms::new(&self.sizes));
+        let mut first = 1.0;
         for iterations in 1..=MAX_ITERATIONS {
             // That of the guess: it is known earlier, and within the test it differs by nothing that matters.
             let size = squares(&x, origin);
@@ -156,20 +157,22 @@ impl<A: Array> Newton<A> {
             x.add_scaled(minus, &delta);
             lost.add_scaled(minus, &x);
             lost.add_scaled(minus, &delta);
-            let solved = if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
             if iterations == 1 && within(&delta, size, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
-                return solved;
+                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
             let correction = self.sizes.relative(&delta, origin, &x);
+            // In units of the state as it is, as corrections are compared with the reach.
+            let now = Sizes::new().relative(&delta, origin, &x);
             if iterations == 2 {
-                self.see(correction, corrections.last());
+                self.see(now, first);
             }
+            first = now;
             let verdict = corrections.judge::<A::Real>(correction);
             match verdict {
                 Verdict::Solved if terms.are_valid() => {
                     self.sizes.include(origin, &x);
-                    return solved;
+                    return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
                 }
                 Verdict::Solved | Verdict::Stuck if patient => {
                     let ([n, kinds], matrix) = (self.kinds, |x: &A, m: &mut _| derivative(x, m).is_finite());

@@ -1,7 +1,10 @@
 //! Why a step has no result.
 
+use core::fmt;
+
 /// Why a step has no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Refusal {
     /// The iteration gave up.
     NotConverged {
@@ -21,6 +24,21 @@ pub enum Refusal {
         what: &'static str,
     },
 }
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Refusal::NotConverged { iterations, correction } => {
+                write!(f, "its equation was not solved in {iterations} iterations (last correction {correction:.1e})")
+            }
+            Refusal::Singular => write!(f, "its equation has no solution, or several"),
+            Refusal::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
+        }
+    }
+}
+
+impl core::error::Error for Refusal {}
 
 impl Refusal {
     /// Nothing wrong if nothing was found.

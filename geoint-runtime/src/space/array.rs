@@ -65,7 +65,8 @@ pub trait Array: Copy + Debug + PartialEq + 'static {
     /// Whether every entry is a finite number.
     #[inline(always)]
     fn is_finite(&self) -> bool {
-        self.as_slice().iter().all(|x| x.magnitude() < f64::INFINITY)
+        // Without a branch for each entry.
+        self.as_slice().iter().fold(true, |finite, x| finite & (x.magnitude() < f64::INFINITY))
     }
 }
 

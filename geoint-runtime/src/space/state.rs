@@ -1,6 +1,7 @@
 //! Points of phase space, in the types of the energy's signature.
 
 use crate::scalar::{Real, zero};
+use crate::sealed::Sealed;
 use crate::space::Array;
 use core::fmt::Debug;
 use nalgebra::SVector;
@@ -137,12 +138,17 @@ impl<Q: Coordinates> ContactState<Q> {
 }
 
 /// A point of phase space at a time, whatever its kind.
-pub trait Snapshot: Copy + Debug + PartialEq {
+///
+/// Sealed: phase spaces to come add to it.
+pub trait Snapshot: Sealed + Copy + Debug + PartialEq {
     /// The scalar.
     type Real: Real;
     /// Its time.
     fn time(&self) -> Self::Real;
 }
+
+impl<Q: Coordinates> Sealed for State<Q> {}
+impl<Q: Coordinates> Sealed for ContactState<Q> {}
 
 impl<Q: Coordinates> Snapshot for State<Q> {
     type Real = Q::Real;
@@ -159,11 +165,15 @@ impl<Q: Coordinates> Snapshot for ContactState<Q> {
 }
 
 /// What phase space has beside positions and momenta: nothing, or the action of a contact system.
-pub trait Action<R: Real>: Copy + Debug + PartialEq {
+///
+/// Sealed: methods tell the two kinds apart.
+pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
     /// Points of such a phase space.
     type State<Q: Coordinates<Real = R>>: Snapshot<Real = R>;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
+    /// The action, if there is one.
+    fn scalar(&self) -> Option<R>;
     /// Not a number.
     fn unknown() -> Self;
     /// A point from its parts.
@@ -172,11 +182,18 @@ pub trait Action<R: Real>: Copy + Debug + PartialEq {
     fn parts<Q: Coordinates<Real = R>>(state: Self::State<Q>) -> (R, Q, Q, Self);
 }
 
+impl Sealed for () {}
+impl<R: Real> Sealed for R {}
+
 impl<R: Real> Action<R> for () {
     type State<Q: Coordinates<Real = R>> = State<Q>;
     #[inline(always)]
     fn is_finite(&self) -> bool {
         true
+    }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        None
     }
     fn unknown() {}
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
@@ -192,6 +209,10 @@ impl<R: Real> Action<R> for R {
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY
+    }
+    #[inline(always)]
+    fn scalar(&self) -> Option<R> {
+        Some(*self)
     }
     fn unknown() -> R {
         R::from_f64(f64::NAN)

@@ -2,10 +2,13 @@
 
 use super::array::Array;
 use crate::scalar::Real;
+use crate::sealed::Sealed;
 use core::fmt::Debug;
 
 /// How increments are added to a coordinate.
-pub trait Summation<A: Array>: Copy + Debug {
+///
+/// Sealed: what methods may leave out depends on which it is.
+pub trait Summation<A: Array>: Sealed + Copy + Debug {
     /// Whether there is no compensation: a flow may then act on the coordinate itself.
     const PLAIN: bool;
     /// Whether the action of a contact system is followed.
@@ -26,6 +29,8 @@ pub struct Plain<const ACTION: bool = true>;
 
 /// Every addition is rounded, and the action of a contact system is not followed.
 pub type WithoutAction = Plain<false>;
+
+impl<const ACTION: bool> Sealed for Plain<ACTION> {}
 
 impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
     const PLAIN: bool = true;
@@ -51,6 +56,8 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
 pub struct Compensated<A> {
     compensation: A,
 }
+
+impl<A> Sealed for Compensated<A> {}
 
 impl<A: Array> Summation<A> for Compensated<A> {
     const PLAIN: bool = false;

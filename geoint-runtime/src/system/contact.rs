@@ -6,6 +6,8 @@ use crate::space::{Array, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
     #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
     fn gradient(
@@ -25,11 +27,16 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
     message = "positions and momenta of `{Self}` do not move without the action",
     label = "s acts back on q or p, and has to be followed"
 )]
-pub trait Conformal<R: Real = f64>: Contact<R> {}
+pub trait Conformal<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// H = T(p, t) + g(t)·s + V(q, t), and the flows of T and V without the damping.
 #[diagnostic::on_unimplemented(message = "`{Self}` was not proven to be T(p) + g·s + V(q)")]
 pub trait Mechanical<R: Real = f64>: Contact<R> + Separable<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// What a kick of given length needs from the parameters.
     type FreeKick: Clone;
     /// What a drift of given length needs from the parameters.
@@ -73,6 +80,8 @@ pub struct Piece {
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// The pieces; the last one is in the middle of a step.
     const PIECES: &'static [Piece];
     /// What flows of given lengths need from the parameters.
@@ -104,6 +113,8 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     note = "methods for a lift: `ContactSplitting` and its compositions"
 )]
 pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// q, p and s in a row.
     type Unknown: Array<Real = R>;
     /// What depends on parameters and h.

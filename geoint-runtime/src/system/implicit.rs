@@ -11,7 +11,10 @@ use crate::space::{Array, Square};
     label = "Kahan's method needs such an energy",
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
-pub trait Cubic<R: Real = f64>: Collocation<R> {}
+pub trait Cubic<R: Real = f64>: Collocation<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
@@ -21,6 +24,8 @@ pub trait Cubic<R: Real = f64>: Collocation<R> {}
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// y: an array of (q, p), or q alone. f has the same shape.
     type Unknown: Array<Real = R>;
     /// What depends on parameters only.
@@ -70,6 +75,8 @@ pub enum Mean {
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// What depends on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
     /// What depends on y and t.

@@ -6,11 +6,16 @@
 mod contact;
 mod implicit;
 mod modified;
+mod poles;
 mod separable;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
 pub use modified::ModifiedEnergy;
+pub use poles::Pole;
+mod jumps;
+pub(crate) use jumps::jump_between;
+pub(crate) use poles::{Known, Poles, singular_time};
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
 pub use crate::solving::{Inverse, Inverted};
@@ -33,33 +38,55 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> Option<&'static str>;
 
-    /// The first pole of H, if any, between two points, each with its time: what H divides by, or takes a logarithm of, is zero
-    /// there and has another sign at the second point than at the first.
-    ///
-    /// A step that looks at H on both sides only would not notice. Implicit methods ask before they take one.
+    /// The poles of H: what must not vanish on the way of an implicit step.
+    const POLES: &'static [Pole] = &[];
+
+    /// Whether the parameters have the signs on which [`clear_of_poles`](PhaseSpace::clear_of_poles) relies.
     #[inline(always)]
-    fn pole_between(
-        &self,
-        _t: [R; 2],
-        _q: [&Self::Array; 2],
-        _p: [&Self::Array; 2],
-        _s: [&Self::Action; 2],
-    ) -> Option<&'static str> {
-        None
+    fn signs_hold(&self) -> bool {
+        true
     }
 
-    /// The same as [`pole_between`](PhaseSpace::pole_between) of the poles of contact systems in time alone, asked before every step
-    /// is accepted: a flow at frozen time does not notice them.
+    /// Whether the structure of what vanishes at the poles alone rules out, at little cost, that it does so between two points, each with
+    /// its time. `true` says nothing of poles of which no such structure is known.
+    ///
+    /// Where `divided` is `true`, the divided differences of H between the two points are known to be numbers: they are not, where
+    /// 1/x has ends of different signs.
     #[inline(always)]
-    fn singular_time_between(
+    fn clear_of_poles(
         &self,
+        _divided: bool,
         _t: [R; 2],
         _q: [&Self::Array; 2],
         _p: [&Self::Array; 2],
         _s: [&Self::Action; 2],
-    ) -> Option<&'static str> {
-        None
+    ) -> bool {
+        true
     }
+
+    /// What vanishes at a pole, in any scalar: parameters are lifted to it, positions and momenta come in the order in which they are
+    /// stored.
+    fn vanishing<T: Real>(&self, _pole: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> T {
+        T::from_f64(1.0)
+    }
+
+    /// What is said of a jump of H at a condition that reads the state.
+    const JUMPS: &'static [&'static str] = &[];
+
+    /// Whether no condition of H is decided differently at two points.
+    #[inline(always)]
+    fn same_sides(&self, _t: R, _q: [&Self::Array; 2], _p: [&Self::Array; 2], _s: [&Self::Action; 2]) -> bool {
+        true
+    }
+
+    /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
+    fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> [T; 2] {
+        [T::from_f64(1.0); 2]
+    }
+
+    /// Whether the end of every single step has to be examined by [`outside_domain`](PhaseSpace::outside_domain): a step may end outside
+    /// the domain without a trace in the next.
+    const EXAMINED: bool = false;
 
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
@@ -79,6 +106,8 @@ pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S a
             `ContactDiscreteGradient`"
 )]
 pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// ∂H/∂q and ∂H/∂p at a point.
     fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
 
@@ -90,19 +119,6 @@ pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
             *slope = -*slope;
         }
     }
-
-    /// The same as [`pole_between`](PhaseSpace::pole_between) of poles that divided differences do not notice either: 1/q has none across
-    /// its pole, but 1/|q| has.
-    #[inline(always)]
-    fn hidden_pole_between(
-        &self,
-        _t: [R; 2],
-        _q: [&Self::Array; 2],
-        _p: [&Self::Array; 2],
-        _s: [&(); 2],
-    ) -> Option<&'static str> {
-        None
-    }
 }
 
 /// Nothing damps the system: H changes with explicit time alone.
@@ -111,11 +127,17 @@ pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
     label = "this method keeps the energy, and must not be used where damping takes it away",
     note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
 )]
-pub trait Conservative<R: Real = f64>: Hamiltonian<R> {}
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// The flow keeps H: time does not appear in it, and nothing damps.
 #[diagnostic::on_unimplemented(
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"
 )]
-pub trait Autonomous<R: Real = f64>: Conservative<R> {}
+pub trait Autonomous<R: Real = f64>: Conservative<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}

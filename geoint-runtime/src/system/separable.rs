@@ -11,12 +11,16 @@ use crate::scalar::Real;
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
 pub trait Separable<R: Real = f64>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// What a kick of given length needs from the parameters.
     type Kick: Clone;
     /// What a drift of given length needs from the parameters.
     type Drift: Clone;
     /// Whether a drift from t on is exact in its own time, or takes place at the frozen time t of the kicks.
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
+    /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
+    const KICKS_REPEAT: bool = false;
 
     /// Coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;
@@ -36,7 +40,10 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
     label = "Runge–Kutta–Nyström tables lose their order on such a T",
     note = "tables for every separable energy: `StormerVerlet`, `BlanesMoan4`, `BlanesMoan6`, `Yoshida4.of(StormerVerlet)` …"
 )]
-pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {}
+pub trait QuadraticKinetic<R: Real = f64>: Separable<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
 
 /// T is a quadratic polynomial in p: \[V, \[T, V\]\] is a function of q alone, and has an exact flow together with V.
 ///

@@ -67,8 +67,9 @@ const _: () = {
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
-        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -84,27 +85,29 @@ const _: () = {
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
         /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-        pub fn integrator<M: Method<Self, f64>>(
+        pub fn integrator<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             h: f64,
             state: State<f64>,
-        ) -> Integrator<Self, M, f64> {
+        ) -> <P as ProofAnd<Integrator<Self, M, f64>>>::Both {
             Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
         /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn adaptive<M: Method<Self, f64>>(
+        pub fn adaptive<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             tolerance: f64,
             state: State<f64>,
-        ) -> Adaptive<Self, M, f64> {
+        ) -> <P as ProofAnd<Adaptive<Self, M, f64>>>::Both {
             Adaptive::new(self, method, tolerance, state)
         }
     }
-    impl<R: Real> Conservative<R> for Spring {}
+    impl<R: Real> Conservative<R> for Spring {
+        type Proof = ();
+    }
     impl<R: Real> PhaseSpace<R> for Spring {
         type Coordinates = R;
         type Array = [R; 1];
@@ -154,8 +157,69 @@ const _: () = {
             }
             ::core::option::Option::None
         }
+        const JUMPS: &'static [&'static str] = &[
+            "the energy jumps at the end of the step, by cos(t)·abs(q)⁴",
+        ];
+        #[inline]
+        fn same_sides(
+            &self,
+            t: R,
+            q: [&[R; 1]; 2],
+            p: [&[R; 1]; 2],
+            s: [&(); 2],
+        ) -> bool {
+            let sides = |q: &[R; 1], p: &[R; 1], s: &()| -> [R; 1] {
+                let (k0, q0, k2, k3, v0, v1);
+                k0 = R::from_f64(0.0);
+                q0 = q[0];
+                k2 = R::from_f64(1.0);
+                k3 = R::from_f64(-1.0);
+                v0 = k0.less(q0);
+                [v1] = R::choose(v0, || { [k2] }, || { [k3] });
+                [v1]
+            };
+            sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
+        }
+        fn jump<Scalar: Real>(
+            &self,
+            index: usize,
+            lift: impl Fn(R) -> Scalar,
+            t: Scalar,
+            q: &[Scalar],
+            p: &[Scalar],
+            s: Scalar,
+        ) -> [Scalar; 2] {
+            fn values<R: Real>(
+                index: usize,
+                parameters: &[R],
+                t: R,
+                q: &[R],
+                p: &[R],
+                s: R,
+            ) -> [R; 2] {
+                match index {
+                    _ => {
+                        let (k0, q0, k2, k3, v0, v1, v2, v3, v4, v5, v6);
+                        k0 = R::from_f64(0.0);
+                        q0 = q[0];
+                        k2 = R::from_f64(1.0);
+                        k3 = R::from_f64(-1.0);
+                        v0 = k0.less(q0);
+                        [v1] = R::choose(v0, || { [k2] }, || { [k3] });
+                        v2 = t.cos();
+                        v3 = q0.abs();
+                        v4 = v3 * v3;
+                        v5 = v4 * v4;
+                        v6 = v2 * v5;
+                        [v1, v6]
+                    }
+                }
+            }
+            values(index, &[], t, q, p, s)
+        }
     }
     impl<R: Real> Hamiltonian<R> for Spring {
+        type Proof = ();
         #[inline]
         fn gradient(
             &self,
@@ -194,6 +258,8 @@ const _: () = {
         }
     }
     impl<R: Real> Separable<R> for Spring {
+        type Proof = ();
+        const KICKS_REPEAT: bool = false;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -265,8 +331,12 @@ const _: () = {
         message = "`Spring`: this term is not quadratic in the momenta with constant coefficients, so Runge–Kutta–Nyström tables, and those with force gradients, would lose their order; use a table for every separable energy, such as `BlanesMoan6`",
         label = "the term is: √(p² + 1)"
     )]
-    pub trait QuadraticInSpring {}
-    impl<R: Real + QuadraticInSpring> QuadraticKinetic<R> for Spring {}
+    pub trait QuadraticInSpring {
+        type Proof;
+    }
+    impl<R: Real + QuadraticInSpring> QuadraticKinetic<R> for Spring {
+        type Proof = <R as QuadraticInSpring>::Proof;
+    }
     impl<R: Real + QuadraticInSpring> ForceGradient<R> for Spring {
         type GradientKick = ::core::convert::Infallible;
         fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
@@ -404,6 +474,7 @@ const _: () = {
         }
     }
     impl<R: Real> DiscreteField<R> for Spring {
+        type Proof = ();
         type Parameters = [R; 0];
         type Start = [R; 11];
         type Inverse = ();
@@ -651,6 +722,7 @@ const _: () = {
         }
     }
     impl<R: Real> Collocation<R> for Spring {
+        type Proof = ();
         type Unknown = [[R; 1]; 2];
         type Constants = [R; 0];
         const DERIVATIVE: usize = 1;

@@ -64,8 +64,9 @@ const _: () = {
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
-        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -81,28 +82,32 @@ const _: () = {
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
         /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-        pub fn integrator<M: Method<Self, f64>>(
+        pub fn integrator<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             h: f64,
             state: State<[f64; 2]>,
-        ) -> Integrator<Self, M, f64> {
+        ) -> <P as ProofAnd<Integrator<Self, M, f64>>>::Both {
             Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
         /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn adaptive<M: Method<Self, f64>>(
+        pub fn adaptive<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             tolerance: f64,
             state: State<[f64; 2]>,
-        ) -> Adaptive<Self, M, f64> {
+        ) -> <P as ProofAnd<Adaptive<Self, M, f64>>>::Both {
             Adaptive::new(self, method, tolerance, state)
         }
     }
-    impl<R: Real> Conservative<R> for Coupled {}
-    impl<R: Real> Autonomous<R> for Coupled {}
+    impl<R: Real> Conservative<R> for Coupled {
+        type Proof = ();
+    }
+    impl<R: Real> Autonomous<R> for Coupled {
+        type Proof = ();
+    }
     impl<R: Real> PhaseSpace<R> for Coupled {
         type Coordinates = [R; 2];
         type Array = [R; 2];
@@ -133,6 +138,7 @@ const _: () = {
         }
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
+        type Proof = ();
         #[inline]
         fn gradient(
             &self,
@@ -166,8 +172,11 @@ const _: () = {
         message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",
         label = "the term is: p[0]²·(q[0]² + 1)"
     )]
-    pub trait UncoupledCoupled {}
+    pub trait UncoupledCoupled {
+        type Proof;
+    }
     impl<R: Real + UncoupledCoupled> Separable<R> for Coupled {
+        type Proof = <R as UncoupledCoupled>::Proof;
         type Kick = ::core::convert::Infallible;
         type Drift = ::core::convert::Infallible;
         fn prepare_kick(&self, _: R) -> ::core::convert::Infallible {
@@ -197,7 +206,9 @@ const _: () = {
             match *never {}
         }
     }
-    impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {}
+    impl<R: Real + UncoupledCoupled> QuadraticKinetic<R> for Coupled {
+        type Proof = <R as UncoupledCoupled>::Proof;
+    }
     impl<R: Real + UncoupledCoupled> ForceGradient<R> for Coupled {
         type GradientKick = ::core::convert::Infallible;
         fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
@@ -215,6 +226,7 @@ const _: () = {
         }
     }
     impl<R: Real> DiscreteField<R> for Coupled {
+        type Proof = ();
         type Parameters = [R; 0];
         type Start = [R; 8];
         type Inverse = ();
@@ -356,6 +368,7 @@ const _: () = {
         }
     }
     impl<R: Real> Collocation<R> for Coupled {
+        type Proof = ();
         type Unknown = [[R; 2]; 2];
         type Constants = [R; 0];
         const DERIVATIVE: usize = 1;

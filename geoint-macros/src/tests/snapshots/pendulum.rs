@@ -77,8 +77,9 @@ const _: () = {
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PhaseSpace, PieceClock, QuadraticKinetic, Real, Separable,
-        Square, State, is_positive_semidefinite, modified_verlet, gradient_kick, slope,
+        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -94,28 +95,32 @@ const _: () = {
         /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
         ///
         /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-        pub fn integrator<M: Method<Self, f64>>(
+        pub fn integrator<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             h: f64,
             state: State<f64>,
-        ) -> Integrator<Self, M, f64> {
+        ) -> <P as ProofAnd<Integrator<Self, M, f64>>>::Both {
             Integrator::new(self, method, h, state)
         }
         /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
         ///
         /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn adaptive<M: Method<Self, f64>>(
+        pub fn adaptive<M: Method<Self, f64, Proof = P>, P>(
             self,
             method: M,
             tolerance: f64,
             state: State<f64>,
-        ) -> Adaptive<Self, M, f64> {
+        ) -> <P as ProofAnd<Adaptive<Self, M, f64>>>::Both {
             Adaptive::new(self, method, tolerance, state)
         }
     }
-    impl<R: Real> Conservative<R> for Pendulum<R> {}
-    impl<R: Real> Autonomous<R> for Pendulum<R> {}
+    impl<R: Real> Conservative<R> for Pendulum<R> {
+        type Proof = ();
+    }
+    impl<R: Real> Autonomous<R> for Pendulum<R> {
+        type Proof = ();
+    }
     impl<R: Real> PhaseSpace<R> for Pendulum<R> {
         type Coordinates = R;
         type Array = [R; 1];
@@ -160,6 +165,7 @@ const _: () = {
         }
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
+        type Proof = ();
         #[inline]
         fn gradient(
             &self,
@@ -187,6 +193,8 @@ const _: () = {
         }
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
+        type Proof = ();
+        const KICKS_REPEAT: bool = true;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -245,7 +253,9 @@ const _: () = {
             q[0] = v0;
         }
     }
-    impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {}
+    impl<R: Real> QuadraticKinetic<R> for Pendulum<R> {
+        type Proof = ();
+    }
     impl<R: Real> ForceGradient<R> for Pendulum<R> {
         type GradientKick = (<Self as Collocation<R>>::Constants, [R; 2]);
         #[inline]
@@ -287,6 +297,7 @@ const _: () = {
         }
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
+        type Proof = ();
         type Parameters = [R; 4];
         type Start = [R; 1];
         type Inverse = ();
@@ -450,6 +461,7 @@ const _: () = {
         }
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {
+        type Proof = ();
         type Unknown = [R; 1];
         type Constants = [R; 2];
         const DERIVATIVE: usize = 2;

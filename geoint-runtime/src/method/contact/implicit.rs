@@ -2,17 +2,18 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square, Summation};
-use crate::system::ImplicitStep;
+use crate::system::{ImplicitStep, Poles};
 
 /// What a step needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, R> {
     constants: P,
     half: R,
+    poles: Poles,
 }
 
 /// What a step of `M` needs.
@@ -21,7 +22,7 @@ type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
 /// A step that evaluates the energy at x + `ahead`·d.
 #[inline(always)]
 fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
-    Prepared { constants, half }: &PreparedFor<S, M, R>,
+    Prepared { constants, half, poles }: &PreparedFor<S, M, R>,
     newton: &mut Newton<S::Unknown>,
     ahead: f64,
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
@@ -32,14 +33,14 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     entries[..n].copy_from_slice(x.q.as_slice());
     entries[n..2 * n].copy_from_slice(x.p.as_slice());
     entries[2 * n] = x.s;
-    let start = system.begin(constants, middle, &origin);
+    let begun = system.begin(constants, middle, &origin);
 
     // Φ(Φ(0)) is the explicit midpoint rule, or as good.
     let explicit = || {
         let [mut once, mut twice] = [none; 2];
         let mut unused = S::Unknown::fill(none);
-        system.image(constants, &start, &none, &mut once, &mut unused);
-        system.image(constants, &start, &once, &mut twice, &mut unused);
+        system.image(constants, &begun, &none, &mut once, &mut unused);
+        system.image(constants, &begun, &once, &mut twice, &mut unused);
         twice
     };
     let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
@@ -47,22 +48,22 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
         seen.add_scaled(R::from_f64(ahead), d);
         let (q, p, s) = apart::<S, M, R>(&seen);
         probe.visit(middle, &q, &p, &s);
-        system.image(constants, &start, d, &mut f, matrix);
+        system.image(constants, &begun, d, &mut f, matrix);
         f
     };
     let image = |probe: &mut P, d: &S::Unknown| evaluate(probe, d, &mut S::Unknown::fill(none));
     let still = P::PATIENT.then_some(0.0);
     let (d, _) = newton.solve((&origin, still), explicit, probe, image, evaluate)?;
 
-    let end = system.end(constants, &start, &d);
+    let end = system.end(constants, &begun, &d);
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
     let (dq, dp, ds) = apart::<S, M, R>(&end);
-    let (q, p, s) = (x.q, x.p, x.s);
+    let before = start::<S, R, C>(x);
     x.add(&dq, &dp);
     x.s += ds;
-    check_end(system, [t, middle + *half], [&q, &x.q], [&p, &x.p], [&s, &x.s])
+    check_end(poles, [t, middle + *half], &before, Step { system, t, x, probe })
 }
 
 /// Positions, momenta and the action.
@@ -79,15 +80,20 @@ fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Arr
 macro_rules! methods {
     ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
         impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
+            type Proof = <S as ImplicitStep<$method, R>>::Proof;
             type Prepared = PreparedFor<S, Self, R>;
             type Memory = Newton<S::Unknown>;
 
             fn claims(&self) -> Claims {
-                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law }
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                Name::new(stringify!($method))
             }
 
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-                Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h }
+                Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
             }
 
             fn memory() -> Self::Memory {

@@ -1,7 +1,7 @@
 //! The variational integrator of Herglotz' principle.
 
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::{Point, Summation};
@@ -27,11 +27,16 @@ pub struct Prepared<S: Mechanical<R>, R: Real> {
 }
 
 impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
+    type Proof = <S as Mechanical<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false, forces: Some(2) }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ContactLeapfrog")
     }
 
     fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {

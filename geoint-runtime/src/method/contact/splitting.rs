@@ -6,7 +6,7 @@
 
 use crate::method::composition::substeps;
 use crate::method::total::adds_up;
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::{Clock as PieceClock, Pieces};
@@ -29,11 +29,16 @@ pub struct Prepared<F, R> {
 }
 
 impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
+    type Proof = <S as Pieces<R>>::Proof;
     type Prepared = Prepared<S::Flows, R>;
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false, forces: Some(1) }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ContactSplitting")
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
@@ -112,6 +117,7 @@ substeps!([] ContactSplitting);
 /// arXiv:2006.06317; that tables for two pieces serve for any number: R. I. McLachlan, SIAM J. Sci. Comput. 16 (1995) 151.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PieceComposition<const K: usize> {
+    name: Name,
     order: u32,
     /// (α, β), in order of application.
     weights: [[f64; 2]; K],
@@ -119,7 +125,7 @@ pub struct PieceComposition<const K: usize> {
 
 impl<const K: usize> PieceComposition<K> {
     /// A palindrome α₁, β₁, α₂, …, β_K given by its first half.
-    pub(crate) const fn palindrome(order: u32, half: [f64; K]) -> Self {
+    pub(crate) const fn palindrome(name: &'static str, order: u32, half: [f64; K]) -> Self {
         let mut weights = [[0.0; 2]; K];
         let mut i = 0;
         while i < 2 * K {
@@ -127,7 +133,7 @@ impl<const K: usize> PieceComposition<K> {
             i += 1;
         }
         assert!(adds_up(weights.as_flattened(), 1.0), "the weights add up to 1");
-        PieceComposition { order, weights }
+        PieceComposition { name: Name::new(name), order, weights }
     }
 
     /// The order.
@@ -151,11 +157,16 @@ pub struct Pair<F, R> {
 }
 
 impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K> {
+    type Proof = <S as Pieces<R>>::Proof;
     type Prepared = [Pair<S::Flows, R>; K];
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: self.order, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: self.order, symmetric: true, symplectic: true, conserves_energy: false, forces: Some(K as u32) }
+    }
+
+    fn name(&self) -> Name {
+        self.name
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

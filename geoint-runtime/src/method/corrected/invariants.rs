@@ -1,5 +1,6 @@
 //! What the flow keeps, as methods that project need to know it.
 
+use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::system::{Autonomous, DiscreteField};
@@ -15,6 +16,8 @@ pub trait Invariants<S, R: Real = f64>: Copy
 where
     S: crate::Hamiltonian<R>,
 {
+    /// `()`, or what an invariant needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// One scalar an invariant: `R`, or an array.
     type Values: Array<Real = R>;
     /// Whether H is a function of the invariants.
@@ -36,6 +39,7 @@ where
 pub struct Energy;
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
+    type Proof = <S as Autonomous<R>>::Proof;
     type Values = R;
     const KEEP_ENERGY: bool = true;
 
@@ -66,10 +70,17 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     }
 }
 
+/// The proofs of all.
+macro_rules! proofs {
+    ($I:ident) => { $I::Proof };
+    ($I:ident $($rest:ident)+) => { <$I::Proof as And<proofs!($($rest)+)>>::Both };
+}
+
 /// Single invariants side by side.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
         impl<S: crate::Hamiltonian<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
+            type Proof = proofs!($($I)*);
             type Values = [R; $n];
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
 
@@ -109,12 +120,4 @@ pub(crate) fn plus<A: Array>(mut x: [A; 2], w: f64, y: &[A; 2]) -> [A; 2] {
         x.add_scaled(A::Real::from_f64(w), y);
     }
     x
-}
-
-/// The largest entry of `x`.
-#[inline]
-pub(crate) fn size<A: Array>(x: &[A]) -> f64 {
-    // Not `max`: that would lose a NaN.
-    let larger = |max: f64, x: f64| if x > max || x.is_nan() { x } else { max };
-    x.iter().flat_map(|x| x.as_slice()).fold(0.0, |max, x| larger(max, x.magnitude()))
 }

@@ -1,13 +1,14 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::{Invariants, plus, product};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::correct;
 use crate::solving::size::{Sizes, largest};
 use crate::space::{Array, Compensated, Square, Summation};
-use crate::system::Hamiltonian;
+use crate::system::{Hamiltonian, Poles};
+use core::cell::Cell;
 
 /// On the way back by less than this, relative to the coordinates, gradients hardly change: corrections that are small and do not
 /// shrink are rounding.
@@ -27,6 +28,7 @@ pub struct Projection<M, I>(pub M, pub I);
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, I> {
     method: P,
+    poles: Poles,
     invariants: I,
 }
 
@@ -40,17 +42,22 @@ pub struct Memory<M, A: Array> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
+    type Proof = <M::Proof as And<I::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
     type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Projection").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), invariants: self.1 }
+        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
     }
 
     fn memory() -> Self::Memory {
@@ -59,7 +66,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { method, invariants }: &Self::Prepared,
+        Prepared { method, poles, invariants }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -89,8 +96,12 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         // Simplified Newton for the multipliers: at y, with the gradients that are there already.
         let mut matrix = I::Values::fill(I::Values::zero());
         fill::<I::Values>(&mut matrix, |i, j| product(&directions[i], &directions[j]));
+        // The increments at whose end conditions of the energy were decided last.
+        let decided = Cell::new(moved);
         let residual = |multipliers: &I::Values| {
-            let mut changes = invariants.changes(system, &before, &plus(moved, 1.0, &back(multipliers)));
+            let change = plus(moved, 1.0, &back(multipliers));
+            decided.set(change);
+            let mut changes = invariants.changes(system, &before, &change);
             for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
                 // Also where gradients vanish there may be nothing to do.
                 *change = if change.magnitude() == 0.0 { *change } else { *change / *terms };
@@ -106,7 +117,10 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             Ok((delta, relative))
         })?;
         x.correct(sums, &before, &moved, &back(&multipliers));
-        Ok(())
+        if I::KEEP_ENERGY {
+            check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
+        }
+        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }
 }
 

@@ -1,12 +1,13 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::{Energy, Invariants, plus, product};
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::{Array, Compensated, Summation};
-use crate::system::{Autonomous, DiscreteField};
+use crate::system::{Autonomous, DiscreteField, Poles};
+use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
 const FARTHEST: f64 = 0.5;
@@ -28,6 +29,7 @@ pub struct Relaxation<M>(pub M);
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, R> {
     method: P,
+    poles: Poles,
     h: R,
 }
 
@@ -41,17 +43,22 @@ pub struct Memory<M, A: Array> {
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
+    type Proof = <M::Proof as And<<S as Autonomous<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Array>;
     const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: true }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("Relaxation").of(self.0.name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), h }
+        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), h }
     }
 
     fn memory() -> Self::Memory {
@@ -60,7 +67,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
 
     #[inline]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { method, h }: &Self::Prepared,
+        Prepared { method, poles, h }: &Self::Prepared,
         Memory { method: memory, sizes, sums }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -73,13 +80,17 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         let mut gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
         let secant = whole - product(&gradient, &moved);
-        let terms = sizes.normalise(&mut gradient);
+        // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
+        let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before[0], &before[1], &()).abs();
 
         // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
         // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
+        // The increments at whose end conditions of the energy were decided last.
+        let decided = Cell::new(moved);
         let value = |excess: R| {
             let gamma = R::from_f64(1.0) + excess;
-            Energy.changes(system, &before, &moved.map(|d| scaled(gamma, &d))) / gamma
+            decided.set(moved.map(|d| scaled(gamma, &d)));
+            Energy.changes(system, &before, &decided.get()) / gamma
         };
         let mut line = (zero(), whole, secant);
         let solution = correct(zero::<R>(), ROUNDINGS * R::epsilon(), |excess| {
@@ -95,15 +106,18 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
             let relative = now.magnitude() / terms.magnitude();
             Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
         });
-        let energy = system.hamiltonian(t, &before[0], &before[1], &()).abs();
         let excess = match solution {
             // A step so short, or an energy so straight, that there is nothing but rounding to put right.
-            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * (terms + energy).magnitude() => zero(),
+            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * terms.magnitude() => {
+                decided.set(moved);
+                zero()
+            }
             solution => solution?,
         };
         x.correct(sums, &before, &moved, &moved.map(|d| scaled(excess, &d)));
         x.ahead.add(excess * *h);
-        Ok(())
+        check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
+        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
     }
 }
 

@@ -3,7 +3,7 @@
 use super::energy::{Energy, Slope, Staircase};
 use super::matrix::{denominator, difference, dot, moved};
 use super::mean::MeanGradient;
-use crate::method::{Probe, Refusal};
+use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Conservative, DiscreteField};
@@ -40,6 +40,10 @@ impl Default for CoordinateIncrement {
 }
 
 impl MeanGradient for CoordinateIncrement {
+    fn mean_name(&self) -> Name {
+        Name::new("CoordinateIncrement")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,

@@ -4,7 +4,7 @@ use super::energy::{Energy, Slope};
 use super::matrix::{Matrix, difference, moved, opposite, scaled, turned};
 use super::mean::MeanGradient;
 use crate::method::composition::SymmetricMap;
-use crate::method::{Probe, Refusal};
+use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Conservative, DiscreteField};
@@ -26,6 +26,10 @@ pub struct FourthOrder<G>(
 );
 
 impl<G: MeanGradient + SymmetricMap> MeanGradient for FourthOrder<G> {
+    fn mean_name(&self) -> Name {
+        Name::new("FourthOrder").of(self.0.mean_name())
+    }
+
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         G::is_exact::<S, R>()
     }

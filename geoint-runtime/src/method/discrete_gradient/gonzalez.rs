@@ -4,7 +4,7 @@ use super::energy::{Energy, Slope};
 use super::matrix::{denominator, difference, dot, entries, moved, product, scaled, turned};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Probe, Refusal};
+use crate::method::{Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::system::{Conservative, DiscreteField};
@@ -24,6 +24,10 @@ use crate::system::{Conservative, DiscreteField};
 pub struct Gonzalez;
 
 impl MeanGradient for Gonzalez {
+    fn mean_name(&self) -> Name {
+        Name::new("Gonzalez")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,

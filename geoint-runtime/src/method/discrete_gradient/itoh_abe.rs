@@ -4,7 +4,7 @@ use super::energy::{Energy, Slope, Staircase};
 use super::matrix::{Matrix, moved, opposite, scaled};
 use super::mean::{MeanGradient, Memory, Prepared};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Conservative, DiscreteField};
@@ -35,6 +35,10 @@ pub struct ItohAbePair;
 pub struct SymmetrisedItohAbe;
 
 impl MeanGradient for ItohAbe {
+    fn mean_name(&self) -> Name {
+        Name::new("ItohAbe")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -47,6 +51,10 @@ impl MeanGradient for ItohAbe {
 }
 
 impl MeanGradient for ItohAbeAdjoint {
+    fn mean_name(&self) -> Name {
+        Name::new("ItohAbeAdjoint")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -60,6 +68,10 @@ impl MeanGradient for ItohAbeAdjoint {
 }
 
 impl MeanGradient for SymmetrisedItohAbe {
+    fn mean_name(&self) -> Name {
+        Name::new("SymmetrisedItohAbe")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
@@ -76,12 +88,17 @@ impl MeanGradient for SymmetrisedItohAbe {
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePair {
+    type Proof = <S as Conservative<R>>::Proof;
     /// Both halves, and h/2.
     type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
     type Memory = Memory<S::Array>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ItohAbePair")
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {

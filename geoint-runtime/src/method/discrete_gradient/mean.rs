@@ -5,12 +5,12 @@ use super::matrix::{entries, moved, scaled, turned};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
 use crate::space::{Compensated, Summation};
-use crate::system::{Conservative, DiscreteField};
+use crate::system::{Conservative, DiscreteField, Poles};
 
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
 ///
@@ -22,6 +22,9 @@ use crate::system::{Conservative, DiscreteField};
 pub trait MeanGradient: Copy {
     /// Whether ∂g/∂d is symmetric.
     const CURL_FREE: bool = false;
+
+    /// The name of the method.
+    fn mean_name(&self) -> Name;
 
     /// Whether g is a discrete gradient of the system, so that steps keep the energy.
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
@@ -48,6 +51,7 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
     constants: S::Constants,
     parameters: S::Parameters,
     h: R,
+    poles: Poles,
 }
 
 /// What a step hands on to the next one: the compensations of the sums of q and p, and sizes of increments.
@@ -65,7 +69,7 @@ impl<A: Array> Memory<A> {
 
 impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G, S, R> {
     pub(super) fn new(mean: G, system: &S, h: R) -> Self {
-        Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h }
+        Prepared { mean, constants: system.constants(), parameters: system.parameters(h), h, poles: Poles::of(system) }
     }
 
     #[inline]
@@ -74,7 +78,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         Memory { sums, solver }: &mut Memory<S::Array>,
         Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let Prepared { mean, constants, parameters, h } = self;
+        let Prepared { mean, constants, parameters, h, poles } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
         let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
         let x = [point.q, point.p];
@@ -82,8 +86,13 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let rate = turned(&energy.gradient(t, &x).g);
         let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
         let guess = scaled(*h, &rate);
+        // The end of the step at which conditions of the energy were decided last.
+        let mut decided = x;
         let d = solver.solve(&x, guess, |d, residual, matrix| {
             let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
+            if !S::JUMPS.is_empty() {
+                decided = moved(&x, R::from_f64(1.0), d);
+            }
             // d − h J g and 1 − h J ∂g/∂d.
             *residual = moved(d, -*h, &turned(&g));
             let (derivative, rows) = (derivative.rows(), <[S::Array; 2]>::entries::<[S::Array; 2]>(matrix));
@@ -97,7 +106,8 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             Ok(())
         })?;
         point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
-        check_end(system, [t, t + *h], [&x[0], &point.q], [&x[1], &point.p], [&(), &()])
+        check_conditions(system, t + half, &decided, point)?;
+        check_end(poles, [t, t + *h], &(x[0], x[1], ()), Step { system, t, x: point, probe })
     }
 }
 
@@ -110,11 +120,16 @@ macro_rules! methods {
             R: Real,
             $($bounded: $bound,)?
         {
+            type Proof = <$system as Conservative<R>>::Proof;
             type Prepared = Prepared<Self, $system, R>;
             type Memory = Memory<$system::Array>;
 
             fn claims(&self) -> Claims {
-                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy }
+                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                self.mean_name()
             }
 
             fn prepare(&self, system: &$system, h: R) -> Self::Prepared {

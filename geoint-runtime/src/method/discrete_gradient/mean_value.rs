@@ -5,7 +5,7 @@ use super::matrix::{Matrix, moved, scaled};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal};
+use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::system::{Conservative, DiscreteField, Mean};
@@ -25,6 +25,12 @@ where
     Gauss<K>: GaussTableau<K>,
 {
     const CURL_FREE: bool = true;
+
+    fn mean_name(&self) -> Name {
+        Name::new(
+            ["MeanValue<1>", "MeanValue<2>", "MeanValue<3>", "MeanValue<4>", "MeanValue<5>", "MeanValue<6>"][K - 1],
+        )
+    }
 
     fn is_exact<S: DiscreteField<R>, R: Real>() -> bool {
         matches!(S::MEAN, Mean::Gauss(least) | Mean::Parts(least) if least <= K)

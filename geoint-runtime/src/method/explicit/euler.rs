@@ -1,6 +1,6 @@
 //! Methods that keep nothing, as a control: what they lose shows what the others keep.
 
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::Summation;
@@ -13,12 +13,17 @@ use crate::system::Hamiltonian;
 pub struct ExplicitEuler;
 
 impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
+    type Proof = S::Proof;
     /// h.
     type Prepared = R;
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 1, symmetric: false, symplectic: false, conserves_energy: false }
+        Claims { order: 1, symmetric: false, symplectic: false, conserves_energy: false, forces: Some(1) }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ExplicitEuler")
     }
 
     fn prepare(&self, _: &S, h: R) -> R {

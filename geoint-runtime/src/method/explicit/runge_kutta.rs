@@ -8,7 +8,7 @@
 
 use crate::method::tableau::Tableau;
 use crate::method::total::adds_up;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::Summation;
@@ -31,6 +31,7 @@ use crate::system::Hamiltonian;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RungeKutta<const K: usize> {
+    name: Name,
     order: u32,
     tableau: Tableau<K>,
 }
@@ -41,7 +42,8 @@ pub const RK4: RungeKutta<4> = RungeKutta::new(
     [0.0, 0.5, 0.5, 1.0],
     [&[], &[0.5], &[0.0, 0.5], &[0.0, 0.0, 1.0]],
     [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0],
-);
+)
+.named("RK4");
 
 /// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 without its estimators: E. Hairer, S. P.
 /// Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), section II.5, after J. R. Dormand & P. J. Prince;
@@ -146,7 +148,8 @@ pub const DOP853: RungeKutta<12> = RungeKutta::new(
         0.201365400804030348374776537501,
         0.0447106157277725905176885569043,
     ],
-);
+)
+.named("DOP853");
 
 impl<const K: usize> RungeKutta<K> {
     /// A method of order `order` with nodes `c`, weights `b` and, in row i, the i coefficients aᵢⱼ of stage i.
@@ -169,7 +172,13 @@ impl<const K: usize> RungeKutta<K> {
             }
             i += 1;
         }
-        RungeKutta { order, tableau: Tableau { a, b, c } }
+        RungeKutta { name: Name::new("RungeKutta"), order, tableau: Tableau { a, b, c } }
+    }
+
+    /// The same method under a name of its own.
+    pub const fn named(mut self, name: &'static str) -> Self {
+        self.name = Name::new(name);
+        self
     }
 
     /// The coefficients.
@@ -187,11 +196,22 @@ pub struct Prepared<R, const K: usize> {
 }
 
 impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
+    type Proof = S::Proof;
     type Prepared = Prepared<R, K>;
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: self.order, symmetric: false, symplectic: false, conserves_energy: false }
+        Claims {
+            order: self.order,
+            symmetric: false,
+            symplectic: false,
+            conserves_energy: false,
+            forces: Some(K as u32),
+        }
+    }
+
+    fn name(&self) -> Name {
+        self.name
     }
 
     fn prepare(&self, _: &S, h: R) -> Self::Prepared {

@@ -26,12 +26,12 @@ mod tableau;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{Claims, Method, Probe, Refusal, Step, check_end};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
 use crate::space::{Plain, Point, Summation};
-use crate::system::Collocation;
+use crate::system::{Collocation, Poles};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -50,6 +50,7 @@ pub struct ImplicitMidpoint;
 /// Coefficients of one step.
 #[derive(Clone, Copy, Debug)]
 pub struct Prepared<P, R, const S: usize> {
+    poles: Poles,
     constants: P,
     h: R,
     /// What stage j adds to stage i: h·A, or h²·A².
@@ -66,11 +67,16 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
     Gauss<S>: GaussTableau<S>,
 {
+    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocation<R>>::Proof>>::Both;
     type Prepared = Prepared<Y::Constants, R, S>;
     type Memory = Newton<[Y::Unknown; S]>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false }
+        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new(["Gauss<1>", "Gauss<2>", "Gauss<3>", "Gauss<4>", "Gauss<5>", "Gauss<6>"][S - 1])
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
@@ -85,6 +91,7 @@ where
             if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
         };
         Prepared {
+            poles: Poles::of(system),
             constants: system.constants(),
             h,
             coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
@@ -100,7 +107,7 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
-        Prepared { constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
+        Prepared { poles, constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
         newton: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -173,19 +180,24 @@ where
             system.add(constants, increments[i], &k[i], &mut change);
             impulse.add_scaled(weights[i], &k[i]);
         }
-        let (q, p) = (x.q, x.p);
+        let before = start::<Y, R, C>(x);
         let [dq, dp] = Y::increments(&change, &impulse);
         x.add(&dq, &dp);
-        check_end(system, [t, t + *h], [&q, &x.q], [&p, &x.p], [&(), &()])
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
 
 impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
+    type Proof = <Y as Collocation<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
     type Memory = <Gauss<1> as Method<Y, R>>::Memory;
 
     fn claims(&self) -> Claims {
         Method::<Y, R>::claims(&Gauss::<1>)
+    }
+
+    fn name(&self) -> Name {
+        Name::new("ImplicitMidpoint")
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {

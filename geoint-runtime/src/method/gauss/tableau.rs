@@ -7,18 +7,27 @@
 
 use super::Gauss;
 use crate::method::tableau::Tableau;
+use crate::sealed::Sealed;
 
 /// The number of stages of a Gauss method, 1 to 6.
-pub trait GaussTableau<const S: usize> {
+///
+/// Sealed: the tables are those of Gauss.
+pub trait GaussTableau<const S: usize>: Sealed {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// The coefficients.
     const TABLEAU: Tableau<S>;
 }
 
+impl<const S: usize> Sealed for Gauss<S> {}
+
 impl GaussTableau<1> for Gauss<1> {
+    type Proof = ();
     const TABLEAU: Tableau<1> = Tableau { a: [[0.5]], b: [1.0], c: [0.5] };
 }
 
 impl GaussTableau<2> for Gauss<2> {
+    type Proof = ();
     const TABLEAU: Tableau<2> = Tableau {
         a: [
             [0.25, -0.038675134594812882254574390250978727823800875635063],
@@ -30,6 +39,7 @@ impl GaussTableau<2> for Gauss<2> {
 }
 
 impl GaussTableau<3> for Gauss<3> {
+    type Proof = ();
     const TABLEAU: Tableau<3> = Tableau {
         a: [
             [
@@ -62,6 +72,7 @@ impl GaussTableau<3> for Gauss<3> {
 }
 
 impl GaussTableau<4> for Gauss<4> {
+    type Proof = ();
     const TABLEAU: Tableau<4> = Tableau {
         a: [
             [
@@ -105,6 +116,7 @@ impl GaussTableau<4> for Gauss<4> {
 }
 
 impl GaussTableau<5> for Gauss<5> {
+    type Proof = ();
     const TABLEAU: Tableau<5> = Tableau {
         a: [
             [
@@ -161,6 +173,7 @@ impl GaussTableau<5> for Gauss<5> {
 }
 
 impl GaussTableau<6> for Gauss<6> {
+    type Proof = ();
     const TABLEAU: Tableau<6> = Tableau {
         a: [
             [

@@ -2,10 +2,13 @@
 
 use super::flows::{Moving, Order, Times, Weight};
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
+
+/// Up to so many coordinates a call costs more than it saves.
+const FEW: usize = 4;
 
 /// A table multiplied by h: the flows of a step and the times in it at which they happen.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +21,16 @@ pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
     last: Option<O::Outer>,
     inner_at: [R; K],
     outer_at: [R; K],
+    /// A step begins with the flow that the one before ended with, and that is what it was.
+    repeats: bool,
+}
+
+/// The kick that ended a step: where, and what it added to the momenta.
+#[derive(Clone, Copy, Debug)]
+pub struct LastKick<A> {
+    known: bool,
+    q: A,
+    impulse: A,
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
@@ -43,6 +56,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             last: last.map(|(fraction, gradient)| outer(fraction, gradient)),
             inner_at: core::array::from_fn(|i| reached(&table.outer[..=i])),
             outer_at: core::array::from_fn(|i| if i + 1 < K { reached(&table.inner[..=i]) } else { h }),
+            repeats: O::REPEATS && table.last == table.outer[0],
         }
     }
 
@@ -54,19 +68,72 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         [Times { own: before, other: outers }, Times { own: outers, other: inners }]
     }
 
-    /// inner₁, outer₂, inner₂, …, inner_K, last.
+    /// inner₁, outer₂, inner₂, …, inner_K.
     #[inline(always)]
-    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
+    fn between<C: Summation<S::Array>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
             probe.visit(inner_at.other, &x.q, &x.p, &x.s);
             O::inner(&self.inner[i], inner_at, moving(system, x));
-            let next = if i + 1 < K { Some(&self.outer[i]) } else { self.last.as_ref() };
-            if let Some(outer) = next {
+            if i + 1 < K {
                 probe.visit(outer_at.other, &x.q, &x.p, &x.s);
-                O::outer(outer, outer_at, moving(system, x));
+                O::outer(&self.outer[i], outer_at, moving(system, x));
             }
         }
+    }
+
+    /// The same and last.
+    #[inline(always)]
+    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, mut step: Step<'_, S, R, C, P>) {
+        self.between(step.part(step.t));
+        let Step { system, t, x, probe } = step;
+        if let Some(last) = &self.last {
+            let [_, at] = self.times(t, K - 1);
+            probe.visit(at.other, &x.q, &x.p, &x.s);
+            O::outer(last, at, moving(system, x));
+        }
+    }
+
+    /// The same for large systems, for the reason that [`end`](Self::end) has.
+    #[inline(never)]
+    fn single_apart<C: Summation<S::Array>>(
+        &self,
+        kick: &mut LastKick<S::Array>,
+        system: &S,
+        t: R,
+        x: &mut Point<S::Array, C, S::Action>,
+    ) {
+        self.single(kick, system, t, x);
+    }
+
+    /// One step by itself. Its first kick is the last one of the step before, if that ended here: one force less.
+    #[inline(always)]
+    fn single<C: Summation<S::Array>>(
+        &self,
+        kick: &mut LastKick<S::Array>,
+        system: &S,
+        t: R,
+        x: &mut Point<S::Array, C, S::Action>,
+    ) {
+        let (Some(last), true) = (&self.last, self.repeats && C::PLAIN) else {
+            return self.step(Step { system, t, x, probe: &mut Unwatched });
+        };
+        let one = R::from_f64(1.0);
+        // Without a branch for each entry.
+        let same = |here: bool, (a, b): (&R, &R)| here & (*a == *b);
+        if kick.q.as_slice().iter().zip(x.q.as_slice()).fold(kick.known, same) {
+            x.p.add_scaled(one, &kick.impulse);
+        } else {
+            O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
+        }
+        self.between(Step { system, t, x, probe: &mut Unwatched });
+        // Acting on zero, the flow gives the increment.
+        (kick.known, kick.impulse) = (true, S::Array::nothing());
+        kick.q.copy_from(&x.q);
+        let [_, at] = self.times(t, K - 1);
+        let Point { q, p, s, sums, .. } = x;
+        O::outer(last, at, Moving { system, q, p: &mut kick.impulse, s, sums });
+        p.add_scaled(one, &kick.impulse);
     }
 
     #[inline(always)]
@@ -124,33 +191,46 @@ fn moving<'a, S: Separable<R>, R: Real, C>(
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
+    type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
-    type Memory = ();
+    type Memory = LastKick<S::Array>;
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)
+    }
+
+    fn name(&self) -> Name {
+        Splitting::name(self)
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         Sequence::prepare(self, system, h)
     }
 
-    fn memory() {}
+    fn memory() -> Self::Memory {
+        LastKick { known: false, q: S::Array::zero(), impulse: S::Array::zero() }
+    }
 
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
-        (): &mut (),
+        kick: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        prepared.step(step);
+        if P::PATIENT {
+            prepared.step(step);
+        } else if S::Array::LEN > FEW {
+            prepared.single_apart(kick, step.system, step.t, step.x);
+        } else {
+            prepared.single(kick, step.system, step.t, step.x);
+        }
         Ok(())
     }
 
     #[inline(always)]
     fn advance<C: Summation<S::Array>>(
         prepared: &Self::Prepared,
-        (): &mut (),
+        _: &mut Self::Memory,
         system: &S,
         clock: &Clock<R>,
         steps: u64,

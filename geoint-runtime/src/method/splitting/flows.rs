@@ -1,8 +1,9 @@
 //! Kick and drift as the flows of a table: which of them is the outer one, and what a kick is.
 
 use crate::scalar::Real;
+use crate::sealed::Sealed;
 use crate::space::Summation;
-use crate::system::{ForceGradient, PhaseSpace, Separable};
+use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -22,7 +23,11 @@ pub struct Weight<R> {
 }
 
 /// What a kick is.
-pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
+///
+/// Sealed: a table has what its kicks are in its type.
+pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
+    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// Coefficients of a kick.
     type Kick: Clone;
     /// Prepares a kick.
@@ -35,7 +40,13 @@ pub trait Kicks<S: Separable<R>, R: Real>: Copy + Debug {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithoutGradient;
 
+impl Sealed for WithoutGradient {}
+impl Sealed for WithGradient {}
+impl<F> Sealed for KickFirst<F> {}
+impl<F> Sealed for DriftFirst<F> {}
+
 impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
+    type Proof = S::Proof;
     type Kick = S::Kick;
     fn prepare(system: &S, weight: Weight<R>) -> S::Kick {
         system.prepare_kick(weight.h)
@@ -60,6 +71,7 @@ pub enum SomeKick<A, B> {
 }
 
 impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
+    type Proof = <S as QuadraticKinetic<R>>::Proof;
     type Kick = SomeKick<S::Kick, S::GradientKick>;
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick {
         match weight.gradient {
@@ -77,7 +89,13 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 }
 
 /// Which of kick and drift is the outer flow.
-pub trait Order<S: Separable<R>, R: Real>: Copy {
+///
+/// Sealed: there are two flows.
+pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
+    /// Whether the outer flow adds to the momenta what positions alone decide.
+    const REPEATS: bool;
+    /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// Coefficients of an outer flow.
     type Outer: Clone;
     /// Coefficients of an inner flow.
@@ -93,6 +111,8 @@ pub trait Order<S: Separable<R>, R: Real>: Copy {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
+    const REPEATS: bool = S::KICKS_REPEAT;
+    type Proof = F::Proof;
     type Outer = F::Kick;
     type Inner = S::Drift;
     fn prepare_outer(system: &S, weight: Weight<R>) -> F::Kick {
@@ -112,6 +132,8 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
+    const REPEATS: bool = false;
+    type Proof = F::Proof;
     type Outer = S::Drift;
     type Inner = F::Kick;
     fn prepare_outer(system: &S, weight: Weight<R>) -> S::Drift {

@@ -36,7 +36,7 @@ mod nystrom;
 mod table;
 mod verlet;
 
-pub use driver::Sequence;
+pub use driver::{LastKick, Sequence};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use nystrom::Nystrom;
 pub use table::{Flow, Splitting};
@@ -44,28 +44,36 @@ pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEuler
 
 /// A method that is another one under a stricter condition or another name.
 macro_rules! delegate {
-    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr) => {
+    ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr, $name:expr) => {
         $(#[$doc])*
         impl<$($generics)* S: $system<R>, R: Real> Method<S, R> for $method
         where
-            $inner: Method<S, R, Memory = ()>,
+            $inner: Method<S, R>,
         {
+            type Proof = <S as $system<R>>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
-            type Memory = ();
+            type Memory = <$inner as Method<S, R>>::Memory;
 
             fn claims(&self) -> Claims {
                 let $this = self;
                 $table.claims()
             }
+            fn name(&self) -> Name {
+                let $this = self;
+                $name
+            }
+
             fn prepare(&self, system: &S, h: R) -> Self::Prepared {
                 let $this = self;
                 Method::prepare(&$table, system, h)
             }
-            fn memory() {}
+            fn memory() -> Self::Memory {
+                <$inner as Method<S, R>>::memory()
+            }
             #[inline(always)]
             fn step<C: Summation<S::Array>, P: Probe<S, R>>(
                 prepared: &Self::Prepared,
-                memory: &mut (),
+                memory: &mut Self::Memory,
                 step: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
                 <$inner as Method<S, R>>::step(prepared, memory, step)
@@ -73,7 +81,7 @@ macro_rules! delegate {
             #[inline(always)]
             fn advance<C: Summation<S::Array>>(
                 prepared: &Self::Prepared,
-                memory: &mut (),
+                memory: &mut Self::Memory,
                 system: &S,
                 clock: &Clock<R>,
                 steps: u64,

@@ -3,7 +3,7 @@
 use super::delegate;
 use super::flows::{KickFirst, Order};
 use super::table::Splitting;
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::QuadraticKinetic;
@@ -19,4 +19,4 @@ impl<const K: usize, O> Nystrom<K, O> {
     }
 }
 
-delegate!([const K: usize, O: Order<S, R>,] Nystrom<K, O>, QuadraticKinetic, Splitting<K, O>, |this| this.0);
+delegate!([const K: usize, O: Order<S, R>,] Nystrom<K, O>, QuadraticKinetic, Splitting<K, O>, |this| this.0, this.0.name());

@@ -1,8 +1,8 @@
 //! Tables: fractions of h, in order of application.
 
 use super::flows::{DriftFirst, KickFirst, WithGradient};
-use crate::method::Claims;
 use crate::method::total::adds_up;
+use crate::method::{Claims, Name};
 use core::marker::PhantomData;
 
 /// The flow of V or of T for a fraction of h.
@@ -50,6 +50,7 @@ pub enum Flow {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Splitting<const K: usize, O = KickFirst> {
+    name: Name,
     claims: Claims,
     pub(super) outer: [f64; K],
     pub(super) inner: [f64; K],
@@ -95,11 +96,11 @@ impl<const K: usize, O> Splitting<K, O> {
             (outer[i], inner[i]) = (fractions[2 * i], fractions[2 * i + 1]);
             i += 1;
         }
-        Self::checked(order, outer, inner, if N == 2 * K { 0.0 } else { fractions[2 * K] })
+        Self::checked(Name::new("Splitting"), order, outer, inner, if N == 2 * K { 0.0 } else { fractions[2 * K] })
     }
 
     /// A table as it stands, if its fractions add up to 1.
-    const fn checked(order: u32, outer: [f64; K], inner: [f64; K], last: f64) -> Self {
+    const fn checked(name: Name, order: u32, outer: [f64; K], inner: [f64; K], last: f64) -> Self {
         let (mut symmetric, mut i) = (true, 0);
         while i < K {
             let mirrored = if i == 0 { last } else { outer[K - i] };
@@ -108,26 +109,39 @@ impl<const K: usize, O> Splitting<K, O> {
         }
         assert!(adds_up(&outer, 1.0 - last), "the fractions of the outer flows add up to 1");
         assert!(adds_up(&inner, 1.0), "the fractions of the inner flows add up to 1");
-        let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false };
-        Splitting { claims, outer, inner, last, gradients: [0.0; K], order: PhantomData }
+        let forces = Some(K as u32);
+        let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false, forces };
+        Splitting { name, claims, outer, inner, last, gradients: [0.0; K], order: PhantomData }
     }
 
     /// A table that reads the same from both ends, given by its first halves (the middle included).
     pub(in crate::method) const fn palindrome<const OUTER: usize, const INNER: usize>(
+        name: &'static str,
         order: u32,
         outer: [f64; OUTER],
         inner: [f64; INNER],
     ) -> Self {
-        Self::checked(order, ends(outer), between(inner), outer[0])
+        Self::checked(Name::new(name), order, ends(outer), between(inner), outer[0])
     }
 
     /// A symmetric composition of Verlet steps γ₁h, …, γ_K h with neighbouring outer flows merged.
-    pub(in crate::method) fn of_verlet(order: u32, gamma: [f64; K]) -> Self {
+    pub(in crate::method) fn of_verlet(name: Name, order: u32, gamma: [f64; K]) -> Self {
         let outer = core::array::from_fn(|i| {
             let before = if i == 0 { 0.0 } else { gamma[i - 1] };
             0.5 * (before + gamma[i])
         });
-        Self::checked(order, outer, gamma, 0.5 * gamma[K - 1])
+        Self::checked(name, order, outer, gamma, 0.5 * gamma[K - 1])
+    }
+
+    /// The same table under a name of its own.
+    pub const fn named(mut self, name: &'static str) -> Self {
+        self.name = Name::new(name);
+        self
+    }
+
+    /// The name.
+    pub const fn name(&self) -> Name {
+        self.name
     }
 
     /// What the table promises.

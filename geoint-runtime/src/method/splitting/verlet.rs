@@ -6,7 +6,7 @@ use super::table::{
     Flow::{Drift, Kick},
     Splitting,
 };
-use crate::method::{Claims, Clock, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Separable;
@@ -53,7 +53,7 @@ impl PositionVerlet {
     pub const TABLE: Splitting<1, DriftFirst> = Splitting::<1, DriftFirst>::new(2, [Drift(0.5), Kick(1.0), Drift(0.5)]);
 }
 
-delegate!([] SymplecticEuler, Separable, Splitting<1, KickFirst>, |_this| SymplecticEuler::TABLE);
-delegate!([] SymplecticEulerAdjoint, Separable, Splitting<1, DriftFirst>, |_this| SymplecticEulerAdjoint::TABLE);
-delegate!([] StormerVerlet, Separable, Splitting<1, KickFirst>, |_this| StormerVerlet::TABLE);
-delegate!([] PositionVerlet, Separable, Splitting<1, DriftFirst>, |_this| PositionVerlet::TABLE);
+delegate!([] SymplecticEuler, Separable, Splitting<1, KickFirst>, |_this| SymplecticEuler::TABLE, Name::new(stringify!(SymplecticEuler)));
+delegate!([] SymplecticEulerAdjoint, Separable, Splitting<1, DriftFirst>, |_this| SymplecticEulerAdjoint::TABLE, Name::new(stringify!(SymplecticEulerAdjoint)));
+delegate!([] StormerVerlet, Separable, Splitting<1, KickFirst>, |_this| StormerVerlet::TABLE, Name::new(stringify!(StormerVerlet)));
+delegate!([] PositionVerlet, Separable, Splitting<1, DriftFirst>, |_this| PositionVerlet::TABLE, Name::new(stringify!(PositionVerlet)));

@@ -3,10 +3,11 @@
 //! The impulse is what f̄ adds to what it changes: to y = (q, p) itself; or, if T is quadratic, to the momenta alone, and then the
 //! increment of y = q is d = h ∂T/∂p at the mean momentum.
 
-use crate::method::Probe;
+use crate::method::{Probe, Refusal, check_conditions};
 use crate::scalar::{Real, zero};
 use crate::space::{Array, Plain, Point, Square, Summation, exact_sum};
 use crate::system::DiscreteField;
+use core::cell::Cell;
 
 /// What depends on parameters and h.
 #[derive(Clone, Debug)]
@@ -71,6 +72,8 @@ pub(super) struct Equation<'a, S: DiscreteField<R>, R: Real> {
     /// Compensations: what y is too small by, if the step is to count with it, and what `changed` is too small by.
     compensation: (Option<S::Unknown>, S::Unknown),
     start: S::Start,
+    /// The end of the step at which conditions of the energy were decided last.
+    decided: Cell<[S::Array; 2]>,
 }
 
 impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
@@ -88,7 +91,18 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
         let (of_y, of_changed) = S::start(&x.sums[0].compensation(), &x.sums[1].compensation());
         let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
-        Equation { system, coefficients, t, q: x.q, p: x.p, y, changed, compensation, start }
+        Equation {
+            system,
+            coefficients,
+            t,
+            q: x.q,
+            p: x.p,
+            y,
+            changed,
+            compensation,
+            start,
+            decided: Cell::new([x.q, x.p]),
+        }
     }
 
     /// The increments of (q, p) that go with an impulse.
@@ -103,6 +117,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         let none = S::Unknown::zero();
         let (mut image, mut unused) = (none, S::Unknown::fill(none));
         let change = self.coefficients.change(self.system, &self.changed, &none);
+        self.decide(&change, &none);
         self.coefficients.evaluate(self.system, &self.start, &change, &mut image, &mut unused);
         image
     }
@@ -111,7 +126,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     /// in registers.
     #[inline(always)]
     pub(super) fn explicit_midpoint(&self) -> impl Fn() -> S::Unknown + Copy + use<'a, S, R> {
-        let Equation { system, coefficients, t, y, changed, .. } = *self;
+        let (system, coefficients, t, y, changed) = (self.system, self.coefficients, self.t, self.y, self.changed);
         move || {
             let (none, half) = (S::Unknown::zero(), R::from_f64(0.5) * coefficients.h);
             let (mut rate, mut f) = (system.velocity(&coefficients.constants, &changed), none);
@@ -145,9 +160,28 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
             // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
             change.add_scaled(R::from_f64(2.0), compensation);
         }
+        self.decide(&change, impulse);
         let mut image = S::Unknown::zero();
         self.coefficients.evaluate(self.system, &self.start, &change, &mut image, matrix);
         image
+    }
+
+    /// Remembers the end of the step for these increments, if the energy has conditions.
+    #[inline(always)]
+    fn decide(&self, change: &S::Unknown, impulse: &S::Unknown) {
+        if !S::JUMPS.is_empty() {
+            let [dq, dp] = S::increments(change, impulse);
+            let mut end = Point::<S::Array, Plain>::new(self.q, self.p);
+            end.add(&dq, &dp);
+            self.decided.set([end.q, end.p]);
+        }
+    }
+
+    /// Refuses an end of the step at which rounding has decided a condition otherwise than the equation has, and the energy jumps.
+    #[inline(always)]
+    pub(super) fn check_conditions<C>(&self, x: &Point<S::Array, C>) -> Result<(), Refusal> {
+        let middle = self.t + R::from_f64(0.5) * self.coefficients.h;
+        check_conditions(self.system, middle, &self.decided.get(), x)
     }
 
     /// What the increments of (q, p) are too small by: `lost` of the impulse; and of y what [`Coefficients::change`] rounds off in

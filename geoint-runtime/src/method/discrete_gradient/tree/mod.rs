@@ -5,12 +5,12 @@ mod equation;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Compensated, Square, Summation};
-use crate::system::{Conservative, DiscreteField};
+use crate::system::{Conservative, DiscreteField, Poles};
 use equation::{Coefficients, Equation};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
@@ -29,6 +29,7 @@ pub struct DiscreteGradient;
 pub struct Prepared<S: DiscreteField<R>, R: Real> {
     coefficients: Coefficients<S, R>,
     inverse: S::Inverse,
+    poles: Poles,
 }
 
 /// What a step hands on to the next one.
@@ -41,17 +42,22 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
 }
 
 impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
+    type Proof = <S as DiscreteField<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S, R>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+    }
+
+    fn name(&self) -> Name {
+        Name::new("DiscreteGradient")
     }
 
     fn prepare(&self, system: &S, h: R) -> Prepared<S, R> {
         let coefficients = Coefficients::new(system, h);
         let inverse = S::Inverse::new(|| coefficients.constant_matrix(system));
-        Prepared { coefficients, inverse }
+        Prepared { coefficients, inverse, poles: Poles::of(system) }
     }
 
     fn memory() -> Memory<S, R> {
@@ -60,7 +66,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
 
     #[inline(always)]
     fn step<C: Summation<S::Array>, P: Probe<S, R>>(
-        Prepared { coefficients, inverse }: &Prepared<S, R>,
+        Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
         Memory { newton, sums }: &mut Memory<S, R>,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -71,8 +77,13 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         if S::Inverse::EXISTS {
             let impulse = inverse.times(&equation.without_impulse());
             let [dq, dp] = equation.increments(&impulse);
+            let before = start::<S, R, C>(x);
             x.add_with(sums, [&dq, &dp], [&S::Array::zero(); 2]);
-            return if impulse.is_finite() { Ok(()) } else { Err(Refusal::Singular) };
+            if !impulse.is_finite() {
+                return Err(Refusal::Singular);
+            }
+            // Poles that the simplified energy has not.
+            return check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe });
         }
 
         let initial_guess = equation.explicit_midpoint();
@@ -85,17 +96,21 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let standstill = P::PATIENT.then_some(Equation::<S, R>::STANDSTILL);
         let (impulse, lost) = newton.solve((&equation.changed, standstill), initial_guess, probe, image, derivative)?;
 
-        let (q, p) = (x.q, x.p);
+        let before = start::<S, R, C>(x);
         let [dq, dp] = equation.increments(&impulse);
         let lost = equation.lost::<C>(&impulse, &lost);
         x.add_with(sums, [&dq, &dp], lost.each_ref());
-        let t1 = t + coefficients.h;
-        Refusal::outside(system.hidden_pole_between([t, t1], [&q, &x.q], [&p, &x.p], [&(), &()]))
+        equation.check_conditions(x)?;
+        check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe })
     }
 }
 
 /// The tree discrete gradient as others use it.
 impl MeanGradient for DiscreteGradient {
+    fn mean_name(&self) -> Name {
+        Name::new("DiscreteGradient")
+    }
+
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,

@@ -1,0 +1,21 @@
+//! An expression in a form whose evaluation with intervals is tight: no product of a number with itself.
+
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Node};
+
+/// The same function with |x|ⁿ for xⁿ of even n.
+pub(super) fn enclosable(graph: &mut Graph, root: Id) -> Id {
+    let mut form = Substitution::new(|_: &mut Graph, _| None);
+    for id in graph.reachable(&[root]) {
+        if let Node::Power(base, exponent) = *graph.node(id)
+            && exponent.is_integer()
+            && exponent.numerator % 2 == 0
+        {
+            let base = form.apply(graph, base);
+            let size = graph.call(Function::Abs, &[base]);
+            let power = graph.pow(size, exponent);
+            form.insert(id, power);
+        }
+    }
+    form.apply(graph, root)
+}

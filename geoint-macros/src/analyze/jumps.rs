@@ -1,0 +1,65 @@
+//! Conditions of an energy: by how much it jumps where one of them changes.
+
+use super::dependence::Dependence;
+use super::enclosable::enclosable;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Node, Relation};
+
+/// A condition that reads the state.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Jump {
+    /// 1 where it holds, −1 where it does not.
+    pub(crate) side: Id,
+    /// The energy if it holds, less the energy if it does not, in a form that intervals enclose well.
+    pub(crate) height: Id,
+}
+
+/// The conditions of an energy, signs of numbers among them.
+pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
+    let mut conditions: Vec<Id> = vec![];
+    for id in graph.reachable(&[energy]) {
+        let condition = match *graph.node(id) {
+            Node::Select(condition, ..) => condition,
+            Node::Call(Function::Signum, ref args) => {
+                let x = args[0];
+                let zero = graph.zero();
+                graph.compare(Relation::Less, x, zero)
+            }
+            _ => continue,
+        };
+        if !conditions.contains(&condition) {
+            conditions.push(condition);
+        }
+    }
+    let dependence = Dependence::of(graph);
+    conditions.retain(|condition| dependence.reads(*condition).state());
+    let mut jump = |condition| {
+        let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
+        let height = graph.sub(yes, no);
+        let sides = [graph.integer(1), graph.integer(-1)];
+        Jump { side: graph.select(condition, sides[0], sides[1]), height: enclosable(graph, height) }
+    };
+    conditions.into_iter().map(&mut jump).collect()
+}
+
+/// The energy with a condition decided.
+fn decided(graph: &mut Graph, energy: Id, condition: Id, holds: bool) -> Id {
+    let mut form = Substitution::new(|_: &mut Graph, _| None);
+    for id in graph.reachable(&[energy]) {
+        let replacement = match *graph.node(id) {
+            Node::Select(own, first, second) if own == condition => {
+                form.apply(graph, if holds { first } else { second })
+            }
+            Node::Call(Function::Signum, ref args) => {
+                let (x, zero) = (args[0], graph.zero());
+                if graph.compare(Relation::Less, x, zero) != condition {
+                    continue;
+                }
+                graph.integer(if holds { -1 } else { 1 })
+            }
+            _ => continue,
+        };
+        form.insert(id, replacement);
+    }
+    form.apply(graph, energy)
+}

@@ -1,0 +1,60 @@
+//! The sign of a node, from its form, whatever its symbols are.
+
+use crate::ir::{Function, Graph, Id, Node, Number};
+
+/// What is known of a sign.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Sign {
+    Unknown,
+    NotNegative,
+    Positive,
+}
+
+/// The sign of every node of a graph.
+pub(super) fn signs(graph: &Graph) -> Vec<Sign> {
+    let mut signs = Vec::with_capacity(graph.len());
+    for id in graph.ids() {
+        let own = sign(graph, id, |id| signs[id.index()]);
+        signs.push(own);
+    }
+    signs
+}
+
+/// The sign of a node, from those of its operands.
+fn sign(graph: &Graph, id: Id, of: impl Fn(Id) -> Sign) -> Sign {
+    use Function::{Abs, Cbrt, Cos, Cosh, Exp, Exp2, Hypot, Max, Min, Sin, Tanh};
+    use Sign::{NotNegative, Positive, Unknown};
+    let largest = |args: &[Id]| args.iter().map(|arg| of(*arg)).max().unwrap_or(Unknown);
+    let smallest = |args: &[Id]| args.iter().map(|arg| of(*arg)).min().unwrap_or(Unknown);
+    match graph.node(id) {
+        Node::Number(value) if value.is_negative() => Unknown,
+        Node::Number(value) if value.is_zero() => NotNegative,
+        Node::Number(_) => Positive,
+        Node::Linear(constant, terms) => {
+            // How far a term may go below zero.
+            let depth = |(c, term): &(Number, Id)| match graph.node(*term) {
+                Node::Call(Sin | Cos | Tanh, _) => Some(c.to_f64().abs()),
+                _ if c.is_negative() || of(*term) == Unknown => None,
+                _ => Some(0.0),
+            };
+            let Some(depth) = terms.iter().map(depth).sum::<Option<f64>>() else { return Unknown };
+            let positive = |(c, term): &(Number, Id)| !c.is_negative() && of(*term) == Positive;
+            match constant.to_f64() - depth {
+                margin if margin > 0.0 || (margin == 0.0 && terms.iter().any(positive)) => Positive,
+                0.0 => NotNegative,
+                _ => Unknown,
+            }
+        }
+        Node::Product(factors) => smallest(factors),
+        Node::Power(base, exponent) => match of(*base) {
+            Unknown if !exponent.is_integer() || exponent.numerator % 2 == 0 => NotNegative,
+            sign => sign,
+        },
+        Node::Call(Exp | Exp2 | Cosh, _) => Positive,
+        Node::Call(Cbrt | Min, args) => smallest(args),
+        Node::Call(Max, args) => largest(args),
+        Node::Call(Abs | Hypot, args) => largest(args).max(NotNegative),
+        Node::Select(_, first, second) => of(*first).min(of(*second)),
+        _ => Unknown,
+    }
+}

@@ -1,0 +1,141 @@
+//! The methods of this crate by what they need of a system, for programs that try all of them or choose one by its name.
+//!
+//! Each function shows its methods to a visitor; a system has those whose bounds it satisfies. Compositions are shown of the maps
+//! that are composed most: others are a line of one's own, `visitor.visit(KahanLi8_17a.of(Gonzalez))`.
+//!
+//! ```
+//! use geoint_runtime::method::{Name, Visitor, catalogue};
+//! use geoint_runtime::prelude::*;
+//!
+//! #[hamiltonian]
+//! fn oscillator(q: f64, p: f64, k: f64) -> f64 {
+//!     p * p / 2.0 + k * q.powi(4) / 4.0
+//! }
+//!
+//! /// Which method keeps the energy best with steps of a tenth?
+//! struct Best(Option<(Name, f64)>);
+//!
+//! impl Visitor<Oscillator> for Best {
+//!     fn visit<M: Method<Oscillator> + 'static>(&mut self, method: M) {
+//!         let mut sim = Oscillator { k: 1.3 }.integrator(method, 0.1, State::new(1.0, 0.0));
+//!         let energy = sim.energy();
+//!         if sim.advance(100).is_ok() {
+//!             let error = (sim.energy() - energy).abs();
+//!             if self.0.is_none_or(|(_, least)| error < least) {
+//!                 self.0 = Some((method.name(), error));
+//!             }
+//!         }
+//!     }
+//! }
+//!
+//! let mut best = Best(None);
+//! catalogue::separable(&mut best);
+//! catalogue::general(&mut best);
+//! assert!(best.0.is_some_and(|(_, error)| error < 1e-12));
+//! ```
+
+use crate::method::Method;
+use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting};
+use crate::method::corrected::{Energy, Projection, Relaxation};
+use crate::method::discrete_gradient::{
+    CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
+    SymmetrisedItohAbe,
+};
+use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
+use crate::method::gauss::{Gauss, ImplicitMidpoint};
+use crate::method::kahan::Kahan;
+use crate::method::splitting::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
+use crate::method::tables::*;
+use crate::scalar::Real;
+use crate::system::{
+    Autonomous, Collocation, Conservative, Cubic, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace,
+    Pieces, QuadraticKinetic, Separable,
+};
+
+/// What is done with each method.
+pub trait Visitor<S: PhaseSpace<R>, R: Real = f64> {
+    /// Is called once for each.
+    fn visit<M: Method<S, R> + 'static>(&mut self, method: M);
+}
+
+macro_rules! show {
+    ($visitor:ident: $($method:expr),* $(,)?) => { $( $visitor.visit($method); )* };
+}
+
+/// Every composition of a symmetric map.
+macro_rules! compositions {
+    ($visitor:ident: $($map:expr),*) => { $(
+        show!($visitor: Yoshida4.of($map), Suzuki4.of($map), McLachlan4.of($map), Yoshida6a.of($map), McLachlan6_9.of($map),
+            KahanLi8_17a.of($map), SofroniouSpaletta10_35.of($map));
+    )* };
+}
+
+/// Methods for every H(q, p, t).
+pub fn general<S: Collocation<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: ExplicitEuler, RK4, DOP853, ImplicitMidpoint);
+    show!(visitor: Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
+    compositions!(visitor: ImplicitMidpoint);
+}
+
+/// Methods for H = T(p, t) + V(q, t), and for T(p) + g(t)s + V(q) of contact systems.
+pub fn separable<S: Separable<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet);
+    show!(visitor: ForestRuth4, PEFRL, BlanesMoan4, BlanesMoan6);
+    compositions!(visitor: StormerVerlet, PositionVerlet);
+}
+
+/// Methods that need a quadratic T with a constant mass matrix.
+pub fn quadratic_kinetic<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+}
+
+/// Methods that kick with force gradients.
+pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
+    show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
+}
+
+/// The method that keeps the energy, or takes away what damping does.
+pub fn discrete_gradient<S: DiscreteField<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: DiscreteGradient);
+    compositions!(visitor: DiscreteGradient);
+}
+
+/// Methods that keep the energy of what nothing damps.
+pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Gonzalez, ItohAbe, ItohAbeAdjoint, SymmetrisedItohAbe, ItohAbePair, CoordinateIncrement::default());
+    show!(visitor: MeanValue::<1>, MeanValue::<2>, MeanValue::<3>, MeanValue::<4>, MeanValue::<5>, MeanValue::<6>);
+    show!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez));
+}
+
+/// Methods whose steps are put right.
+pub fn autonomous<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Projection(RK4, Energy), Projection(DOP853, Energy), Relaxation(RK4), Relaxation(DOP853));
+}
+
+/// The method for H of degree 3.
+pub fn cubic<S: Cubic<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Kahan);
+    compositions!(visitor: Kahan);
+}
+
+/// Methods for contact systems whose pieces have flows in closed form.
+pub fn pieces<S: Pieces<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
+    compositions!(visitor: ContactSplitting);
+}
+
+/// Methods for contact systems T(p) + g(t)s + V(q), beside those of [`separable`].
+pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: ContactLeapfrog);
+    compositions!(visitor: ContactLeapfrog);
+}
+
+/// Methods for every contact system.
+pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R>,
+{
+    show!(visitor: ContactMidpoint, ContactDiscreteGradient);
+    compositions!(visitor: ContactMidpoint, ContactDiscreteGradient);
+}

@@ -1,0 +1,49 @@
+//! Conditions of the energy that rounding decides.
+//!
+//! The equation of a step decides every condition at the end of the step. The state that is returned has been rounded, and may lie on the
+//! other side: where the energy jumps there, the step has not kept it.
+
+use super::PhaseSpace;
+use crate::scalar::{Enclosure, Interval, Real, bounds};
+use crate::space::{Action, Array};
+
+/// The first jump of the energy, if any, between two points that differ by rounding, at one of which a condition holds.
+///
+/// Where the energy has no jump, or one that cannot be told from rounding, there is none.
+#[inline(always)]
+pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
+    system: &S,
+    t: R,
+    q: [&S::Array; 2],
+    p: [&S::Array; 2],
+    s: [&S::Action; 2],
+) -> Option<&'static str> {
+    if S::JUMPS.is_empty() || system.same_sides(t, q, p, s) { None } else { search(system, t, q, p, s) }
+}
+
+#[cold]
+#[inline(never)]
+fn search<S: PhaseSpace<R>, R: Real>(
+    system: &S,
+    t: R,
+    q: [&S::Array; 2],
+    p: [&S::Array; 2],
+    s: [&S::Action; 2],
+) -> Option<&'static str> {
+    let constant = |x: Interval| Enclosure::<R>::new(x, Interval::WHOLE);
+    let between = |[a, b]: [&S::Array; 2]| {
+        let mut all = S::Array::fill(constant(Interval::WHOLE));
+        for (i, x) in S::Array::entries(&mut all).iter_mut().enumerate() {
+            *x = constant(bounds(a.as_slice()[i]).hull(bounds(b.as_slice()[i])));
+        }
+        all
+    };
+    let (mut q, mut p) = (between(q), between(p));
+    let s = s.map(|s| bounds(s.scalar().unwrap_or(R::from_f64(0.0))));
+    let (t, s) = (constant(bounds(t)), constant(s[0].hull(s[1])));
+    let (q, p) = (S::Array::entries(&mut q), S::Array::entries(&mut p));
+    (0..S::JUMPS.len()).find_map(|i| {
+        let [side, height] = system.jump(i, Enclosure::constant, t, q, p, s);
+        (side.value.contains_zero() && !height.value.contains_zero()).then_some(S::JUMPS[i])
+    })
+}
