@@ -67,7 +67,14 @@ pub(super) struct Summand<'a> {
 pub(super) fn name(coordinates: &Shape, summands: &[Summand<'_>]) -> String {
     let (n, dimension) = (coordinates.len(), dimension(coordinates));
     let total = summands.iter().all(|summand| summand.number == Ratio::ONE && summand.weight.is_empty());
-    let kind = summands[0].generator.kind;
+    let order = |kind: &Kind| match kind {
+        Kind::Angular(_) => 0,
+        Kind::Square => 1,
+        Kind::Momentum(_) => 2,
+        Kind::Position => 3,
+    };
+    let kinds = summands.iter().map(|summand| summand.generator.kind);
+    let kind = kinds.min_by_key(order).unwrap_or(Kind::Position);
     let alike = summands.iter().all(|summand| summand.generator.kind == kind);
     let axis = |axis: usize| AXES.get(axis).map(|(axis, _)| *axis);
     match kind {

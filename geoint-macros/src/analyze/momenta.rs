@@ -10,7 +10,7 @@ use super::equations::{Equations, Row, add_multiple};
 use super::generators::{Generator, Summand, generators, name};
 use super::leaves::leaves;
 use super::quadratic::{Atom, Expansion, Quadratic, Variable};
-use super::weights::{Term, Weight, times, weights};
+use super::weights::{Term, Weight, clear, times, weights};
 use crate::ir::{Graph, Id, Ratio};
 use crate::parse::Shape;
 use std::borrow::Cow;
@@ -61,12 +61,15 @@ pub(super) fn momenta(
     let kept: Vec<Variable> = solutions.iter().filter_map(alone).collect();
     let mut momenta = vec![];
     for solution in &solutions {
+        let mut weights: Vec<Weight> = solution.keys().map(|u| unknowns[*u].weight.clone()).collect();
+        clear(&mut weights);
         let summands: Vec<Summand<'_>> = solution
             .iter()
-            .map(|(u, number)| Summand {
+            .zip(&weights)
+            .map(|((u, number), weight)| Summand {
                 generator: &generators[unknowns[*u].generator],
                 number: *number,
-                weight: &unknowns[*u].weight,
+                weight,
             })
             .collect();
         // Nor are squares of these told, nor multiples.
@@ -78,7 +81,10 @@ pub(super) fn momenta(
             let weight = weight_node(graph, summand.weight);
             summand.generator.add_to(graph, sum, summand.number, weight)
         });
-        momenta.push(Momentum { name: name(coordinates, &summands), value });
+        // The same with a parameter before it is no other one.
+        if momenta.iter().all(|known: &Momentum| known.value != value) {
+            momenta.push(Momentum { name: name(coordinates, &summands), value });
+        }
     }
     momenta
 }

@@ -33,58 +33,58 @@ fn over(a: &Weight, b: &Weight) -> Option<Weight> {
     times(a, &reciprocal)
 }
 
-/// For each generator the weight that lets what two generators alone contribute to a bracket cancel, whatever the parameters are; but for
-/// what all that are connected in this way have in common. (Whether they do cancel is decided by the equations.)
+/// For each generator a weight that lets what it contributes to brackets cancel with what others do, whatever the parameters are. These
+/// are proposals, from terms of two generators first: whether combinations vanish is decided by the equations.
 pub(super) fn weights(generators: usize, brackets: &[Vec<Term<'_>>], steady: impl Fn(&Atom) -> bool) -> Vec<Weight> {
-    let mut edges: Vec<Vec<(usize, Weight)>> = vec![vec![]; generators];
+    let mut edges: Vec<(usize, [usize; 2], Weight)> = vec![];
     for terms in brackets.iter().flat_map(|bracket| bracket.chunk_by(|a, b| a.variables == b.variables)) {
         let mut parts: Vec<(usize, &Weight)> = terms.iter().map(|term| (term.generator, term.atoms)).collect();
         parts.sort();
         parts.dedup();
-        let [(g, a), (h, b)] = parts[..] else { continue };
-        if g != h
-            && a.iter().chain(b).all(|(atom, _)| steady(atom))
-            && let (Some(forth), Some(back)) = (over(a, b), over(b, a))
-        {
-            edges[g].push((h, forth));
-            edges[h].push((g, back));
-        }
-    }
-    let mut weights: Vec<Option<Weight>> = vec![None; generators];
-    for first in 0..generators {
-        if weights[first].is_some() {
-            continue;
-        }
-        weights[first] = Some(vec![]);
-        let mut component = vec![first];
-        let mut next = 0;
-        while let Some(g) = component.get(next).copied() {
-            next += 1;
-            for (h, ratio) in &edges[g] {
-                if weights[*h].is_none() {
-                    weights[*h] = weights[g].as_ref().and_then(|weight| times(weight, ratio));
-                    component.push(*h);
-                }
+        for pair in parts.windows(2) {
+            let [(g, a), (h, b)] = pair else { continue };
+            if g != h
+                && a.iter().chain(*b).all(|(atom, _)| steady(atom))
+                && let Some(ratio) = over(a, b)
+            {
+                edges.push((parts.len(), [*g, *h], ratio));
             }
         }
-        clear(&mut weights, &component);
     }
-    weights.into_iter().map(Option::unwrap_or_default).collect()
+    edges.sort_by_key(|(parts, ..)| *parts);
+    let mut weights: Vec<Weight> = vec![vec![]; generators];
+    let mut component: Vec<usize> = (0..generators).collect();
+    for (_, [g, h], ratio) in edges {
+        let (kept, moved) = (component[g], component[h]);
+        let Some(wanted) = times(&weights[g], &ratio).filter(|_| kept != moved) else { continue };
+        let Some(factor) = over(&wanted, &weights[h]) else { continue };
+        let members: Vec<usize> = (0..generators).filter(|k| component[*k] == moved).collect();
+        for k in members {
+            component[k] = kept;
+            weights[k] = times(&weights[k], &factor).unwrap_or_default();
+        }
+    }
+    for first in 0..generators {
+        let members: Vec<usize> = (0..generators).filter(|k| component[*k] == first).collect();
+        let mut own: Vec<Weight> = members.iter().map(|k| weights[*k].clone()).collect();
+        clear(&mut own);
+        members.into_iter().zip(own).for_each(|(k, weight)| weights[k] = weight);
+    }
+    weights
 }
 
-/// Divides the weights of some generators by what most of them have in common; by what all have if as many have another power.
-fn clear(weights: &mut [Option<Weight>], component: &[usize]) {
-    let of = |weights: &[Option<Weight>], g: usize| weights[g].clone().unwrap_or_default();
-    let mut atoms: Vec<Atom> = component.iter().flat_map(|g| of(weights, *g)).map(|(atom, _)| atom).collect();
+/// Divides weights by what most of them have in common; by what all have if as many have another power.
+pub(super) fn clear(weights: &mut [Weight]) {
+    let mut atoms: Vec<Atom> = weights.iter().flatten().map(|(atom, _)| *atom).collect();
     atoms.sort();
     atoms.dedup();
     for atom in atoms {
-        let exponent = |g: &usize| of(weights, *g).iter().find(|(other, _)| *other == atom).map_or(0, |(_, e)| *e);
-        let exponents: Vec<i128> = component.iter().map(exponent).collect();
+        let exponent = |weight: &Weight| weight.iter().find(|(other, _)| *other == atom).map_or(0, |(_, e)| *e);
+        let exponents: Vec<i128> = weights.iter().map(exponent).collect();
         let count = |e: &i128| exponents.iter().filter(|other| *other == e).count();
         let common = exponents.iter().copied().max_by_key(|e| (count(e), -e)).unwrap_or(0);
-        for g in component.iter().filter(|_| common != 0) {
-            weights[*g] = times(&of(weights, *g), &vec![(atom, -common)]);
+        for weight in weights.iter_mut().filter(|_| common != 0) {
+            *weight = times(weight, &vec![(atom, -common)]).unwrap_or_default();
         }
     }
 }

@@ -295,13 +295,24 @@ fn weights_may_be_parameters() {
             quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
                 ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2)).sqrt() / m
             } },
-            vec!["angular momentum: q0·p1 - q1·p0", "momentum: p0 - q1·c1", "momentum: p1 + q0·c1"],
+            vec![
+                "angular momentum: q0·p1 - q1·p0",
+                "sum of squares: p0² + p1² + q0²·c1² + q1²·c1²",
+                "momentum: p0 - q1·c1",
+                "momentum: p1 + q0·c1",
+            ],
         ),
         (
             quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
                 (p[0] * p[0] + (p[1] - b * q[0]).powi(2)).sqrt() / m
             } },
-            vec!["momentum: p0 - q1·c1"],
+            vec!["angular momentum: q0² - q1² - 2·q0·p1/c1 + 2·q1·p0/c1", "momentum: p0 - q1·c1"],
+        ),
+        (
+            quote! { fn f(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+                ((p[0] + b * q[1]).powi(2) + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]).powi(2)
+            } },
+            vec!["angular momentum: q0² - q1² + 2·q0·p1/c1 - 2·q1·p0/c1"],
         ),
         // Oscillators that do not know of each other: quadratic energies.
         (
