@@ -21,7 +21,7 @@ fn small_motions_beside_large_ones() {
             sim.advance_to(20.0).unwrap();
             let [x, y] = sim.state().q;
             let errors = [x / large - 25.0_f64.cos(), y / small - 160.0_f64.cos()];
-            println!("{name} {large:e} {small:e}: {errors:.1e?} in {} steps", sim.steps());
+            println!("{name} {large:e} {small:e}: {errors:?} in {} steps", sim.steps());
             assert!(errors.iter().all(|e| e.abs() <= 3e3 * tolerance), "{name} {large:e} {small:e}: {errors:?}");
         }
     }
