@@ -78,7 +78,6 @@ fn errors_of_another_program() {
 struct AngularMomentum;
 
 impl<R: geoint_tests::scalars::Scalar> Invariants<Kepler<R>, R> for AngularMomentum {
-    type Proof = ();
     type Values = R;
 
     fn changes(&self, _: &Kepler<R>, [q, p]: &[[R; 2]; 2], [dq, dp]: &[[R; 2]; 2]) -> R {
