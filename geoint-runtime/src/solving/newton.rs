@@ -94,11 +94,13 @@ impl<A: Array> Newton<A> {
         let mut attempt = if self.rough { Attempt::Explicit } else { Attempt::Extrapolated };
         loop {
             let mut guess = self.predictor.predict();
+            // Sizes for pivots. A guess may be wild: no correction is compared with it.
+            let mut scale = self.sizes;
             match attempt {
                 Attempt::Extrapolated => {}
                 Attempt::Explicit => {
                     guess.copy_from(&aside(explicit));
-                    self.sizes.include(origin, &guess);
+                    scale.include(origin, &guess);
                 }
                 Attempt::Damped(still) => {
                     guess = damped::approach(origin, still, &self.sizes, |x, residual, matrix| {
@@ -108,7 +110,7 @@ impl<A: Array> Newton<A> {
                     });
                 }
             }
-            match self.iterate(guess, origin, still.is_some(), |x, matrix| derivative(context, x, matrix)) {
+            match self.iterate((guess, &scale), origin, still.is_some(), |x, matrix| derivative(context, x, matrix)) {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);
@@ -135,7 +137,7 @@ impl<A: Array> Newton<A> {
     #[inline(always)]
     fn iterate(
         &mut self,
-        guess: A,
+        (guess, scale): (A, &Sizes<A>),
         origin: &A,
         patient: bool,
         mut derivative: impl FnMut(&A, &mut Square<A>) -> A,
@@ -150,7 +152,9 @@ impl<A: Array> Newton<A> {
             let size = squares(&x, origin);
             let (next, mut delta) = (derivative(&x, &mut matrix), x);
             delta.add_scaled(minus, &next);
-            let Some(positive) = linear::solve(&mut matrix, &mut delta, &self.sizes) else {
+            let residual = delta;
+            let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
+                self.sizes = terms.without();
                 return Err(if delta.is_finite() { Refusal::Singular } else { corrections.not_converged() });
             };
             let mut lost = x;
@@ -161,7 +165,8 @@ impl<A: Array> Newton<A> {
             if iterations == 1 && within(&delta, size, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
-            let correction = self.sizes.relative(&delta, origin, &x);
+            let judged = if terms.are_known() { &residual } else { &delta };
+            let correction = self.sizes.relative(judged, origin, &x);
             // In units of the state as it is, as corrections are compared with the reach.
             let now = Sizes::new().relative(&delta, origin, &x);
             if iterations == 2 {
@@ -176,7 +181,7 @@ impl<A: Array> Newton<A> {
                 }
                 Verdict::Solved | Verdict::Stuck if patient => {
                     let ([n, kinds], matrix) = (self.kinds, |x: &A, m: &mut _| derivative(x, m).is_finite());
-                    terms.include(&mut self.sizes, &x, verdict == Verdict::Solved, |i| i / n % kinds, matrix);
+                    terms.include(&mut self.sizes, (origin, &x), verdict == Verdict::Solved, |i| i / n % kinds, matrix);
                     corrections.restart();
                 }
                 _ => {}
@@ -185,6 +190,7 @@ impl<A: Array> Newton<A> {
                 break;
             }
         }
+        self.sizes = terms.without();
         Err(corrections.not_converged())
     }
 

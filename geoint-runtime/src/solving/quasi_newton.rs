@@ -8,6 +8,12 @@ use crate::solving::terms::Terms;
 use crate::solving::{damped, linear};
 use crate::space::{Array, Square};
 
+/// A correction of this part of the unknowns may be rounding of terms that cancel. A larger one is on its way from afar.
+const NEAR: f64 = 1.0 / 1024.0;
+
+/// A mean of gradients is made of so many evaluations and quotients, whose roundings add up.
+const EVALUATIONS: f64 = 64.0;
+
 /// Solves one equation a step for increments of positions and momenta, and remembers their sizes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuasiNewton<A> {
@@ -34,43 +40,52 @@ impl<A: Array> QuasiNewton<A> {
     ) -> Result<A, Refusal> {
         // A guess may look beyond the domain of the energy where the solution need not.
         let guess = if guess.is_finite() { guess } else { A::zero() };
-        self.sizes.include(origin, &guess);
-        self.iterate(origin, guess, &mut residual)
-            .or_else(|refusal| self.otherwise(origin, guess, residual).map_err(|_| refusal))
+        // Sizes for pivots and differences. A guess may be wild: no correction is compared with it.
+        let mut scale = self.sizes;
+        scale.include(origin, &guess);
+        self.iterate(origin, (guess, &scale), &mut residual)
+            .or_else(|refusal| self.otherwise(origin, (guess, &scale), residual).map_err(|_| refusal))
     }
 
     #[cold]
     fn otherwise(
         &mut self,
         origin: &A,
-        guess: A,
+        (guess, scale): (A, &Sizes<A>),
         mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
-        let sizes = self.sizes;
         let mut precise = |x: &A, r: &mut A, matrix: &mut Square<A>| {
             residual(x, r, matrix)?;
-            differentiate(&sizes, origin, x, r, matrix, &mut residual)
+            differentiate(scale, origin, x, r, matrix, &mut residual)
         };
-        self.iterate(origin, guess, &mut precise).or_else(|_| {
-            let near = damped::approach(origin, 0.0, &sizes, &mut precise);
-            self.iterate(origin, near, &mut precise)
+        self.iterate(origin, (guess, scale), &mut precise).or_else(|_| {
+            let near = damped::approach(origin, 0.0, scale, &mut precise);
+            self.iterate(origin, (near, scale), &mut precise)
         })
     }
 
     fn iterate(
         &mut self,
         origin: &A,
-        mut x: A,
+        (mut x, scale): (A, &Sizes<A>),
         residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
         let (mut corrections, mut terms) = (Corrections::of_order(1), Terms::new(&self.sizes));
         let mut matrix = A::fill(A::zero());
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
-            residual(&x, &mut delta, &mut matrix)?;
-            let positive = linear::solve(&mut matrix, &mut delta, &self.sizes).ok_or(Refusal::Singular)?;
+            residual(&x, &mut delta, &mut matrix).inspect_err(|_| self.sizes = terms.without())?;
+            let left = delta;
+            let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
+                self.sizes = terms.without();
+                return Err(Refusal::Singular);
+            };
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
-            let relative = self.sizes.relative(&delta, origin, &x);
+            let mut relative = terms.without().relative(&delta, origin, &x);
+            // Once terms are known the residual is judged, where the iteration has come near.
+            if terms.are_known() && relative <= NEAR {
+                relative = self.sizes.relative(&left, origin, &x) / EVALUATIONS;
+            }
             let verdict = corrections.judge::<A::Real>(relative);
             match verdict {
                 Verdict::Solved if terms.are_valid() => {
@@ -80,7 +95,13 @@ impl<A: Array> QuasiNewton<A> {
                 Verdict::Solved | Verdict::Stuck => {
                     let matrix = |x: &A, matrix: &mut _| residual(x, &mut delta, matrix).is_ok() && delta.is_finite();
                     // Positions, then momenta.
-                    terms.include(&mut self.sizes, &x, verdict == Verdict::Solved, |i| i / (A::LEN / 2), matrix);
+                    terms.include(
+                        &mut self.sizes,
+                        (origin, &x),
+                        verdict == Verdict::Solved,
+                        |i| i / (A::LEN / 2),
+                        matrix,
+                    );
                     corrections.restart();
                 }
                 Verdict::Continue => {}
@@ -89,6 +110,7 @@ impl<A: Array> QuasiNewton<A> {
                 break;
             }
         }
+        self.sizes = terms.without();
         Err(corrections.not_converged())
     }
 }

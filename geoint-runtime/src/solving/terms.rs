@@ -40,6 +40,19 @@ impl<A: Array> Terms<A> {
         Terms { others: *sizes, known: Known::Nowhere }
     }
 
+    /// Whether terms were looked for. They say how large rounding of g is, not of x: from then on residuals are judged, not
+    /// corrections. Where g is steep a correction may be far below the rounding of g while x is far from a solution.
+    #[inline(always)]
+    pub(crate) fn are_known(&self) -> bool {
+        self.known != Known::Nowhere
+    }
+
+    /// The sizes without them, for whatever comes after an iteration that has found no solution.
+    #[inline(always)]
+    pub(crate) fn without(&self) -> Sizes<A> {
+        self.others
+    }
+
     /// Whether an iteration that has ended was judged by its own terms.
     #[inline(always)]
     pub(crate) fn are_valid(&self) -> bool {
@@ -54,12 +67,13 @@ impl<A: Array> Terms<A> {
     pub(crate) fn include(
         &mut self,
         sizes: &mut Sizes<A>,
-        x: &A,
+        (origin, x): (&A, &A),
         solved: bool,
         kind: impl Fn(usize) -> usize,
         matrix: impl FnMut(&A, &mut Square<A>) -> bool,
     ) {
         *sizes = self.others;
+        sizes.include(origin, x);
         self.known = if solved { Known::AtTheSolution } else { Known::OnTheWay };
         sizes.include(&A::zero(), &terms(sizes, x, kind, matrix));
     }
@@ -102,7 +116,8 @@ fn terms<A: Array>(
             change.add_scaled(minus, from);
             let (slope, change) = (product(from), product(&change));
             let term = slope * (slope * distance / change);
-            if step == 0 || rows[i] == Row::Bent || slope == 0.0 {
+            // What overflows shows nothing.
+            if step == 0 || rows[i] == Row::Bent || slope == 0.0 || !term.is_finite() {
                 continue;
             }
             let straight = change < BENT * slope;
