@@ -71,13 +71,6 @@ pub fn stumpff_c1_derivative<R: Real>(x: R) -> R {
 #[inline(always)]
 fn sided<R: Real>(x: R, positive: impl FnOnce(R) -> R, negative: impl FnOnce(R) -> R) -> R {
     let root = x.abs().sqrt();
-    if !x.any_below(0.0) {
-        positive(root)
-    } else if !x.any_above(0.0) {
-        negative(root)
-    } else {
-        let half = R::from_f64(0.5);
-        let weight = half + half * x.signum();
-        weight * positive(root) + (R::from_f64(1.0) - weight) * negative(root)
-    }
+    let [value] = R::choose(x.less(R::from_f64(0.0)), || [negative(root)], || [positive(root)]);
+    value
 }

@@ -39,17 +39,8 @@ fn away<R: Real>(x: R) -> R {
 /// `small(x)` where |x| ≤ `bound`, `large()` elsewhere.
 #[inline(always)]
 fn either<R: Real>(x: R, bound: f64, small: impl FnOnce(R) -> R, large: impl FnOnce() -> R) -> R {
-    // By its value alone, where a scalar carries a derivative.
-    if !x.abs().any_above(bound) {
-        small(x)
-    } else if !x.abs().any_below(bound) {
-        large()
-    } else {
-        // Components on both sides: each counts itself 1 and the other 0 times.
-        let [one, bound] = [1.0, bound].map(R::from_f64);
-        let outside = (one + (x.abs() - bound).signum()) * R::from_f64(0.5);
-        outside * large() + (one - outside) * small(x.max(-bound).min(bound))
-    }
+    let [value] = R::choose(x.abs().less_equal(R::from_f64(bound)), || [small(x)], || [large()]);
+    value
 }
 
 /// Σ cₖ xᵏ by Horner's rule.
