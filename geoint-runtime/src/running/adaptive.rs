@@ -25,11 +25,13 @@ type Carried<A> = Point<A, Compensated<A>>;
 /// Every step is done in two halves, which are kept, and once as a whole. Their difference in every coordinate may be as large as
 /// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
 /// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
-/// in any units. A coordinate at rest at zero is measured by what it becomes; and what the tolerated errors of other coordinates
-/// cause in a coordinate within the step is tolerated there, so that one that hardly moves does not hold up the others. The
-/// difference is the error of the whole step; for a method of order p the
-/// error of the halves is a 2ᵖ-th part of it, which is not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated with a shorter one; after an
-/// error the last good state is still there.
+/// in any units. A coordinate at rest at zero is measured by what it becomes. What the tolerated errors of other coordinates cause
+/// in a coordinate within the time in which the state changes is tolerated there as well, so that a wave that has not arrived, or a
+/// node that is rounding, does not hold up the others; this is measured in the first steps, while they become longer.
+///
+/// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
+/// not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated
+/// with a shorter one; after an error the last good state is still there.
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
@@ -147,6 +149,17 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         slopes
     }
 
+    /// What part of the time in which the state changes a step takes.
+    fn part(&self) -> f64 {
+        self.controller.part(self.tolerance.relative)
+    }
+
+    /// The rates of a point, those of momenta with the other sign.
+    fn field(&self, [q, p]: &[S::Array; 2]) -> [S::Array; 2] {
+        let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
+        [slope_p, slope_q]
+    }
+
     /// One step, of whatever length the tolerance allows.
     ///
     /// # Errors
@@ -261,7 +274,9 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
                 self.controller.accept(h, error);
             }
             self.clock.pass_step(R::from_f64(h), x.ahead);
-            self.tolerance.include(&[x.q, x.p]);
+            let (mut tolerance, part) = (self.tolerance, self.part());
+            tolerance.include([&[self.x.q, self.x.p], &[x.q, x.p]], h, part, |x| self.field(x));
+            self.tolerance = tolerance;
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.steps += 1;
@@ -302,12 +317,8 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         if !gap.iter().all(Array::is_finite) {
             return Err(Reason::NonFinite);
         }
-        let time = self.controller.time(prepared.h, self.tolerance.relative);
-        let step = Judged { h: prepared.h, time, before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
-        let error = self.tolerance.error(&step, |[q, p]| {
-            let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
-            [slope_p, slope_q]
-        });
+        let step = Judged { part: self.part(), before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
+        let error = self.tolerance.error(&step, |x| self.field(x));
         Ok((x, error))
     }
 

@@ -61,13 +61,13 @@ impl Controller {
 
     /// From the time in which the state changes.
     pub(crate) fn start(&mut self, time: f64, tolerance: f64) {
-        let h = time * Real::powf(tolerance, 1.0 / self.exponent);
+        let h = time * self.part(tolerance);
         self.set(if h > 0.0 && h < f64::INFINITY { h } else { 1.0 });
     }
 
-    /// The time in which the state changes, if a step `h` has the tolerance for error.
-    pub(crate) fn time(&self, h: f64, tolerance: f64) -> f64 {
-        h.abs() / Real::powf(tolerance, 1.0 / self.exponent)
+    /// What part of the time in which the state changes a step takes, if it has the tolerance for error.
+    pub(crate) fn part(&self, tolerance: f64) -> f64 {
+        Real::powf(tolerance, 1.0 / self.exponent)
     }
 
     pub(crate) fn set(&mut self, h: f64) {

@@ -4,23 +4,24 @@ use crate::scalar::{Real, signed};
 use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
 
-/// An error, in units of what is tolerated, that lets the next step be as long as it may be.
-const SMALL: f64 = 1.0 / 64.0;
-
 /// The tolerance of a step's error in every coordinate of (q, p): a part of the largest magnitude that the coordinate has had, and
 /// an absolute error.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerance<A: Array> {
     pub(crate) relative: f64,
     absolute: [A; 2],
+    /// Of what a coordinate was.
     sizes: Sizes<[A; 2]>,
+    /// Of what errors of other coordinates cause in it, over the tolerance.
+    caused: Sizes<[A; 2]>,
+    /// The longest time so far in which the state changes.
+    longest: f64,
 }
 
 /// A step as its error is judged.
 pub(crate) struct Judged<'a, A: Array> {
-    pub(crate) h: f64,
-    /// The time in which the state changes.
-    pub(crate) time: f64,
+    /// What part of the time it takes in which the state changes.
+    pub(crate) part: f64,
     pub(crate) before: &'a [A; 2],
     pub(crate) after: &'a [A; 2],
     /// The estimated error.
@@ -29,9 +30,9 @@ pub(crate) struct Judged<'a, A: Array> {
 
 impl<A: Array> Tolerance<A> {
     pub(crate) fn new(relative: f64, x: &[A; 2]) -> Self {
-        let mut tolerance = Tolerance { relative, absolute: Array::zero(), sizes: Sizes::new() };
-        tolerance.include(x);
-        tolerance
+        let (mut sizes, caused) = (Sizes::new(), Sizes::new());
+        sizes.keep(x);
+        Tolerance { relative, absolute: Array::zero(), sizes, caused, longest: 0.0 }
     }
 
     pub(crate) fn absolute(&mut self, absolute: [A; 2]) {
@@ -46,86 +47,87 @@ impl<A: Array> Tolerance<A> {
         if positive { absolute } else { Some(self.relative) }
     }
 
-    /// Includes a state in the sizes.
-    pub(crate) fn include(&mut self, x: &[A; 2]) {
-        self.sizes.keep(x);
+    /// The size by which a coordinate is measured in a step to `after`: one that was zero so far has the size that it reaches at this
+    /// speed in the time in which the state changes.
+    fn size(&self, i: usize, after: f64, part: f64) -> f64 {
+        match self.sizes.of(i) {
+            0.0 => after / part,
+            size => size.max(after),
+        }
     }
 
-    /// The largest error of a step in units of what is tolerated. `field` gives the rates of a point.
+    /// Includes a step from one point to another, which is a part of the time in which the state changes. `field` gives the rates of
+    /// a point, where only their magnitudes and differences count.
+    pub(crate) fn include(
+        &mut self,
+        [before, after]: [&[A; 2]; 2],
+        h: f64,
+        part: f64,
+        field: impl Fn(&[A; 2]) -> [A; 2],
+    ) {
+        let mut reached = *after;
+        for (i, x) in Array::as_mut_slice(&mut reached).iter_mut().enumerate() {
+            *x = A::Real::from_f64(self.size(i, x.magnitude(), part));
+        }
+        self.sizes.keep(&reached);
+        let time = h.abs() / part;
+        if time > self.longest {
+            self.longest = time;
+            self.cause(before, time, field);
+        }
+    }
+
+    /// What tolerated errors of some coordinates cause in others within the time in which the state changes is tolerated there as
+    /// well: a motion that has not reached a coordinate yet, or is nothing but rounding there, does not hold up the others.
     ///
-    /// A coordinate that has been zero so far is measured by what it becomes, and by its rate; one that is zero, and whose rate
-    /// is, is not measured in its first step: it is driven by others, and only the order of magnitude of what it becomes is right.
+    /// It is measured while steps become longer than all before: the few steps after a start.
+    #[cold]
+    fn cause(&mut self, x: &[A; 2], time: f64, field: impl Fn(&[A; 2]) -> [A; 2]) {
+        let (here, mut sizes) = (field(x), *x);
+        // Each round reaches the next neighbours, and raises what was not raised before.
+        for _ in 0..2 * A::LEN {
+            let mut next = sizes;
+            // With equal and with alternating signs: errors of neighbours may cancel.
+            for alternate in [1.0, -1.0] {
+                let (mut moved, mut sign) = (*x, 1.0);
+                for (x, size) in Array::as_mut_slice(&mut moved).iter_mut().zip(Array::as_slice(&sizes)) {
+                    *x += A::Real::from_f64(sign * self.relative * size.magnitude());
+                    sign *= alternate;
+                }
+                let there = field(&moved);
+                for (i, next) in Array::as_mut_slice(&mut next).iter_mut().enumerate() {
+                    let change = (Array::as_slice(&there)[i] - Array::as_slice(&here)[i]).magnitude();
+                    let size = time * change / self.relative;
+                    let raised = Array::as_slice(&sizes)[i] != Array::as_slice(x)[i];
+                    // What is not a number is no size.
+                    if !raised && size > next.magnitude() && size < f64::INFINITY {
+                        *next = A::Real::from_f64(size);
+                    }
+                }
+            }
+            if next == sizes {
+                break;
+            }
+            sizes = next;
+        }
+        self.caused.keep(&sizes);
+    }
+
+    /// The largest error of a step in units of what is tolerated; `field` as above.
+    ///
+    /// A coordinate that is zero, and whose rate is, is not measured in its first step: it is driven by others, and only the order
+    /// of magnitude of what it becomes is right.
     pub(crate) fn error(&self, step: &Judged<'_, A>, field: impl Fn(&[A; 2]) -> [A; 2]) -> f64 {
         let entry = |x: &[A; 2], i: usize| Array::as_slice(x)[i].magnitude();
         let moving = (0..2 * A::LEN).all(|i| self.sizes.of(i) > 0.0);
         let rates = if moving { Array::zero() } else { field(step.before) };
-        let tolerated = |i: usize| {
-            let size = match (self.sizes.of(i), step.h.abs() * entry(&rates, i)) {
-                (0.0, 0.0) => f64::INFINITY,
-                (0.0, change) => change.max(entry(step.after, i)),
-                (size, _) => size,
-            };
-            self.relative * size + entry(&self.absolute, i)
-        };
-        let error = |tolerated: &dyn Fn(usize) -> f64| {
-            largest((0..2 * A::LEN).map(|i| match entry(step.gap, i) {
-                0.0 => 0.0,
-                gap => gap / tolerated(i),
-            }))
-        };
-        let alone = error(&tolerated);
-        if alone <= 1.0 {
-            return alone;
-        }
-        // Each round reaches the next neighbours.
-        let (mut coupling, mut together) = (<[A; 2]>::zero(), alone);
-        for _ in 0..A::LEN {
-            let before = coupling;
-            self.couple(&mut coupling, step, &tolerated, &field);
-            together = error(&|i| tolerated(i).max(entry(&coupling, i)));
-            if together <= SMALL || coupling == before {
-                break;
+        largest((0..2 * A::LEN).map(|i| {
+            let gap = entry(step.gap, i);
+            if gap == 0.0 || (self.sizes.of(i) == 0.0 && entry(&rates, i) == 0.0) {
+                return 0.0;
             }
-        }
-        together
-    }
-
-    /// What the tolerated errors of other degrees of freedom cause in one of them within the time in which the state changes. That is
-    /// tolerated there as well: a motion that has not reached it yet, or is nothing but rounding, does not hold up the others.
-    #[cold]
-    fn couple(
-        &self,
-        coupling: &mut [A; 2],
-        step: &Judged<'_, A>,
-        tolerated: &dyn Fn(usize) -> f64,
-        field: &impl Fn(&[A; 2]) -> [A; 2],
-    ) {
-        let (n, before) = (A::LEN, *coupling);
-        let here = field(step.before);
-        // The error that is tolerated in a degree of freedom that moves, for those that do not.
-        let error = |i: usize| Some(tolerated(i)).filter(|error| error.is_finite()).unwrap_or(0.0);
-        let most = [0, n].map(|first| largest((first..first + n).map(error)));
-        for i in 0..n {
-            // With equal and with alternating signs: errors of neighbours may cancel.
-            for alternate in [1.0, -1.0] {
-                let (mut moved, mut sign) = (*step.before, 1.0);
-                for (j, x) in Array::as_mut_slice(&mut moved).iter_mut().enumerate() {
-                    // Of its own momentum or position only what others cause there.
-                    let caused = Array::as_slice(&before)[j].magnitude();
-                    let error = if j % n == i { caused } else { error(j).max(caused) };
-                    *x += A::Real::from_f64(sign * error);
-                    sign *= alternate;
-                }
-                let there = field(&moved);
-                for (k, most) in [i, i + n].into_iter().zip(most) {
-                    let change = (Array::as_slice(&there)[k] - Array::as_slice(&here)[k]).magnitude();
-                    let (error, x) = ((step.time * change).min(most), &mut Array::as_mut_slice(coupling)[k]);
-                    // What is not a number is no error.
-                    if error > x.magnitude() {
-                        *x = A::Real::from_f64(error);
-                    }
-                }
-            }
-        }
+            let size = self.size(i, entry(step.after, i), step.part).max(self.caused.of(i));
+            gap / (self.relative * size + entry(&self.absolute, i))
+        }))
     }
 }
