@@ -6,7 +6,7 @@ use crate::solving::damped;
 use crate::solving::linear;
 use crate::solving::predictor::Predictor;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
-use crate::solving::size::{Sizes, sum};
+use crate::solving::size::{Sizes, is_far, sum};
 use crate::solving::terms::Terms;
 use crate::space::{Array, Square};
 
@@ -92,6 +92,7 @@ impl<A: Array> Newton<A> {
             }
         }
         let mut attempt = if self.rough { Attempt::Explicit } else { Attempt::Extrapolated };
+        let sizes = self.sizes;
         loop {
             let mut guess = self.predictor.predict();
             match attempt {
@@ -108,7 +109,14 @@ impl<A: Array> Newton<A> {
                     });
                 }
             }
-            match self.iterate(guess, origin, still.is_some(), |x, matrix| derivative(context, x, matrix)) {
+            let mut result = self.iterate(guess, origin, still.is_some(), |x, matrix| derivative(context, x, matrix));
+            if let (Attempt::Explicit, Ok((x, _, _))) = (&attempt, result)
+                && is_far(&guess, origin, &x)
+            {
+                self.sizes = sizes;
+                result = self.iterate(x, origin, still.is_some(), |x, matrix| derivative(context, x, matrix));
+            }
+            match result {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);

@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
-use crate::solving::size::{Sizes, sum};
+use crate::solving::size::{Sizes, is_far, sum};
 use crate::solving::terms::Terms;
 use crate::solving::{damped, linear};
 use crate::space::{Array, Square};
@@ -34,8 +34,16 @@ impl<A: Array> QuasiNewton<A> {
     ) -> Result<A, Refusal> {
         // A guess may look beyond the domain of the energy where the solution need not.
         let guess = if guess.is_finite() { guess } else { A::zero() };
+        let sizes = self.sizes;
         self.sizes.include(origin, &guess);
         self.iterate(origin, guess, &mut residual)
+            .and_then(|x| {
+                if !is_far(&guess, origin, &x) {
+                    return Ok(x);
+                }
+                self.sizes = sizes;
+                self.iterate(origin, x, &mut residual)
+            })
             .or_else(|refusal| self.otherwise(origin, guess, residual).map_err(|_| refusal))
     }
 

@@ -117,6 +117,20 @@ impl<A: Array> Sizes<A> {
     }
 }
 
+/// A guess that is more than so many times too large is no measure of anything.
+const FAR: f64 = 16.0;
+
+/// Whether a guess was far larger than the solution `x` that was reached from it: corrections relative to such a guess are small too
+/// early, and what was reached may be no solution.
+#[inline(always)]
+pub(crate) fn is_far<A: Array>(guess: &A, origin: &A, x: &A) -> bool {
+    let mut far = false;
+    for i in 0..A::LEN {
+        far |= guess.as_slice()[i].magnitude() > FAR * sum(origin, x, i);
+    }
+    far
+}
+
 /// |origin| + |x| of entry `i`.
 #[inline(always)]
 pub(crate) fn sum<A: Array>(origin: &A, x: &A, i: usize) -> f64 {
