@@ -108,7 +108,9 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             }
             changes
         };
-        let multipliers = correct(I::Values::zero(), STRAIGHT, |multipliers| {
+        // A correction that does not shrink may be one from side to side of a jump.
+        let straight = if I::KEEP_ENERGY && !S::JUMPS.is_empty() { 0.0 } else { STRAIGHT };
+        let multipliers = correct(I::Values::zero(), straight, |multipliers| {
             let mut delta = residual(multipliers);
             let relative = largest(delta.as_slice().iter().map(|x| x.magnitude()));
             if relative > 0.0 && linear::solve(&mut matrix.clone(), &mut delta, &Sizes::equal()).is_none() {

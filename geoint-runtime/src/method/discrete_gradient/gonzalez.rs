@@ -19,7 +19,7 @@ use crate::system::{Conservative, DiscreteField};
 /// W = 1, as published, the step depends on them. Here W is diagonal, wᵢ² = (ε Hᵢᵢ)² + (ω ∂H/∂xᵢ)⁴, taken at m with
 /// ε² = Σ(ẋᵢHᵢⱼẋⱼ)² and ω⁴ = Σ(FᵢⱼFⱼᵢ)², F = J∇²H: energies in place of lengths. For an oscillator wᵢ is the stiffness or the
 /// reciprocal mass, up to a factor. It is zero for a cyclic coordinate, so that its momentum is kept; it is not the same in rotated
-/// axes.
+/// axes. Where d·Wd = 0, as in front of a jump of a constant potential, g is the tree discrete gradient itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gonzalez;
 
@@ -39,7 +39,11 @@ impl MeanGradient for Gonzalez {
         let mut middle = energy.gradient(energy.t, &moved(x, half, d));
         let metric = metric(energy.h, &mut middle);
         let weighted = product(&metric, d);
-        let square = denominator(dot(&weighted, d));
+        let square = dot(&weighted, d);
+        if square == zero() {
+            // A correction along W d is none, and the energy may have jumped between the ends.
+            return Ok(tree);
+        }
         let excess = difference(&tree.g, &middle.g);
         let factor = dot(&excess, d) / square;
 
