@@ -129,8 +129,8 @@ fn terms<A: Array>(
                 row => row,
             };
             let terms = &mut terms.as_mut_slice()[i];
-            let last = rows[i] == Row::Bent && terms.magnitude() == 0.0;
-            if last || !straight && rows[i] != Row::Bent && term > terms.magnitude() {
+            // A derivative that jumps shows no length.
+            if !straight && rows[i] != Row::Bent && term > terms.magnitude() {
                 *terms = A::Real::from_f64(term);
             }
         }
