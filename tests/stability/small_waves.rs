@@ -124,7 +124,7 @@ fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {
 /// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, relative to x₀, x₁ and their difference.
 fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates>, to: &State<S::Coordinates>) -> f64 {
     use geoint_runtime::space::Array;
-    let [x0, x1] = [from, to].map(|state| flat(state));
+    let [x0, x1] = [from, to].map(flat);
     let n = x0.len() / 2;
     let middle: Vec<f64> = x0.iter().zip(&x1).map(|(a, b)| 0.5 * (a + b)).collect();
     let middle = state::<S, f64>(0.0, &middle[..n], &middle[n..]);

@@ -98,7 +98,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
         self.check_start()?;
         let now = self.time();
-        if !(t == t) {
+        if t.magnitude().is_nan() {
             return Err(StepError::InvalidStepSize { h: signed(t - now) });
         }
         let stepped =

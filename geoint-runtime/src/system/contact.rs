@@ -94,6 +94,7 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     /// Freezes time at `t`.
     fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
     /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
+    #[expect(clippy::too_many_arguments, reason = "a flow, its coefficients and a point")]
     fn flow(
         &self,
         piece: usize,
