@@ -77,7 +77,7 @@ fn enclosures_enclose() {
 
 #[test]
 fn what_is_undefined_is_everything() {
-    let [below, nan] = [-2.0, f64::NAN].map(|x| Enclosure::<f64>::constant(x));
+    let [below, nan] = [-2.0, f64::NAN].map(Enclosure::<f64>::constant);
     for x in [below.sqrt(), below.ln(), below.asin(), below.acosh(), nan, nan + below, nan.sin().exp() * nan] {
         assert!(x.value.contains_zero(), "{x:?}");
     }
