@@ -27,8 +27,6 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) 
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
-    let damping = structure.damping.iter().flat_map(|damping| damping.matrix.iter().flatten());
-    let conditions = damping.copied().chain([structure.energy]).collect();
     let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
     let proven = [
         (structure.damping.is_none(), "Conservative"),
@@ -37,7 +35,6 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) 
     ];
     System {
         energy: structure.energy,
-        conditions,
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
         slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat()),

@@ -33,7 +33,6 @@ pub(crate) fn contact(
     let conformal = !analyze::reads(graph, gradient.s).state();
     System {
         energy,
-        conditions: vec![energy],
         proven: if conformal { vec!["ConformalContact"] } else { vec![] },
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
         slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),

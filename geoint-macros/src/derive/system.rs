@@ -13,8 +13,6 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) energy: Id,
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s as nodes.
     pub(crate) gradient: Gradient,
-    /// What decides whether scalars have to be compared.
-    pub(crate) conditions: Vec<Id>,
     /// The traits of what was proven, and needs no kernel.
     pub(crate) proven: Vec<&'static str>,
     /// H; nothing if momenta are not followed.
@@ -145,7 +143,6 @@ impl System {
         System {
             energy: self.energy,
             gradient: self.gradient,
-            conditions: self.conditions,
             proven: self.proven,
             splitting: self.splitting.map(|splitting| splitting.map(&mut plan)),
             modified: self.modified.map(|modified| match modified {

@@ -39,7 +39,7 @@ pub(crate) fn items(
     domain: &DomainTests,
     report: &str,
 ) -> TokenStream {
-    let bounds = system::bounds(graph, &system.conditions);
+    let bounds = system::bounds();
     let inherent = system::inherent(context, report);
     let space = system::phase_space(context, system, domain, &bounds);
     let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found, &bounds));

@@ -4,7 +4,6 @@ use super::attributes;
 use super::domain::DomainTests;
 use super::kernel::{Context, write};
 use crate::derive::{Modified, System};
-use crate::ir::{Graph, Id};
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
@@ -102,7 +101,7 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
 }
 
 /// What kernels ask of their scalar.
-pub(super) fn bounds(_: &Graph, _: &[Id]) -> TokenStream {
+pub(super) fn bounds() -> TokenStream {
     quote!(Real)
 }
 
