@@ -22,7 +22,7 @@ pub type DynTrajectory<S, R = f64> = Box<dyn Trajectory<State = StateOf<S, R>>>;
 /// }
 ///
 /// for name in ["BlanesMoan6", "Gauss<3>", "Suzuki4 of DiscreteGradient"] {
-///     let mut named = Named::new(name, Pendulum { g: 9.81 }, 0.01, State::new(1.0, 0.0));
+///     let mut named = Named::new(name, Pendulum { g: 9.81 }, 0.01_f64, State::new(1.0, 0.0));
 ///     catalogue::general(&mut named);
 ///     catalogue::separable(&mut named);
 ///     catalogue::discrete_gradient(&mut named);
