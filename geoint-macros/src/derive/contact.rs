@@ -3,8 +3,9 @@
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
-use crate::diff;
-use crate::ir::{Graph, Id};
+use crate::diff::{self, Gradient};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Flow, Mechanics, Pieces};
@@ -17,6 +18,7 @@ pub(crate) fn contact(
     (degrees, lift): (u32, bool),
 ) -> System {
     let gradient = diff::gradient(graph, energy, degrees);
+    let rates = rates(graph, energy, &gradient, lift);
     let pieces = match found {
         Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES }),
@@ -37,7 +39,7 @@ pub(crate) fn contact(
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
         slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),
         gradient,
-        rate: None,
+        rate: Some(Kernel::new(Levels::One, rates)),
         splitting,
         modified,
         pieces: Some(pieces),
@@ -45,17 +47,49 @@ pub(crate) fn contact(
     }
 }
 
+/// q', p' and s'. The momenta of a lift stand still, and are zero in s' = p·∂H/∂p − H, which has none.
+fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient, lift: bool) -> Vec<Id> {
+    let zero = graph.zero();
+    let momenta: Vec<Id> = (0..gradient.p.len() as u32).map(|i| graph.symbol(Symbol::P(i))).collect();
+    let mut rates = gradient.p.clone();
+    if lift {
+        rates.extend(momenta.iter().map(|_| zero));
+        let mut without =
+            Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()));
+        let energy = without.apply(graph, energy);
+        rates.push(graph.neg(energy));
+        return rates;
+    }
+    let mut power = zero;
+    for (p, (by_q, by_p)) in momenta.iter().zip(gradient.q.iter().zip(&gradient.p)) {
+        let drag = graph.mul(*p, gradient.s);
+        let loss = graph.add(*by_q, drag);
+        rates.push(graph.neg(loss));
+        let own = graph.mul(*p, *by_p);
+        power = graph.add(power, own);
+    }
+    rates.push(graph.sub(power, energy));
+    rates
+}
+
 fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Kernel> {
-    let (changes, kernel) = piece.kernel(graph, !lift);
-    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow: FlowKernel { changes, kernel } }
+    let mut changed = piece.flow.changed(graph);
+    changed.retain(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_))));
+    let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
+    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow }
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
-    let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
     let (drift, clock) = &mechanics.drift;
+    let [kick, damped_drift] = [&mechanics.kick, drift].map(|flow| {
+        let changed = flow.changed(graph);
+        FlowKernel::with_increments(graph, Levels::Prepared, changed)
+    });
+    // Without damping flows add.
+    let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
     KickDrift {
-        kick: kernel(&mechanics.kick),
-        drift: kernel(drift),
+        kick,
+        drift: damped_drift,
         exact_in_time: *clock == Clock::Own,
         repeats: false,
         undamped: Some(Undamped {

@@ -1,7 +1,7 @@
 //! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
 //! the term.
 
-use super::flows::{assign, unsatisfied};
+use super::flows::{assign, increments, unsatisfied};
 use super::kernel::Context;
 use super::system::self_type;
 use crate::derive::{Missing, PieceKernel};
@@ -54,6 +54,11 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
         let (i, body) = (Literal::usize_unsuffixed(i), assign(context, &piece.flow));
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
+    let added = pieces.iter().enumerate().map(|(i, piece)| {
+        let (i, body) = (Literal::usize_unsuffixed(i), increments(context, &piece.flow));
+        quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
+    });
+    let parts = context.per_coordinate();
     quote! {
         impl<R: #bounds> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
@@ -79,13 +84,20 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
                     _ => {}
                 }
             }
+            #[inline(always)]
+            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#parts) -> #parts {
+                match piece {
+                    #(#added)*
+                    _ => PerCoordinate::nothing(),
+                }
+            }
         }
     }
 }
 
 fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenStream) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
-    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let ((marker, tokens), parts) = (unsatisfied(context, graph, missing), context.per_coordinate());
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
@@ -99,6 +111,9 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
             }
             fn freeze(&self, _: &#never, _: R) {}
             fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+                match *never {}
+            }
+            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#parts) -> #parts {
                 match *never {}
             }
         }

@@ -43,21 +43,6 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
     let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let state = state(*form);
-    let adaptive = (*form == Form::Hamiltonian).then(|| {
-        quote! {
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: #state<#coordinates>,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
-                Adaptive::new(self, method, tolerance, state)
-            }
-        }
-    });
     quote! {
         impl #name {
             /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
@@ -81,7 +66,17 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 Integrator::new(self, method, h, state)
             }
 
-            #adaptive
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: #state<#coordinates>,
+            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
+                Adaptive::new(self, method, tolerance, state)
+            }
         }
     }
 }
@@ -127,11 +122,24 @@ pub(super) fn phase_space(
     let slopes = context.values(&system.slopes, |values| halves(context, &values));
     let rate = system.rate.as_ref().map(|rate| {
         let body = context.values(rate, |values| halves(context, &values));
-        quote! {
-            #[inline]
-            fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
-                #body
-            }
+        let parts = context.per_coordinate();
+        match context.energy.form {
+            Form::Hamiltonian => quote! {
+                #[inline]
+                fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
+                    #body
+                }
+            },
+            Form::Contact => quote! {
+                #[inline]
+                fn rate(&self, t: R, x: &#parts) -> #parts {
+                    let PerCoordinate { q, p, s } = x;
+                    let mut rate: #parts = PerCoordinate::zero();
+                    let PerCoordinate { q: dq, p: dp, s: ds } = &mut rate;
+                    #body
+                    rate
+                }
+            },
         }
     });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));

@@ -29,6 +29,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "MechanicalContact",
     "Method",
     "ModifiedEnergy",
+    "PerCoordinate",
     "PhaseSpace",
     "PieceClock",
     "ProofAnd",

@@ -2,8 +2,9 @@
 
 use super::array::Array;
 use super::double_word::DoubleWord;
+use super::per_coordinate::PerCoordinate;
 use super::state::Action;
-use super::summation::Summation;
+use super::summation::{Summation, add_compensated};
 use crate::scalar::{Real, zero};
 
 /// A point with sums of kind `C`, and an action if its space has one.
@@ -16,6 +17,8 @@ pub struct Point<A: Array, C, Z = ()> {
     /// The action of a contact system.
     pub s: Z,
     pub(crate) sums: [C; 2],
+    /// What s is too small by, where sums compensate.
+    pub(crate) compensation: Z,
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: DoubleWord<A::Real>,
 }
@@ -23,12 +26,12 @@ pub struct Point<A: Array, C, Z = ()> {
 impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
     /// A point without rounding errors so far.
     pub fn with_action(q: A, p: A, s: Z) -> Self {
-        Point { q, p, s, sums: [C::new(), C::new()], ahead: DoubleWord::new(zero()) }
+        Point { q, p, s, sums: [C::new(), C::new()], compensation: Z::zero(), ahead: DoubleWord::new(zero()) }
     }
 
     /// The same point with sums of another kind, without rounding errors so far.
     pub(crate) fn with_sums<D: Summation<A>>(self) -> Point<A, D, Z> {
-        Point { q: self.q, p: self.p, s: self.s, sums: [D::new(), D::new()], ahead: self.ahead }
+        Point { ahead: self.ahead, ..Point::with_action(self.q, self.p, self.s) }
     }
 
     /// Whether every coordinate is a finite number.
@@ -42,6 +45,12 @@ impl<A: Array, C: Summation<A>, Z: Action<A::Real>> Point<A, C, Z> {
     pub fn add(&mut self, dq: &A, dp: &A) {
         self.sums[0].add(&mut self.q, |q| q.add_scaled(A::Real::from_f64(1.0), dq));
         self.sums[1].add(&mut self.p, |p| p.add_scaled(A::Real::from_f64(1.0), dp));
+    }
+
+    /// x ← x + d for every coordinate.
+    #[inline(always)]
+    pub(crate) fn add_everywhere(&mut self, d: &PerCoordinate<A, Z>) {
+        add_everywhere(([&mut self.q, &mut self.p], &mut self.s), (&mut self.sums, &mut self.compensation), d);
     }
 
     /// Adds a correction to a step that led from `before` by `moved` to here: both together, with sums of the method's own unless those
@@ -83,5 +92,25 @@ impl<A: Array, C: Summation<A>> Point<A, C> {
     /// A point without rounding errors so far.
     pub fn new(q: A, p: A) -> Self {
         Self::with_action(q, p, ())
+    }
+}
+
+/// x ← x + d for every coordinate of a point in parts, with its sums.
+#[inline(always)]
+pub(crate) fn add_everywhere<A: Array, C: Summation<A>, Z: Action<A::Real>>(
+    ([q, p], s): ([&mut A; 2], &mut Z),
+    (sums, compensation): (&mut [C; 2], &mut Z),
+    d: &PerCoordinate<A, Z>,
+) {
+    for ((x, sum), d) in [q, p].into_iter().zip(sums).zip([&d.q, &d.p]) {
+        sum.add(x, |x| x.add_scaled(A::Real::from_f64(1.0), d));
+    }
+    let entries = s.numbers_mut().iter_mut().zip(compensation.numbers_mut()).zip(d.s.numbers());
+    for ((s, compensation), d) in entries {
+        if C::PLAIN {
+            *s += *d;
+        } else {
+            add_compensated(s, compensation, *d);
+        }
     }
 }

@@ -170,6 +170,14 @@ impl<Q: Coordinates> Snapshot for ContactState<Q> {
 pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
     /// Points of such a phase space.
     type State<Q: Coordinates<Real = R>>: Snapshot<Real = R>;
+    /// How many numbers it is.
+    const LEN: usize;
+    /// Zero, if there is one.
+    fn zero() -> Self;
+    /// The action, if there is one, as a list.
+    fn numbers(&self) -> &[R];
+    /// The same to be written to.
+    fn numbers_mut(&mut self) -> &mut [R];
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
     /// The action, if there is one.
@@ -187,6 +195,17 @@ impl<R: Real> Sealed for R {}
 
 impl<R: Real> Action<R> for () {
     type State<Q: Coordinates<Real = R>> = State<Q>;
+    const LEN: usize = 0;
+    #[inline(always)]
+    fn zero() {}
+    #[inline(always)]
+    fn numbers(&self) -> &[R] {
+        &[]
+    }
+    #[inline(always)]
+    fn numbers_mut(&mut self) -> &mut [R] {
+        &mut []
+    }
     #[inline(always)]
     fn is_finite(&self) -> bool {
         true
@@ -206,6 +225,19 @@ impl<R: Real> Action<R> for () {
 
 impl<R: Real> Action<R> for R {
     type State<Q: Coordinates<Real = R>> = ContactState<Q>;
+    const LEN: usize = 1;
+    #[inline(always)]
+    fn zero() -> R {
+        zero()
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[R] {
+        core::slice::from_ref(self)
+    }
+    #[inline(always)]
+    fn numbers_mut(&mut self) -> &mut [R] {
+        core::slice::from_mut(self)
+    }
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY

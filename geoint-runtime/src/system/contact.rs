@@ -1,8 +1,8 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
 use super::{PhaseSpace, Separable};
-use crate::scalar::Real;
-use crate::space::{Array, Square};
+use crate::scalar::{Real, zero};
+use crate::space::{Array, PerCoordinate, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
@@ -20,6 +20,21 @@ pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
         dp: &mut Self::Array,
         ds: &mut R,
     );
+
+    /// q', p' and s' at a point; the momenta of a lift stand still.
+    #[inline]
+    fn rate(&self, t: R, x: &PerCoordinate<Self::Array, R>) -> PerCoordinate<Self::Array, R> {
+        let PerCoordinate { q, p, s } = x;
+        let (mut rate, mut by_s) = (PerCoordinate::zero(), zero());
+        self.gradient(t, q, p, s, &mut rate.p, &mut rate.q, &mut by_s);
+        rate.s = -self.hamiltonian(t, q, p, s);
+        let forces = rate.p.as_mut_slice().iter_mut().zip(rate.q.as_slice());
+        for (p, (force, velocity)) in p.as_slice().iter().zip(forces) {
+            *force = -p.multiply_add(by_s, *force);
+            rate.s = p.multiply_add(*velocity, rate.s);
+        }
+        rate
+    }
 }
 
 /// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
@@ -105,6 +120,15 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
         p: &mut Self::Array,
         s: &mut R,
     );
+    /// What that flow adds to `x`, for sums that compensate.
+    fn increments(
+        &self,
+        piece: usize,
+        flows: &Self::Flows,
+        frozen: &Self::Frozen,
+        t: R,
+        x: &PerCoordinate<Self::Array, R>,
+    ) -> PerCoordinate<Self::Array, R>;
 }
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.

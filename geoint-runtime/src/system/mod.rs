@@ -8,6 +8,7 @@ mod implicit;
 mod modified;
 mod poles;
 mod separable;
+mod vector_field;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, Cubic, DiscreteField, Mean};
@@ -17,6 +18,7 @@ mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub use vector_field::VectorField;
 
 pub use crate::solving::{Inverse, Inverted};
 

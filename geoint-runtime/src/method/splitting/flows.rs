@@ -2,7 +2,7 @@
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::Summation;
+use crate::space::{Action, PerCoordinate, Summation, add_everywhere};
 use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
@@ -34,7 +34,12 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
     /// A kick.
     fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action);
+    /// What a kick from `x` adds.
+    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R>;
 }
+
+/// The coordinates of a system, or what is added to them.
+type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action>;
 
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,6 +59,10 @@ impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
     #[inline(always)]
     fn kick(system: &S, kick: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
         system.kick(kick, t, q, p, s);
+    }
+    #[inline(always)]
+    fn increments(system: &S, kick: &S::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
+        system.kick_increments(kick, t, x)
     }
 }
 
@@ -84,6 +93,18 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
         match kick {
             SomeKick::WithoutGradient(kick) => system.kick(kick, t, q, p, s),
             SomeKick::WithGradient(kick) => system.gradient_kick(kick, t, q, p, s),
+        }
+    }
+    #[inline(always)]
+    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
+        match kick {
+            SomeKick::WithoutGradient(kick) => system.kick_increments(kick, t, x),
+            SomeKick::WithGradient(kick) => {
+                // It only adds.
+                let (mut q, mut d) = (x.q, PerCoordinate::nothing());
+                system.gradient_kick(kick, t, &mut q, &mut d.p, &mut d.s);
+                d
+            }
         }
     }
 }
@@ -167,6 +188,8 @@ pub struct Moving<'a, S: PhaseSpace<R>, R: Real, C> {
     pub(crate) p: &'a mut S::Array,
     pub(crate) s: &'a mut S::Action,
     pub(crate) sums: &'a mut [C; 2],
+    /// Of the sum s.
+    pub(crate) compensation: &'a mut S::Action,
 }
 
 impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
@@ -176,13 +199,16 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
     /// tenth on six bodies.
     #[inline(always)]
     pub fn kick<F: Kicks<S, R>>(self, flow: &F::Kick, at: Times<R>) {
-        let Moving { system, q, p, s, sums: [_, sum] } = self;
-        let mut unread = *s;
-        let s = if C::ACTION { s } else { &mut unread };
         if C::PLAIN {
-            F::kick(system, flow, at.other, q, p, s);
-        } else {
+            let Moving { system, q, p, s, .. } = self;
+            let mut unread = *s;
+            F::kick(system, flow, at.other, q, p, if C::ACTION { s } else { &mut unread });
+        } else if S::Action::LEN == 0 {
+            let Moving { system, q, p, s, sums: [_, sum], .. } = self;
             sum.add(p, |p| F::kick(system, flow, at.other, q, p, s));
+        } else {
+            let d = F::increments(self.system, flow, at.other, &self.coordinates());
+            self.add(&d);
         }
     }
 
@@ -190,14 +216,27 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
     /// exact in time.
     #[inline(always)]
     pub fn drift(self, flow: &S::Drift, at: Times<R>) {
-        let Moving { system, q, p, s, sums: [sum, _] } = self;
-        let mut unread = *s;
-        let s = if C::ACTION { s } else { &mut unread };
         let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
         if C::PLAIN {
-            system.drift(flow, t, q, p, s);
-        } else {
+            let Moving { system, q, p, s, .. } = self;
+            let mut unread = *s;
+            system.drift(flow, t, q, p, if C::ACTION { s } else { &mut unread });
+        } else if S::Action::LEN == 0 {
+            let Moving { system, q, p, s, sums: [sum, _], .. } = self;
             sum.add(q, |q| system.drift(flow, t, q, p, s));
+        } else {
+            let d = self.system.drift_increments(flow, t, &self.coordinates());
+            self.add(&d);
         }
+    }
+
+    #[inline(always)]
+    fn coordinates(&self) -> Coordinates<S, R> {
+        PerCoordinate { q: *self.q, p: *self.p, s: *self.s }
+    }
+
+    #[inline(always)]
+    fn add(self, d: &Coordinates<S, R>) {
+        add_everywhere(([self.q, self.p], self.s), (self.sums, self.compensation), d);
     }
 }
