@@ -67,9 +67,9 @@ const _: () = {
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
-        Separable, Square, State, is_positive_semidefinite, modified_verlet,
-        gradient_kick, slope,
+        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, ProofAnd,
+        QuadraticKinetic, Real, Separable, Square, State, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
