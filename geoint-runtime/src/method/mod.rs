@@ -100,6 +100,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
     const SCALES_STEPS: bool = false;
 
+    /// Whether memory saves work and nothing else: after a refused step it begins anew, and is not copied before each one.
+    const FORGETFUL: bool = false;
+
     /// What the method promises.
     fn claims(&self) -> Claims;
 

@@ -81,11 +81,11 @@ impl<R: Real, const D: usize, const N: usize> Coordinates for [SVector<R, D>; N]
     type Array = [[R; D]; N];
     #[inline(always)]
     fn into_array(self) -> [[R; D]; N] {
-        self.map(Into::into)
+        core::array::from_fn(|i| self[i].into())
     }
     #[inline(always)]
     fn from_array(array: [[R; D]; N]) -> Self {
-        array.map(Into::into)
+        core::array::from_fn(|i| array[i].into())
     }
 }
 
@@ -215,6 +215,7 @@ impl<R: Real> Action<R> for () {
         None
     }
     fn unknown() {}
+    #[inline(always)]
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
         State { t, q, p }
     }
@@ -249,6 +250,7 @@ impl<R: Real> Action<R> for R {
     fn unknown() -> R {
         R::from_f64(f64::NAN)
     }
+    #[inline(always)]
     fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, s: R) -> ContactState<Q> {
         ContactState { t, q, p, s }
     }

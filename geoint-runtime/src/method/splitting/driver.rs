@@ -197,6 +197,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
     type Memory = LastKick<S::Array>;
+    const FORGETFUL: bool = true;
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)

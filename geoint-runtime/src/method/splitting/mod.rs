@@ -53,6 +53,7 @@ macro_rules! delegate {
             type Proof = <S as $system<R>>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = <$inner as Method<S, R>>::Memory;
+            const FORGETFUL: bool = <$inner as Method<S, R>>::FORGETFUL;
 
             fn claims(&self) -> Claims {
                 let $this = self;

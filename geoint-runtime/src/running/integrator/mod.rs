@@ -70,12 +70,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     #[inline]
     pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
         self.steps.check_start()?;
-        let (now, clock) = (self.time(), self.steps.clock);
+        let (now, next) = (self.time(), self.steps.clock.at(1));
         if t.magnitude().is_nan() {
             return Err(StepError::InvalidStepSize { h: signed(t - now) });
         }
-        let stepped = (M::SCALES_STEPS || clock.leads_to(t, [now, clock.at(1)])) && self.steps.step_within(Some(t))?;
-        if stepped && self.steps.clock.is_at(self.time(), t) {
+        let stepped =
+            (M::SCALES_STEPS || self.steps.clock.leads_to(t, [now, next])) && self.steps.step_within(Some(t))?;
+        let end = if M::SCALES_STEPS { self.time() } else { next };
+        if stepped && self.steps.clock.is_at(end, t) {
             self.steps.clock.name(t);
         }
         Ok(stepped)
@@ -120,7 +122,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     }
 
     /// The state now.
-    #[inline]
+    #[inline(always)]
     pub fn state(&self) -> StateOf<S, R> {
         let x = &self.steps.x;
         let (q, p) = (Coordinates::from_array(x.q), Coordinates::from_array(x.p));
@@ -220,7 +222,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Traject
     fn time(&self) -> R {
         self.time()
     }
-    #[inline]
+    #[inline(always)]
     fn state(&self) -> StateOf<S, R> {
         self.state()
     }

@@ -62,7 +62,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         // In place: one copy, for steps that are refused, in place of two.
-        let (t, memory, start) = (self.time(), self.memory.clone(), self.x);
+        let (t, memory, start) = (self.time(), self.kept(), self.x);
         let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
@@ -71,8 +71,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S
             self.pass(1);
             return Ok(true);
         }
-        (self.x, self.memory) = (start, memory);
+        (self.x, self.memory) = (start, memory.unwrap_or_else(M::memory));
         if good { Ok(false) } else { self.step_watched(limit) }
+    }
+
+    /// What a refused step must give back of the memory.
+    #[inline(always)]
+    fn kept(&self) -> Option<M::Memory> {
+        (!M::FORGETFUL).then(|| self.memory.clone())
     }
 
     /// The same step watched, to say why it is refused, if it is.
