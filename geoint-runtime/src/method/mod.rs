@@ -7,22 +7,20 @@ pub mod contact;
 pub mod corrected;
 pub mod discrete_gradient;
 pub mod explicit;
-mod field;
 pub mod gauss;
 pub mod kahan;
 mod name;
 mod probe;
 pub mod splitting;
-pub mod tableau;
 pub mod tables;
-mod total;
 
 pub use catalogue::Visitor;
 pub use clock::Clock;
-pub use field::{gradient_kick, modified_verlet};
+pub use explicit::tableau;
 pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, start};
+pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::Refusal;
 

@@ -5,7 +5,7 @@
 //! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
 use crate::method::composition::substeps;
-use crate::method::total::adds_up;
+use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
 use crate::space::{PerCoordinate, Point, Summation};

@@ -30,6 +30,7 @@ mod itoh_abe;
 mod matrix;
 mod mean;
 mod mean_value;
+mod methods;
 mod tree;
 
 pub use coordinate_increment::CoordinateIncrement;

@@ -31,12 +31,14 @@
 //! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
 
 mod driver;
+mod field;
 mod flows;
 mod nystrom;
 mod table;
 mod verlet;
 
 pub use driver::{LastKick, Sequence};
+pub use field::{gradient_kick, modified_verlet};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use nystrom::Nystrom;
 pub use table::{Flow, Splitting};
