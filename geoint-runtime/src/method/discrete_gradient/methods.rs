@@ -9,9 +9,9 @@ use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Conservative, DiscreteField};
 
-/// Makes methods of means: the order, whether it is symmetric, whether it keeps the energy.
+/// Makes methods of means: the order, whether it is symmetric, whether symplectic, whether it keeps the energy.
 macro_rules! methods {
-    ($system:ident, $([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $order:literal, $symmetric:literal, $energy:expr;)*) => { $(
+    ($system:ident, $([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $order:literal, $symmetric:literal, $symplectic:expr, $energy:expr;)*) => { $(
         impl<$system, R, $($generic)*> Method<$system, R> for $mean
         where
             $system: DiscreteField<R> + Conservative<R>,
@@ -23,7 +23,7 @@ macro_rules! methods {
             type Memory = Memory<$system::Array>;
 
             fn claims(&self) -> Claims {
-                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy, forces: None }
+                Claims { order: $order, symmetric: $symmetric, symplectic: $symplectic, conserves_energy: $energy, forces: None }
             }
 
             fn name(&self) -> Name {
@@ -51,11 +51,11 @@ macro_rules! methods {
 }
 
 methods! { S,
-    [] ItohAbe: 1, false, true;
-    [] ItohAbeAdjoint: 1, false, true;
-    [] SymmetrisedItohAbe: 2, true, true;
-    [] Gonzalez: 2, true, true;
-    [] CoordinateIncrement: 1, false, true;
-    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_exact::<S, R>();
-    [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, G::is_exact::<S, R>();
+    [] ItohAbe: 1, false, false, true;
+    [] ItohAbeAdjoint: 1, false, false, true;
+    [] SymmetrisedItohAbe: 2, true, false, true;
+    [] Gonzalez: 2, true, false, true;
+    [] CoordinateIncrement: 1, false, false, true;
+    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, K == 1, MeanValue::<K>::is_exact::<S, R>();
+    [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
 }

@@ -175,9 +175,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     }
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
+    /// Flows of contact systems that do not only add give what they add by formulas of their own.
     pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
         self.with_sums()
     }
