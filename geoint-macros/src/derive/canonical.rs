@@ -1,11 +1,13 @@
 //! What is derived from H(q, p, t).
 
+use super::domain::Domain;
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
@@ -13,7 +15,7 @@ use crate::schedule::{Kernel, Levels};
 const FEW: u32 = 3;
 
 /// Derives everything that some method needs.
-pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) -> System {
+pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Partial], degrees: u32) -> System {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
     let drag = structure
@@ -44,6 +46,7 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) 
         modified,
         pieces: None,
         implicit: Implicit::Canonical(fields.kernels(graph, structure)),
+        domain: Domain::of(graph, (structure.energy, Form::Hamiltonian), partial, structure.damping.as_ref()),
     }
 }
 

@@ -1,12 +1,14 @@
 //! What is derived from H(q, p, s, t).
 
+use super::domain::Domain;
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
+use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Flow, Mechanics, Pieces};
 
@@ -15,10 +17,11 @@ pub(crate) fn contact(
     graph: &mut Graph,
     energy: Id,
     (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
+    partial: &[Partial],
     (degrees, lift): (u32, bool),
 ) -> System {
     let gradient = diff::gradient(graph, energy, degrees);
-    let rates = rates(graph, energy, &gradient, lift);
+    let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
     let pieces = match found {
         Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES }),
@@ -39,37 +42,22 @@ pub(crate) fn contact(
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
         slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),
         gradient,
-        rate: Some(Kernel::new(Levels::One, rates)),
+        rate,
         splitting,
         modified,
         pieces: Some(pieces),
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+        domain: Domain::of(graph, (energy, Form::Contact), partial, None),
     }
 }
 
-/// q', p' and s'. The momenta of a lift stand still, and are zero in s' = p·∂H/∂p − H, which has none.
-fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient, lift: bool) -> Vec<Id> {
+/// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.
+fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
     let zero = graph.zero();
-    let momenta: Vec<Id> = (0..gradient.p.len() as u32).map(|i| graph.symbol(Symbol::P(i))).collect();
-    let mut rates = gradient.p.clone();
-    if lift {
-        rates.extend(momenta.iter().map(|_| zero));
-        let mut without =
-            Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()));
-        let energy = without.apply(graph, energy);
-        rates.push(graph.neg(energy));
-        return rates;
-    }
-    let mut power = zero;
-    for (p, (by_q, by_p)) in momenta.iter().zip(gradient.q.iter().zip(&gradient.p)) {
-        let drag = graph.mul(*p, gradient.s);
-        let loss = graph.add(*by_q, drag);
-        rates.push(graph.neg(loss));
-        let own = graph.mul(*p, *by_p);
-        power = graph.add(power, own);
-    }
-    rates.push(graph.sub(power, energy));
-    rates
+    let rest = Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()))
+        .apply(graph, energy);
+    let by_action = graph.neg(rest);
+    gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
 }
 
 fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Kernel> {

@@ -27,7 +27,7 @@ fn momenta(degrees: u32) -> Vec<Symbol> {
 }
 
 /// `impl DiscreteField`.
-pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, bounds: &TokenStream) -> TokenStream {
+pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
     let name = self_type(context);
     let FieldKernels { increments, discrete: plan, .. } = field;
     let unknown = context.unknown_type(increments.len());
@@ -69,7 +69,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     quote! {
-        impl<R: #bounds> DiscreteField<R> for #name {
+        impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
             type Parameters = [R; #prepared];
             type Start = [R; #started];
@@ -107,7 +107,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
 }
 
 /// `impl Collocation`.
-pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>, bounds: &TokenStream) -> TokenStream {
+pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let FieldKernels { coordinates, collocation: plan, .. } = field;
     let unknown = context.unknown_type(coordinates.len());
@@ -129,7 +129,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>, bou
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
-        impl<R: #bounds> Collocation<R> for #name {
+        impl<R: Real> Collocation<R> for #name {
             type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];

@@ -1,9 +1,9 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
 use super::straight_line;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::Symbol;
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{self, Block, Plan};
+use crate::schedule::{Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
@@ -12,8 +12,6 @@ pub(crate) struct Context<'a> {
     pub(super) energy: &'a Energy,
     /// Constants that live outside the function.
     constants: &'a [TokenStream],
-    /// What is not defined everywhere.
-    pub(super) partial: &'a [Partial],
 }
 
 /// `base[i][j]…`
@@ -38,8 +36,8 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream], partial: &'a [Partial]) -> Self {
-        Context { energy, constants, partial }
+    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream]) -> Self {
+        Context { energy, constants }
     }
 
     /// The indices of the `i`-th coordinate in its array.
@@ -182,16 +180,6 @@ impl<'a> Context<'a> {
             }
             None => self.input(symbol),
         }
-    }
-
-    /// One routine without levels: the statements, then what `finish` makes of the values of `roots`.
-    pub(crate) fn routine(
-        &self,
-        graph: &mut Graph,
-        roots: &[Id],
-        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
-    ) -> TokenStream {
-        straight_line::routine(&schedule::routine(graph, roots), &|symbol| self.input(symbol), finish)
     }
 
     /// The values of a plan's only routine, or of its first.

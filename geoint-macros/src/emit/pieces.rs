@@ -16,15 +16,14 @@ pub(super) fn pieces(
     context: &Context<'_>,
     graph: &Graph,
     found: &Result<Vec<PieceKernel<Plan>>, Missing>,
-    bounds: &TokenStream,
 ) -> TokenStream {
     match found {
-        Ok(pieces) => splitting(context, graph, pieces, bounds),
-        Err(missing) => none(context, graph, *missing, bounds),
+        Ok(pieces) => splitting(context, graph, pieces),
+        Err(missing) => none(context, graph, *missing),
     }
 }
 
-fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>], bounds: &TokenStream) -> TokenStream {
+fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>]) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
@@ -60,7 +59,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
     });
     let parts = context.per_coordinate();
     quote! {
-        impl<R: #bounds> ContactPieces<R> for #name {
+        impl<R: Real> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
             type Proof = ();
             type Flows = #types;
@@ -95,13 +94,13 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
     }
 }
 
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenStream) -> TokenStream {
+fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     let (name, array) = (self_type(context), context.array());
     let ((marker, tokens), parts) = (unsatisfied(context, graph, missing), context.per_coordinate());
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
-        impl<R: #bounds + #marker> ContactPieces<R> for #name {
+        impl<R: Real + #marker> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[];
             type Proof = <R as #marker>::Proof;
             type Flows = #never;

@@ -1,9 +1,10 @@
 //! The struct, and what every system offers: its energy, its gradient.
 
 use super::attributes;
-use super::domain::DomainTests;
+use super::domain::domain;
 use super::kernel::{Context, write};
 use crate::derive::{Modified, System};
+use crate::ir::Graph;
 use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
@@ -95,18 +96,8 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
 }
 
-/// What kernels ask of their scalar.
-pub(super) fn bounds() -> TokenStream {
-    quote!(Real)
-}
-
 /// The energy with its gradient and where it is defined, and the traits of what was proven.
-pub(super) fn phase_space(
-    context: &Context<'_>,
-    system: &System<Plan>,
-    domain: &DomainTests,
-    bounds: &TokenStream,
-) -> TokenStream {
+pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     // Momenta that are not followed give no energy.
@@ -114,7 +105,7 @@ pub(super) fn phase_space(
         Some(value) => context.values(value, |mut values| values.remove(0)),
         None => quote!(R::from_f64(f64::NAN)),
     };
-    let DomainTests(space) = domain;
+    let domain = domain(context, graph, &system.domain);
     let (form, given, receives, returned) = match context.energy.form {
         Form::Hamiltonian => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
         Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
@@ -144,8 +135,8 @@ pub(super) fn phase_space(
     });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
-        #(impl<R: #bounds> #proven<R> for #name { type Proof = (); })*
-        impl<R: #bounds> PhaseSpace<R> for #name {
+        #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
+        impl<R: Real> PhaseSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
             type Action = #action;
@@ -154,9 +145,9 @@ pub(super) fn phase_space(
             fn hamiltonian(&self, t: R, q: &#array, p: &#array, #given) -> R {
                 #value
             }
-            #space
+            #domain
         }
-        impl<R: #bounds> #form<R> for #name {
+        impl<R: Real> #form<R> for #name {
             type Proof = ();
             #[inline]
             fn gradient(
@@ -179,7 +170,7 @@ fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
 }
 
 /// `impl ModifiedEnergy`, and the method that users call.
-pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>, bounds: &TokenStream) -> TokenStream {
+pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>) -> TokenStream {
     let value = match modified {
         Modified::Implicit => quote!(modified_verlet(self, h, t, q, p)),
         Modified::Value(plan) => context.values(plan, |mut values| values.remove(0)),
@@ -189,7 +180,7 @@ pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>, 
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     quote! {
-        impl<R: #bounds> ModifiedEnergy<R> for #name {
+        impl<R: Real> ModifiedEnergy<R> for #name {
             fn modified_hamiltonian(&self, h: R, t: R, q: &#array, p: &#array, s: &Self::Action) -> R {
                 #value
             }
