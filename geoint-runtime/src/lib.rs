@@ -178,7 +178,7 @@ pub use space::{ContactState, Coordinates, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Contact, ForceGradient, Hamiltonian, Mechanical, ModifiedEnergy, PhaseSpace,
-    Pieces, QuadraticKinetic, Separable,
+    Pieces, QuadraticKinetic, Separable, VectorField,
 };
 
 /// Everything that a program needs.

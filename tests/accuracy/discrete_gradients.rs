@@ -143,7 +143,7 @@ fn energy_is_kept_in_random_steps() {
     methods::itoh_abe(&mut RandomSteps);
     methods::itoh_abe_one_way(&mut RandomSteps);
     // Controls.
-    methods::cubic(&mut RandomSteps);
+    RandomSteps.visit(Kahan);
     RandomSteps.visit(ImplicitMidpoint);
 }
 

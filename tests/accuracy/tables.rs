@@ -1,5 +1,6 @@
 //! The tables themselves: every one is in the list of methods, is consistent, and meets conditions of its order.
 
+use geoint_runtime::method::catalogue;
 use geoint_runtime::method::splitting::{DriftFirst, KickFirst};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Composition, Method, Splitting};
@@ -56,6 +57,43 @@ fn the_list_of_methods_is_complete() {
             assert!(no_method || names.0.contains(name), "{name} is not in the list of methods");
         }
     }
+}
+
+/// Names that may come twice: of one method with several parameters.
+#[derive(Default)]
+struct Walked(BTreeSet<String>);
+
+impl Visitor<HenonHeiles, f64> for Walked {
+    fn visit<M: Method<HenonHeiles, f64> + 'static>(&mut self, method: M) {
+        self.0.insert(method.name().to_string());
+    }
+}
+
+/// What tests walk is the catalogue of the runtime, and more.
+#[test]
+fn tests_walk_the_whole_catalogue() {
+    let (mut catalogued, mut walked) = (Walked::default(), Walked::default());
+    catalogue::general(&mut catalogued);
+    catalogue::separable(&mut catalogued);
+    catalogue::quadratic_kinetic(&mut catalogued);
+    catalogue::force_gradient(&mut catalogued);
+    catalogue::discrete_gradient(&mut catalogued);
+    catalogue::conservative(&mut catalogued);
+    catalogue::autonomous(&mut catalogued);
+    catalogue::cubic(&mut catalogued);
+    methods::general(&mut walked);
+    methods::separable(&mut walked);
+    methods::nystrom(&mut walked);
+    methods::force_gradient(&mut walked);
+    methods::discrete_gradient(&mut walked);
+    methods::itoh_abe(&mut walked);
+    methods::itoh_abe_one_way(&mut walked);
+    methods::coordinate_increment(&mut walked);
+    methods::projected(&mut walked);
+    methods::relaxed(&mut walked);
+    methods::cubic(&mut walked);
+    let missing: Vec<_> = catalogued.0.difference(&walked.0).collect();
+    assert!(missing.is_empty() && walked.0.len() > catalogued.0.len(), "not tested: {missing:?}");
 }
 
 /// Σ γ = 1 and Σ γᵏ = 0 for odd k < order: conditions that hold for every symmetric composition.

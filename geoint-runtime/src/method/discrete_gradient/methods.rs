@@ -56,6 +56,6 @@ methods! { S,
     [] SymmetrisedItohAbe: 2, true, false, true;
     [] Gonzalez: 2, true, false, true;
     [] CoordinateIncrement: 1, false, false, true;
-    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, K == 1, MeanValue::<K>::is_exact::<S, R>();
+    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_midpoint::<S, R>(), MeanValue::<K>::is_exact::<S, R>();
     [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
 }
