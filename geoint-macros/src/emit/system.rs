@@ -123,7 +123,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             None => quote!(canonical_rate(self, t, z, slopes);),
         };
         quote! {
-            impl<R: Real> VectorField<R> for #name {
+            impl<R: Real> DifferentialEquation<R> for #name {
                 type Proof = ();
                 #[inline(always)]
                 fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
@@ -148,7 +148,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
             #domain
         }
-        impl<R: Real> Cotangent<R> for #name {
+        impl<R: Real> CotangentSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
         }
