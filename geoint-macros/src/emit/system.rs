@@ -133,6 +133,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
+    let autonomous = system.proven.contains(&"Autonomous").then(|| quote!(const AUTONOMOUS: bool = true;));
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -155,6 +156,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
         #field
         impl<R: Real> #form<R> for #name {
             type Proof = ();
+            #autonomous
             #[inline]
             fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
                 #parts

@@ -5,11 +5,13 @@
 
 mod contact;
 mod implicit;
+mod integrals;
 mod modified;
 mod poles;
 mod separable;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
@@ -125,6 +127,8 @@ pub trait Hamiltonian<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
+    /// Whether H does not depend on time.
+    const AUTONOMOUS: bool = false;
     /// [∂H/∂q, ∂H/∂p] at a point.
     fn gradient(&self, t: R, z: &Self::Phase, slopes: &mut Self::Phase);
 }
