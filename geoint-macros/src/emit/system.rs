@@ -133,7 +133,11 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
-    let autonomous = system.proven.contains(&"Autonomous").then(|| quote!(const AUTONOMOUS: bool = true;));
+    let autonomous = system.proven.contains(&"Autonomous").then(|| {
+        quote!(
+            const AUTONOMOUS: bool = true;
+        )
+    });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*

@@ -11,8 +11,8 @@ mod poles;
 mod separable;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
+pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
 mod jumps;

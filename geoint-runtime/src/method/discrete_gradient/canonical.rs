@@ -55,8 +55,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> FourthOrderField<R> for S {
         image: &mut S::Phase,
         matrix: &mut Square<S::Phase>,
     ) {
-        let (h, [one, half, eighth, sixth]) =
-            (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
+        let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
         let mut unwatched = Unwatched;
         let mut energy = energy(self, parameters, t, &mut unwatched);
         let mut end = energy.gradient(t + half * h, &moved(&z, one, d));
