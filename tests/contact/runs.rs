@@ -3,7 +3,7 @@
 use crate::measure::{flat, run, solution, state};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, PerCoordinate};
-use geoint_runtime::system::VectorField;
+use geoint_runtime::system::Rates;
 use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;
@@ -51,7 +51,7 @@ fn adapted<S, M>(
     duration: f64,
 ) -> (f64, u64)
 where
-    S: PhaseSpace<Action = f64> + VectorField,
+    S: PhaseSpace<Action = f64> + Rates,
     M: Method<S>,
 {
     let mut sim = Adaptive::new(system, method, tolerance, state::<S::Coordinates>(t, x));
@@ -115,7 +115,7 @@ fn the_action_is_a_coordinate_of_the_error() {
     let start = ContactState::new(0.4, 0.0, 0.9);
     let steps = |tolerance: f64, absolute: f64| {
         let run = Squared { m: 1.7 }.adaptive(ContactSplitting, tolerance, start);
-        let mut run = run.absolute_action(absolute);
+        let mut run = run.absolute(ContactState::new(0.0, 0.0, absolute));
         run.advance_to(2.0).unwrap();
         run.steps()
     };
@@ -123,7 +123,7 @@ fn the_action_is_a_coordinate_of_the_error() {
     assert!(narrow > 10 * wide, "{narrow} steps, {wide}");
     assert!(steps(1e-8, 1e-4) < 2 * wide);
     assert_eq!(
-        Squared { m: 1.7 }.adaptive(ContactSplitting, 1e-4, start).absolute_action(-1.0).step(),
+        Squared { m: 1.7 }.adaptive(ContactSplitting, 1e-4, start).absolute(ContactState::new(0.0, 0.0, -1.0)).step(),
         Err(StepError::InvalidTolerance { tolerance: -1.0 })
     );
 }
@@ -143,10 +143,10 @@ fn a_lift_adapts() {
 /// q', p' and s' follow from the gradient.
 #[test]
 fn rates_are_those_of_the_equation() {
-    fn check<S: Contact + PhaseSpace<Action = f64> + VectorField>(system: S, t: f64, x: &[f64]) {
+    fn check<S: Contact + PhaseSpace<Action = f64> + Rates>(system: S, t: f64, x: &[f64]) {
         let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
-        let rates = system.rates(t, &PerCoordinate { q: q.into_array(), p: p.into_array(), s });
-        let rates = [rates.q.as_slice(), rates.p.as_slice(), &[rates.s]].concat();
+        let rates = system.rates(t, &PerCoordinate { z: [q.into_array(), p.into_array()], s });
+        let rates = [rates.z[0].as_slice(), rates.z[1].as_slice(), &[rates.s]].concat();
         let gap = distance_of(&rates, &field_of(&system, t, x));
         assert!(gap < 1e-14, "{gap:.1e}");
     }
@@ -157,12 +157,13 @@ fn rates_are_those_of_the_equation() {
 
 fn field_of<S: Contact>(system: &S, t: f64, x: &[f64]) -> Vec<f64> {
     let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
-    let (q, p) = (q.into_array(), p.into_array());
-    let (mut dq, mut dp, mut ds) = (S::Array::zero(), S::Array::zero(), 0.0);
-    system.gradient(t, &q, &p, &s, &mut dq, &mut dp, &mut ds);
-    let power: f64 = p.as_slice().iter().zip(dp.as_slice()).map(|(p, rate)| p * rate).sum();
-    let forces = p.as_slice().iter().zip(dq.as_slice()).map(|(p, slope)| -slope - p * ds);
-    dp.as_slice().iter().copied().chain(forces).chain([power - system.hamiltonian(t, &q, &p, &s)]).collect()
+    let z = [q.into_array(), p.into_array()];
+    let (mut slopes, mut ds) = ([S::Array::zero(); 2], 0.0);
+    system.gradient(t, &z, &s, &mut slopes, &mut ds);
+    let (p, [dq, dp]) = (z[1].as_slice(), slopes.each_ref().map(Array::as_slice));
+    let power: f64 = p.iter().zip(dp).map(|(p, rate)| p * rate).sum();
+    let forces = p.iter().zip(dq).map(|(p, slope)| -slope - p * ds);
+    dp.iter().copied().chain(forces).chain([power - system.hamiltonian(t, &z, &s)]).collect()
 }
 
 fn distance_of(a: &[f64], b: &[f64]) -> f64 {

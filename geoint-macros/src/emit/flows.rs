@@ -106,14 +106,14 @@ fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (T
 /// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
 pub(super) fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
     let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) => element(quote!(d.q), &context.coordinate(*i)),
-        Symbol::P(i) => element(quote!(d.p), &context.coordinate(*i)),
+        Symbol::Q(i) => element(quote!(d.z), &[&[0], &context.coordinate(*i)[..]].concat()),
+        Symbol::P(i) => element(quote!(d.z), &[&[1], &context.coordinate(*i)[..]].concat()),
         _ => quote!(d.s),
     });
     let parts = context.per_coordinate();
     let writes = context.planned(&flow.kernel.last[1], (&[], ""), |values| quote!(#(#places = #values;)*));
     quote! {
-        let PerCoordinate { q, p, s } = x;
+        let PerCoordinate { z: [q, p], s } = x;
         let mut d: #parts = PerCoordinate::nothing();
         #writes
         d

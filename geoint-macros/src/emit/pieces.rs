@@ -24,7 +24,7 @@ pub(super) fn pieces(
 }
 
 fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>]) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
         let name = printer.excerpt(piece.energy);
@@ -57,7 +57,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
         let (i, body) = (Literal::usize_unsuffixed(i), increments(context, &piece.flow));
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
-    let parts = context.per_coordinate();
+    let per = context.per_coordinate();
     quote! {
         impl<R: Real> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
@@ -76,15 +76,16 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
             #[inline(always)]
             fn flow(
                 &self,
-                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, q: &mut #array, p: &mut #array, s: &mut R,
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut R,
             ) {
+                #parts
                 match piece {
                     #(#arms)*
                     _ => {}
                 }
             }
             #[inline(always)]
-            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#parts) -> #parts {
+            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#per) -> #per {
                 match piece {
                     #(#added)*
                     _ => PerCoordinate::nothing(),
@@ -95,8 +96,8 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
 }
 
 fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
-    let ((marker, tokens), parts) = (unsatisfied(context, graph, missing), context.per_coordinate());
+    let (name, phase, per) = (self_type(context), context.phase(), context.per_coordinate());
+    let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
@@ -109,10 +110,10 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
                 ::core::unreachable!()
             }
             fn freeze(&self, _: &#never, _: R) {}
-            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut R) {
                 match *never {}
             }
-            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#parts) -> #parts {
+            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#per) -> #per {
                 match *never {}
             }
         }

@@ -7,65 +7,57 @@ use crate::scalar::Real;
 
 /// A number for every coordinate: the point itself, its rates, increments, errors, sizes.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PerCoordinate<A, Z = ()> {
-    /// Of positions.
-    pub q: A,
-    /// Of momenta.
-    pub p: A,
+pub struct PerCoordinate<Z, S = ()> {
+    /// Of all coordinates: [q, p], or x.
+    pub z: Z,
     /// Of the action of a contact system.
-    pub s: Z,
+    pub s: S,
 }
 
-impl<A: Array, Z: Action<A::Real>> PerCoordinate<A, Z> {
+impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
     /// How many numbers there are.
-    pub const LEN: usize = 2 * A::LEN + Z::LEN;
+    pub const LEN: usize = Z::LEN + S::LEN;
 
     /// All zeros.
     #[inline(always)]
     pub fn zero() -> Self {
-        PerCoordinate { q: A::zero(), p: A::zero(), s: Z::zero() }
+        PerCoordinate { z: Z::zero(), s: S::zero() }
     }
 
     /// Zeros to which something is to be added; see [`Array::nothing`].
     #[inline(always)]
     pub fn nothing() -> Self {
-        let mut s = Z::zero();
+        let mut s = S::zero();
         for s in s.numbers_mut() {
             *s = -*s;
         }
-        PerCoordinate { q: A::nothing(), p: A::nothing(), s }
+        PerCoordinate { z: Z::nothing(), s }
     }
 
     /// The coordinates of a point.
     #[inline(always)]
-    pub(crate) fn of<C>(x: &Point<A, C, Z>) -> Self {
-        PerCoordinate { q: x.q, p: x.p, s: x.s }
+    pub(crate) fn of<C>(x: &Point<Z, C, S>) -> Self {
+        PerCoordinate { z: x.z, s: x.s }
     }
 
-    /// The number of the coordinate `i`, in the order q, p, s.
+    /// The number of the coordinate `i`, the action last.
     #[inline(always)]
-    pub(crate) fn at(&self, i: usize) -> A::Real {
-        let n = A::LEN;
-        match i {
-            _ if i < n => self.q.as_slice()[i],
-            _ if i < 2 * n => self.p.as_slice()[i - n],
-            _ => self.s.numbers()[i - 2 * n],
-        }
+    pub(crate) fn at(&self, i: usize) -> Z::Real {
+        if i < Z::LEN { self.z.as_slice()[i] } else { self.s.numbers()[i - Z::LEN] }
     }
 
     /// All numbers in that order.
-    pub(crate) fn numbers(&self) -> impl Iterator<Item = A::Real> {
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Z::Real> {
         (0..Self::LEN).map(|i| self.at(i))
     }
 
     /// All numbers to be written to.
-    pub(crate) fn numbers_mut(&mut self) -> impl Iterator<Item = &mut A::Real> {
-        let ends = self.q.as_mut_slice().iter_mut().chain(self.p.as_mut_slice());
-        ends.chain(self.s.numbers_mut())
+    pub(crate) fn numbers_mut(&mut self) -> impl Iterator<Item = &mut Z::Real> {
+        self.z.as_mut_slice().iter_mut().chain(self.s.numbers_mut())
     }
 
     /// self ← self + w·x.
-    pub(crate) fn add_scaled(&mut self, w: A::Real, x: &Self) {
+    pub(crate) fn add_scaled(&mut self, w: Z::Real, x: &Self) {
         for (y, x) in self.numbers_mut().zip(x.numbers()) {
             *y = w.multiply_add(x, *y);
         }
@@ -74,6 +66,6 @@ impl<A: Array, Z: Action<A::Real>> PerCoordinate<A, Z> {
     /// Whether every number is finite.
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
-        self.q.is_finite() && self.p.is_finite() && self.s.is_finite()
+        self.z.is_finite() && self.s.is_finite()
     }
 }

@@ -1,39 +1,30 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
-use super::{PhaseSpace, Separable};
+use super::{Cotangent, PhaseSpace, Separable};
 use crate::scalar::{Real, zero};
-use crate::space::{Array, PerCoordinate, Square};
+use crate::space::{Array, ContactState, PerCoordinate, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
-pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+pub trait Contact<R: Real = f64>:
+    Cotangent<R> + PhaseSpace<R, Action = R, State = ContactState<<Self as Cotangent<R>>::Coordinates>>
+{
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
-    #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
-    fn gradient(
-        &self,
-        t: R,
-        q: &Self::Array,
-        p: &Self::Array,
-        s: &R,
-        dq: &mut Self::Array,
-        dp: &mut Self::Array,
-        ds: &mut R,
-    );
+    fn gradient(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R);
 
-    /// q', p' and s' at a point; the momenta of a lift stand still.
+    /// z' and s' at a point; the momenta of a lift stand still.
     #[inline]
-    fn rate(&self, t: R, x: &PerCoordinate<Self::Array, R>) -> PerCoordinate<Self::Array, R> {
-        let PerCoordinate { q, p, s } = x;
-        let (mut rate, mut by_s) = (PerCoordinate::zero(), zero());
-        self.gradient(t, q, p, s, &mut rate.p, &mut rate.q, &mut by_s);
-        rate.s = -self.hamiltonian(t, q, p, s);
-        let forces = rate.p.as_mut_slice().iter_mut().zip(rate.q.as_slice());
-        for (p, (force, velocity)) in p.as_slice().iter().zip(forces) {
-            *force = -p.multiply_add(by_s, *force);
-            rate.s = p.multiply_add(*velocity, rate.s);
+    fn rate(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R) {
+        let mut by_s = zero();
+        self.gradient(t, z, s, slopes, &mut by_s);
+        *ds = -self.hamiltonian(t, z, s);
+        let ([_, p], [q_rate, p_rate]) = (z, slopes);
+        let halves = q_rate.as_mut_slice().iter_mut().zip(p_rate.as_mut_slice());
+        for (p, (force, velocity)) in p.as_slice().iter().zip(halves) {
+            *ds = p.multiply_add(*velocity, *ds);
+            (*force, *velocity) = (*velocity, -p.multiply_add(by_s, *force));
         }
-        rate
     }
 }
 
@@ -94,7 +85,7 @@ pub struct Piece {
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
-pub trait Pieces<R: Real = f64>: Contact<R> {
+pub trait Pieces<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The pieces; the last one is in the middle of a step.
@@ -109,16 +100,14 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     /// Freezes time at `t`.
     fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
     /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
-    #[expect(clippy::too_many_arguments, reason = "a flow, its coefficients and a point")]
     fn flow(
         &self,
         piece: usize,
         flows: &Self::Flows,
         frozen: &Self::Frozen,
         t: R,
-        q: &mut Self::Array,
-        p: &mut Self::Array,
-        s: &mut R,
+        z: &mut Self::Phase,
+        s: &mut Self::Action,
     );
     /// What that flow adds to `x`, for sums that compensate.
     fn increments(
@@ -127,8 +116,8 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
         flows: &Self::Flows,
         frozen: &Self::Frozen,
         t: R,
-        x: &PerCoordinate<Self::Array, R>,
-    ) -> PerCoordinate<Self::Array, R>;
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.

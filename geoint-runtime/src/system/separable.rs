@@ -1,6 +1,6 @@
 //! H = T + V: kick and drift.
 
-use super::PhaseSpace;
+use super::Cotangent;
 use crate::scalar::Real;
 use crate::space::PerCoordinate;
 
@@ -11,7 +11,7 @@ use crate::space::PerCoordinate;
     label = "H was not proven to be T(p) + V(q)",
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
-pub trait Separable<R: Real = f64>: PhaseSpace<R> {
+pub trait Separable<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What a kick of given length needs from the parameters.
@@ -38,10 +38,10 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
         &self,
         kick: &Self::Kick,
         t: R,
-        x: &PerCoordinate<Self::Array, Self::Action>,
-    ) -> PerCoordinate<Self::Array, Self::Action> {
-        let (mut q, mut d) = (x.q, PerCoordinate::nothing());
-        self.kick(kick, t, &mut q, &mut d.p, &mut d.s);
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
         d
     }
     /// What a drift from `x` adds, in the same way.
@@ -50,10 +50,10 @@ pub trait Separable<R: Real = f64>: PhaseSpace<R> {
         &self,
         drift: &Self::Drift,
         t: R,
-        x: &PerCoordinate<Self::Array, Self::Action>,
-    ) -> PerCoordinate<Self::Array, Self::Action> {
-        let (mut p, mut d) = (x.p, PerCoordinate::nothing());
-        self.drift(drift, t, &mut d.q, &mut p, &mut d.s);
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.drift(drift, t, &mut d.z[0], &mut x.z[1].clone(), &mut d.s);
         d
     }
 }

@@ -46,7 +46,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     fn memory() {}
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Prepared<S, R>,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
@@ -59,15 +59,17 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         if before.any_not_positive() || after.any_not_positive() {
             return Err(Refusal::Singular);
         }
-        probe.visit(t, &x.q, &x.p, &x.s);
+        probe.visit(t, &x.z, &x.s);
         if C::PLAIN {
             scale(before, x);
             // An action that is not followed is dropped here, and with it what it is computed from.
             let unread = x.s;
-            system.free_kick(half_kick, t, &mut x.q, &mut x.p, &mut x.s);
-            system.free_drift(drift, t + half, &mut x.q, &mut x.p, &mut x.s);
-            probe.visit(end, &x.q, &x.p, &x.s);
-            system.free_kick(half_kick, end, &mut x.q, &mut x.p, &mut x.s);
+            let [q, p] = &mut x.z;
+            system.free_kick(half_kick, t, q, p, &mut x.s);
+            system.free_drift(drift, t + half, q, p, &mut x.s);
+            probe.visit(end, &x.z, &x.s);
+            let [q, p] = &mut x.z;
+            system.free_kick(half_kick, end, q, p, &mut x.s);
             scale(one / after, x);
             if !C::ACTION {
                 x.s = unread;
@@ -75,10 +77,10 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         } else {
             // The same, where each flow gives what it adds: free ones add to what they are given, and read the other half of x.
             add(x, |x, d| add_scaled(-drag[0], x, d));
-            add(x, |x, d| system.free_kick(half_kick, t, &mut x.q, &mut d.p, &mut d.s));
-            add(x, |x, d| system.free_drift(drift, t + half, &mut d.q, &mut x.p, &mut d.s));
-            probe.visit(end, &x.q, &x.p, &x.s);
-            add(x, |x, d| system.free_kick(half_kick, end, &mut x.q, &mut d.p, &mut d.s));
+            add(x, |x, d| system.free_kick(half_kick, t, &mut x.z[0], &mut d.z[1], &mut d.s));
+            add(x, |x, d| system.free_drift(drift, t + half, &mut d.z[0], &mut x.z[1], &mut d.s));
+            probe.visit(end, &x.z, &x.s);
+            add(x, |x, d| system.free_kick(half_kick, end, &mut x.z[0], &mut d.z[1], &mut d.s));
             add(x, |x, d| add_scaled(-drag[1] / after, x, d));
         }
         Ok(())
@@ -87,8 +89,8 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
 
 /// (p, s) ← w·(p, s).
 #[inline(always)]
-fn scale<A: Array, C>(w: A::Real, x: &mut Point<A, C, A::Real>) {
-    for p in x.p.as_mut_slice() {
+fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
+    for p in x.z[1].as_mut_slice() {
         *p = w * *p;
     }
     x.s = w * x.s;
@@ -96,9 +98,9 @@ fn scale<A: Array, C>(w: A::Real, x: &mut Point<A, C, A::Real>) {
 
 /// Adds what `flow` writes, from the coordinates of a point.
 #[inline(always)]
-fn add<A: Array, C: Summation<A>>(
-    x: &mut Point<A, C, A::Real>,
-    flow: impl FnOnce(&mut PerCoordinate<A, A::Real>, &mut PerCoordinate<A, A::Real>),
+fn add<Z: Array, C: Summation<Z>>(
+    x: &mut Point<Z, C, Z::Real>,
+    flow: impl FnOnce(&mut PerCoordinate<Z, Z::Real>, &mut PerCoordinate<Z, Z::Real>),
 ) {
     let mut d = PerCoordinate::nothing();
     flow(&mut PerCoordinate::of(x), &mut d);
@@ -107,8 +109,8 @@ fn add<A: Array, C: Summation<A>>(
 
 /// (p, s) ← (p, s) + w·(p, s) of x.
 #[inline(always)]
-fn add_scaled<A: Array>(w: A::Real, x: &PerCoordinate<A, A::Real>, d: &mut PerCoordinate<A, A::Real>) {
-    d.p.add_scaled(w, &x.p);
+fn add_scaled<A: Array>(w: A::Real, x: &PerCoordinate<[A; 2], A::Real>, d: &mut PerCoordinate<[A; 2], A::Real>) {
+    d.z[1].add_scaled(w, &x.z[1]);
     d.s += w * x.s;
 }
 

@@ -2,6 +2,7 @@
 
 use super::energy::{Energy, Slope};
 use super::matrix::{entries, moved, scaled, turned};
+use crate::method::composition::SymmetricMap;
 use crate::method::{Name, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
@@ -36,10 +37,13 @@ pub trait MeanGradient: Copy {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal>;
 }
+
+/// A symmetric mean for which a modified structure matrix is needed to have order 4. The tree discrete gradient is projected instead.
+pub trait Corrected: MeanGradient + SymmetricMap {}
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -54,13 +58,13 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 /// What a step hands on to the next one: the compensations of the sums of q and p, and sizes of increments.
 #[derive(Clone, Debug)]
 pub struct Memory<A: Array> {
-    sums: [Compensated<A>; 2],
+    sums: Compensated<[A; 2]>,
     solver: QuasiNewton<[A; 2]>,
 }
 
 impl<A: Array> Memory<A> {
     pub(super) fn new() -> Self {
-        Memory { sums: [Compensated::new(); 2], solver: QuasiNewton::new() }
+        Memory { sums: Compensated::new(), solver: QuasiNewton::new() }
     }
 }
 
@@ -70,7 +74,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
     }
 
     #[inline]
-    pub(super) fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    pub(super) fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
         Memory { sums, solver }: &mut Memory<S::Array>,
         Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
@@ -78,7 +82,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let Prepared { mean, constants, parameters, h, poles } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
         let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
-        let x = [point.q, point.p];
+        let x = point.z;
         // The explicit midpoint rule.
         let rate = turned(&energy.gradient(t, &x).g);
         let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
@@ -92,7 +96,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             }
             // d − h J g and 1 − h J ∂g/∂d.
             *residual = moved(d, -*h, &turned(&g));
-            let (derivative, rows) = (derivative.rows(), <[S::Array; 2]>::entries::<[S::Array; 2]>(matrix));
+            let (derivative, rows) = (derivative.rows(), <S::Phase>::entries::<S::Phase>(matrix));
             for i in 0..n {
                 rows[i] = scaled(-*h, &derivative[n + i]);
                 rows[n + i] = scaled(*h, &derivative[i]);
@@ -102,8 +106,8 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             }
             Ok(())
         })?;
-        point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
+        point.add_with(sums, &d, &S::Phase::zero());
         check_conditions(system, t + half, &decided, point)?;
-        check_end(poles, [t, t + *h], &(x[0], x[1], ()), Step { system, t, x: point, probe })
+        check_end(poles, [t, t + *h], &(x, ()), Step { system, t, x: point, probe })
     }
 }

@@ -1,6 +1,6 @@
 //! The table of methods that step along a mean of gradients.
 
-use super::mean::{MeanGradient, Memory, Prepared};
+use super::mean::{Corrected, MeanGradient, Memory, Prepared};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
 use crate::method::gauss::{Gauss, GaussTableau};
@@ -8,6 +8,10 @@ use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Conservative, DiscreteField};
+
+impl Corrected for Gonzalez {}
+impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
+impl Corrected for SymmetrisedItohAbe {}
 
 /// Makes methods of means: the order, whether it is symmetric, whether symplectic, whether it keeps the energy.
 macro_rules! methods {
@@ -39,7 +43,7 @@ macro_rules! methods {
             }
 
             #[inline]
-            fn step<C: Summation<$system::Array>, P: Probe<$system, R>>(
+            fn step<C: Summation<$system::Phase>, P: Probe<$system, R>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 step: Step<'_, $system, R, C, P>,
@@ -57,5 +61,5 @@ methods! { S,
     [] Gonzalez: 2, true, false, true;
     [] CoordinateIncrement: 1, false, false, true;
     [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_midpoint::<S, R>(), MeanValue::<K>::is_exact::<S, R>();
-    [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
+    [G: Corrected] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
 }

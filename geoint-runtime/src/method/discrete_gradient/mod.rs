@@ -22,6 +22,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod canonical;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;
@@ -31,6 +32,7 @@ mod matrix;
 mod mean;
 mod mean_value;
 mod methods;
+mod projected;
 mod tree;
 
 pub use coordinate_increment::CoordinateIncrement;

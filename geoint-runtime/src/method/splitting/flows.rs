@@ -2,8 +2,8 @@
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::{Action, PerCoordinate, Summation, add_everywhere};
-use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
+use crate::space::{Action, Array, PerCoordinate, Summation, add_action};
+use crate::system::{Cotangent, ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -39,7 +39,7 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
 }
 
 /// The coordinates of a system, or what is added to them.
-type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action>;
+type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,8 +101,8 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
             SomeKick::WithoutGradient(kick) => system.kick_increments(kick, t, x),
             SomeKick::WithGradient(kick) => {
                 // It only adds.
-                let (mut q, mut d) = (x.q, PerCoordinate::nothing());
-                system.gradient_kick(kick, t, &mut q, &mut d.p, &mut d.s);
+                let mut d: Coordinates<S, R> = PerCoordinate::nothing();
+                system.gradient_kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
                 d
             }
         }
@@ -126,9 +126,9 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, weight: Weight<R>) -> Self::Inner;
     /// An outer flow.
-    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
+    fn outer<C: Summation<S::Phase>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
     /// An inner flow.
-    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
+    fn inner<C: Summation<S::Phase>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
@@ -143,11 +143,11 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
         system.prepare_drift(weight.h)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn outer<C: Summation<S::Phase>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.kick::<F>(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn inner<C: Summation<S::Phase>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.drift(flow, at);
     }
 }
@@ -164,11 +164,11 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         F::prepare(system, weight)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn outer<C: Summation<S::Phase>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.drift(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn inner<C: Summation<S::Phase>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.kick::<F>(flow, at);
     }
 }
@@ -182,17 +182,17 @@ pub struct Times<R> {
 
 /// A point of a system while flows move it. Its parts are apart, so that a loop may hold each of them in registers.
 #[derive(Debug)]
-pub struct Moving<'a, S: PhaseSpace<R>, R: Real, C> {
+pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) system: &'a S,
     pub(crate) q: &'a mut S::Array,
     pub(crate) p: &'a mut S::Array,
     pub(crate) s: &'a mut S::Action,
-    pub(crate) sums: &'a mut [C; 2],
+    pub(crate) sums: &'a mut C,
     /// Of the sum s.
     pub(crate) compensation: &'a mut S::Action,
 }
 
-impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
+impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
     /// p ← p − h ∂V/∂q, at the time that the drifts have reached.
     ///
     /// Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
@@ -204,8 +204,8 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
             let mut unread = *s;
             F::kick(system, flow, at.other, q, p, if C::ACTION { s } else { &mut unread });
         } else if S::Action::LEN == 0 {
-            let Moving { system, q, p, s, sums: [_, sum], .. } = self;
-            sum.add(p, |p| F::kick(system, flow, at.other, q, p, s));
+            let Moving { system, q, p, s, sums, .. } = self;
+            sums.add_part(S::Array::LEN, p, |p| F::kick(system, flow, at.other, q, p, s));
         } else {
             let d = F::increments(self.system, flow, at.other, &self.coordinates());
             self.add(&d);
@@ -222,8 +222,8 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
             let mut unread = *s;
             system.drift(flow, t, q, p, if C::ACTION { s } else { &mut unread });
         } else if S::Action::LEN == 0 {
-            let Moving { system, q, p, s, sums: [sum, _], .. } = self;
-            sum.add(q, |q| system.drift(flow, t, q, p, s));
+            let Moving { system, q, p, s, sums, .. } = self;
+            sums.add_part(0, q, |q| system.drift(flow, t, q, p, s));
         } else {
             let d = self.system.drift_increments(flow, t, &self.coordinates());
             self.add(&d);
@@ -232,11 +232,14 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
 
     #[inline(always)]
     fn coordinates(&self) -> Coordinates<S, R> {
-        PerCoordinate { q: *self.q, p: *self.p, s: *self.s }
+        PerCoordinate { z: [*self.q, *self.p], s: *self.s }
     }
 
     #[inline(always)]
     fn add(self, d: &Coordinates<S, R>) {
-        add_everywhere(([self.q, self.p], self.s), (self.sums, self.compensation), d);
+        let one = R::from_f64(1.0);
+        self.sums.add_part(0, self.q, |q| q.add_scaled(one, &d.z[0]));
+        self.sums.add_part(S::Array::LEN, self.p, |p| p.add_scaled(one, &d.z[1]));
+        add_action::<S::Phase, C, S::Action>(self.s, self.compensation, d.s);
     }
 }

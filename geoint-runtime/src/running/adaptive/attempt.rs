@@ -6,11 +6,11 @@ use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::watch::{Found, Watch};
 use crate::scalar::Real;
 use crate::space::{Compensated, PerCoordinate, Point};
-use crate::system::{PhaseSpace, VectorField};
+use crate::system::{PhaseSpace, Rates};
 
 /// A point whose sums outlive a change of the step size.
 pub(super) type Carried<S, R> =
-    Point<<S as PhaseSpace<R>>::Array, Compensated<<S as PhaseSpace<R>>::Array>, <S as PhaseSpace<R>>::Action>;
+    Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
 
 /// Coefficients of a step as a whole, and of its halves.
 #[derive(Clone, Debug)]
@@ -36,12 +36,12 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) system: &'a S,
     pub(super) t: R,
     pub(super) x: &'a Carried<S, R>,
-    pub(super) tolerance: &'a Tolerance<S::Array, S::Action>,
+    pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
     /// What part of the time in which the state changes a step takes.
     pub(super) part: f64,
 }
 
-impl<S: PhaseSpace<R> + VectorField<R>, R: Real> Attempt<'_, S, R> {
+impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     /// A step in two halves, and its estimated error in units of what is tolerated.
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
         &self,
@@ -58,7 +58,7 @@ impl<S: PhaseSpace<R> + VectorField<R>, R: Real> Attempt<'_, S, R> {
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
-            if let Some(what) = system.outside_domain(t + end + x.ahead.value(), &x.q, &x.p, &x.s) {
+            if let Some(what) = system.outside_domain(t + end + x.ahead.value(), &x.z, &x.s) {
                 return Err(Reason::OutsideDomain { what });
             }
         }

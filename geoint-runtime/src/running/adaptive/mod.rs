@@ -12,8 +12,8 @@ use crate::running::output::{Samples, Until};
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{Action, Coordinates, Point};
-use crate::system::{PhaseSpace, StateOf, VectorField};
+use crate::space::{PerCoordinate, Point, Snapshot};
+use crate::system::{PhaseSpace, Rates, StateOf};
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
@@ -56,13 +56,13 @@ pub struct Adaptive<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64> {
     most_steps: u64,
 }
 
-impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// A system under a method, with steps as long as the tolerance of a step's error allows, from `state` on.
     ///
     /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
     pub fn new(system: S, method: M, tolerance: f64, state: StateOf<S, R>) -> Self {
-        let (t, q, p, s) = S::Action::parts(state);
-        let x = Point::with_action(q.into_array(), p.into_array(), s);
+        let (t, z, s) = state.parts();
+        let x = Point::with_action(z, s);
         Adaptive { steps: Steps::new((system, method), tolerance, t, x), most_steps: u64::MAX }
     }
 
@@ -80,11 +80,11 @@ impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Adaptive<S, M,
         self
     }
 
-    /// Errors that are tolerated beside those relative to coordinates: one for each position and each momentum, in its unit. Without
-    /// this they are zero. That of an action is [`absolute_action`](Self::absolute_action).
-    pub fn absolute(mut self, q: S::Coordinates, p: S::Coordinates) -> Self {
-        let tolerance = &mut self.steps.tolerance;
-        (tolerance.absolute.q, tolerance.absolute.p) = (q.into_array(), p.into_array());
+    /// Errors that are tolerated beside those relative to coordinates: one for each coordinate, in its unit, written as a state is.
+    /// Without this they are zero.
+    pub fn absolute(mut self, errors: StateOf<S, R>) -> Self {
+        let (_, z, s) = errors.parts();
+        self.steps.tolerance.absolute = PerCoordinate { z, s };
         self
     }
 
@@ -169,14 +169,13 @@ impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Adaptive<S, M,
 
     /// The state now.
     pub fn state(&self) -> StateOf<S, R> {
-        let (q, p) = (Coordinates::from_array(self.steps.x.q), Coordinates::from_array(self.steps.x.p));
-        S::Action::state(self.time(), q, p, self.steps.x.s)
+        S::State::of(self.time(), self.steps.x.z, self.steps.x.s)
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
         let Steps { system, x, .. } = &self.steps;
-        system.hamiltonian(self.time(), &x.q, &x.p, &x.s)
+        system.hamiltonian(self.time(), &x.z, &x.s)
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
@@ -205,14 +204,6 @@ impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Adaptive<S, M,
     }
 }
 
-impl<S: VectorField<R, Action = R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
-    /// The error of the action that is tolerated beside that relative to it. Without this it is zero.
-    pub fn absolute_action(mut self, s: R) -> Self {
-        self.steps.tolerance.absolute.s = s;
-        self
-    }
-}
-
 impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real> Debug for Adaptive<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Steps { system, method, clock, x, taken, rejections, .. } = &self.steps;
@@ -222,7 +213,7 @@ impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real> Debug for Adapt
     }
 }
 
-impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
     type State = StateOf<S, R>;
 
     fn step(&mut self) -> Result<(), StepError> {

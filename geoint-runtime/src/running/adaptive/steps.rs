@@ -8,14 +8,14 @@ use crate::running::tolerance::Tolerance;
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{DoubleWord, PerCoordinate};
-use crate::system::{PhaseSpace, VectorField};
+use crate::system::{PhaseSpace, Rates};
 
 /// A system under a method, and all that decides on the next step.
 #[derive(Clone)]
 pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) system: S,
     pub(super) method: M,
-    pub(super) tolerance: Tolerance<S::Array, S::Action>,
+    pub(super) tolerance: Tolerance<S::Phase, S::Action>,
     pub(super) bounds: Bounds,
     pub(super) controller: Controller,
     prepared: Prepared<M::Prepared>,
@@ -27,7 +27,7 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) rejections: u64,
 }
 
-impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
         let mut steps = Steps {
             system,
@@ -145,7 +145,7 @@ impl<S: PhaseSpace<R> + VectorField<R>, M: Method<S, R>, R: Real> Steps<S, M, R>
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &self.x.s) {
+        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             Some(what) if self.taken == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),
         }

@@ -7,9 +7,9 @@ use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{Action, Coordinates};
+use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, PhaseSpace, StateOf};
+use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
 use steps::Steps;
 
@@ -27,7 +27,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     ///
     /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
     pub fn new(system: S, method: M, h: R, state: StateOf<S, R>) -> Self {
-        let (t0, q, p, s) = S::Action::parts(state);
+        let (t0, z, s) = state.parts();
         Integrator {
             steps: Steps {
                 system,
@@ -36,13 +36,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 memory: M::memory(),
                 clock: Clock::new(t0, h),
                 taken: 0,
-                x: Point::with_action(q.into_array(), p.into_array(), s),
+                x: Point::with_action(z, s),
             },
         }
     }
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
     /// One step.
     ///
     /// # Errors
@@ -124,15 +124,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// The state now.
     #[inline(always)]
     pub fn state(&self) -> StateOf<S, R> {
-        let x = &self.steps.x;
-        let (q, p) = (Coordinates::from_array(x.q), Coordinates::from_array(x.p));
-        S::Action::state(self.time(), q, p, self.action())
+        S::State::of(self.time(), self.steps.x.z, self.action())
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
         let Steps { system, x, .. } = &self.steps;
-        system.hamiltonian(self.time(), &x.q, &x.p, &self.action())
+        system.hamiltonian(self.time(), &x.z, &self.action())
+    }
+
+    /// The first integrals now, in the order in which they were named.
+    pub fn integrals(&self) -> S::Values
+    where
+        S: FirstIntegrals<R>,
+    {
+        self.steps.system.integrals(self.time(), &self.steps.x.z)
     }
 
     /// The action now, if it is followed.
@@ -169,7 +175,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         Samples::new(self, k)
     }
 
-    fn with_sums<D: Summation<S::Array>>(self) -> Integrator<S, M, R, D> {
+    fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
         let Steps { system, method, prepared, memory, clock, taken, x } = self.steps;
         Integrator { steps: Steps { system, method, prepared, memory, clock, taken, x: x.with_sums() } }
     }
@@ -179,7 +185,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
     /// Flows of contact systems that do not only add give what they add by formulas of their own.
-    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
+    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Phase>> {
         self.with_sums()
     }
 }
@@ -201,7 +207,7 @@ impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real, C: Debug> Debug
     }
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Trajectory for Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Trajectory for Integrator<S, M, R, C> {
     type State = StateOf<S, R>;
 
     #[inline]

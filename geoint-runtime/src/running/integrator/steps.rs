@@ -21,10 +21,10 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clock: Clock<R>,
     /// Steps since the beginning.
     pub(super) taken: u64,
-    pub(super) x: Point<S::Array, C, S::Action>,
+    pub(super) x: Point<S::Phase, C, S::Action>,
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
     /// One step.
     #[inline(always)]
     pub(super) fn step(&mut self) -> Result<(), StepError> {
@@ -100,7 +100,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S
             self.pass(1);
             return Ok(true);
         }
-        watch.visit(self.clock.at(1), &x.q, &x.p, &x.s);
+        watch.visit(self.clock.at(1), &x.z, &x.s);
         Err(match (outcome, watch.reason(outcome.err())) {
             (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
             (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
@@ -129,7 +129,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
-        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &self.x.s) {
+        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             Some(what) => Err(StepError::OutsideDomain { t, what }),
             None => Ok(()),
         }
@@ -137,19 +137,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Steps<S
 
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
-    fn is_good(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> bool {
-        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.q, &x.p, &x.s).is_none()
+    fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
     }
 
     /// When steps end that led to `x`.
     #[inline(always)]
-    fn end(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> R {
+    fn end(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> R {
         self.clock.at(steps) + x.ahead.value()
     }
 
     /// Whether a step from time `start` to `x` does not end beyond `limit`.
     #[inline(always)]
-    fn ends_within(&self, limit: Option<R>, x: &Point<S::Array, C, S::Action>, start: R) -> bool {
+    fn ends_within(&self, limit: Option<R>, x: &Point<S::Phase, C, S::Action>, start: R) -> bool {
         limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
