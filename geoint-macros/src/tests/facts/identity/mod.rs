@@ -3,6 +3,7 @@
 mod claims;
 mod integrals;
 mod points;
+mod search;
 mod spelling;
 mod systems;
 
