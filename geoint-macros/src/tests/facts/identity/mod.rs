@@ -1,5 +1,6 @@
 //! What is zero is seen, by which proof, and nothing else is taken for zero.
 
+mod branches;
 mod claims;
 mod integrals;
 mod points;
