@@ -5,6 +5,7 @@
 //! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
 
 pub(crate) mod claims;
+pub(crate) mod liouville;
 mod multiplied;
 mod residues;
 mod rounding;
