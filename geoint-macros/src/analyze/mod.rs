@@ -22,6 +22,7 @@ use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
+#[cfg_attr(not(test), allow(unused_imports, reason = "for the attributes of fields, which come next"))]
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;

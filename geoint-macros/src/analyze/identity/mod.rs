@@ -3,6 +3,16 @@
 //! It is multiplied out; what is too long for that, or rests on relations between functions, is evaluated at points of a finite field.
 //! "Zero" is proven by one of the two: it holds wherever the node is defined, and the answer says by which. What is not proven is
 //! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
+//!
+//! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
+#![cfg_attr(
+    not(test),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "claims, search and liouville are for the attributes of fields, which come next"
+    )
+)]
 
 pub(crate) mod claims;
 pub(crate) mod liouville;
