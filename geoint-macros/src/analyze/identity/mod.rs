@@ -33,7 +33,7 @@ pub(crate) enum Identity {
     /// It is zero wherever it is defined.
     Zero(Proof),
     /// It is not zero.
-    Wrong(Wrong),
+    Wrong(Box<Wrong>),
     /// It was not proven, and no state was met at which it is certainly not zero.
     Open(Open),
 }
@@ -140,7 +140,7 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
     let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols)).flatten();
     match witness.or_else(|| witness::near_witness(graph, terms, &symbols)).or(drawn) {
-        Some(witness) => Identity::Wrong(Wrong { rest, witness, branch }),
+        Some(witness) => Identity::Wrong(Box::new(Wrong { rest, witness, branch })),
         None => Identity::Open(Open { rest, why }),
     }
 }
