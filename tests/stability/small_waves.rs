@@ -124,19 +124,30 @@ fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {
     p * p / (2.0 * m) + k * (1.0 - q.cos()) + kink * q.abs()
 }
 
-/// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, relative to x₀, x₁ and their difference.
+/// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, less what it changes by where the middle is rounded otherwise, relative to x₀, x₁ and their difference.
 fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates>, to: &State<S::Coordinates>) -> f64 {
     use geoint_runtime::space::Array;
     let [x0, x1] = [from, to].map(flat);
     let n = x0.len() / 2;
+    let rates = |middle: &[f64]| -> Vec<f64> {
+        let middle = state::<S, f64>(0.0, &middle[..n], &middle[n..]);
+        let [q, p] = [middle.q, middle.p].map(geoint_runtime::Coordinates::into_array);
+        let (mut by_q, mut by_p) = (S::Array::zero(), S::Array::zero());
+        system.gradient(0.0, &q, &p, &mut by_q, &mut by_p);
+        by_p.as_slice().iter().copied().chain(by_q.as_slice().iter().map(|x| -x)).collect()
+    };
     let middle: Vec<f64> = x0.iter().zip(&x1).map(|(a, b)| 0.5 * (a + b)).collect();
-    let middle = state::<S, f64>(0.0, &middle[..n], &middle[n..]);
-    let [q, p] = [middle.q, middle.p].map(geoint_runtime::Coordinates::into_array);
-    let (mut by_q, mut by_p) = (S::Array::zero(), S::Array::zero());
-    system.gradient(0.0, &q, &p, &mut by_q, &mut by_p);
-    let rates: Vec<f64> = by_p.as_slice().iter().copied().chain(by_q.as_slice().iter().map(|x| -x)).collect();
-    let change = |i: usize| (x1[i] - x0[i] - h * rates[i]).abs() / (x0[i].abs() + x1[i].abs() + (h * rates[i]).abs());
-    (0..2 * n).map(change).fold(0.0, f64::max)
+    let here = rates(&middle);
+    let mut rounding = vec![0.0; 2 * n];
+    for j in 0..2 * n {
+        let mut moved = middle.clone();
+        moved[j] *= 1.0 + 2.0 * f64::EPSILON;
+        for (sum, (a, b)) in rounding.iter_mut().zip(rates(&moved).iter().zip(&here)) {
+            *sum += (h * (a - b)).abs();
+        }
+    }
+    let excess = |i: usize| (x1[i] - x0[i] - h * here[i]).abs() - rounding[i];
+    (0..2 * n).map(|i| excess(i) / (x0[i].abs() + x1[i].abs() + (h * here[i]).abs())).fold(0.0, f64::max)
 }
 
 /// Long steps from random starts: refused, or a solution to rounding.

@@ -4,7 +4,7 @@
 //! unknowns. Its terms are not known to a solver, but their rounding is seen where the residual is evaluated at neighbouring points: high
 //! differences of a smooth function are small, those of its rounding are not. J. J. Moré & S. M. Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
 
-use crate::scalar::Real;
+use crate::scalar::{Real, zero};
 use crate::solving::rounding::is_rounding;
 use crate::solving::size::Sizes;
 use crate::space::Array;
@@ -46,6 +46,8 @@ const REACH: i32 = 2;
 
 /// The standard deviation of the rounding of every entry of a residual near `x`.
 ///
+/// Zero where the residual is smooth at no distance: the digits of the unknowns do not resolve it, and nothing is known of its rounding.
+///
 /// Unknowns of the same `kind` have one unit: they are moved by as much as the largest of them. The residual is `None` where there is none.
 #[cold]
 #[inline(never)]
@@ -63,16 +65,17 @@ pub(crate) fn measure<A: Array>(
         *d = A::Real::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
     }
     let growth = libm::pow(A::Real::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-    let (mut noise, mut smooth) = (A::zero(), A::fill(false));
+    let (mut noise, mut smooth, mut resolved) = (A::zero(), A::fill(false), A::fill(false));
     let mut distance = A::Real::epsilon();
-    for _ in 0..REACH * DISTANCES_PER_EPSILON {
+    let (smooth, resolved) = (A::entries(&mut smooth), A::entries(&mut resolved));
+    'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
         let mut differences = [A::zero(); POINTS];
         for (j, value) in differences.iter_mut().enumerate() {
             let mut moved = *x;
             moved.add_scaled(A::Real::from_f64(distance * j as f64), &direction);
             match residual(&moved) {
                 Some(r) if r.is_finite() => *value = r,
-                _ => return noise,
+                _ => break 'distances,
             }
         }
         let mut spread = differences[POINTS - 1];
@@ -86,7 +89,7 @@ pub(crate) fn measure<A: Array>(
             }
         }
         difference(&mut differences[..=POINTS - ORDER]);
-        let (smooth, mut over) = (A::entries(&mut smooth), true);
+        let mut over = true;
         for i in 0..A::LEN {
             let last = lower.iter().fold(0.0, |last, lower| lower.as_slice()[i].magnitude().max(SMOOTH * last));
             let high = by_rank(&differences[..POINTS - ORDER], i).map(|x| x / DEVIATION);
@@ -95,6 +98,7 @@ pub(crate) fn measure<A: Array>(
             // Far away other terms are rounded: those that the residual has grown by.
             let grown = distance > NEAR && deviation <= GROWN * A::Real::epsilon() * spread.as_slice()[i].magnitude();
             over &= smooth[i] || grown;
+            resolved[i] |= smooth[i] || grown;
             let noise = &mut noise.as_mut_slice()[i];
             if !(smooth[i] || grown) && deviation > noise.magnitude() {
                 *noise = A::Real::from_f64(deviation);
@@ -104,6 +108,11 @@ pub(crate) fn measure<A: Array>(
             break;
         }
         distance *= growth;
+    }
+    for (noise, resolved) in noise.as_mut_slice().iter_mut().zip(resolved) {
+        if !*resolved {
+            *noise = zero();
+        }
     }
     noise
 }
