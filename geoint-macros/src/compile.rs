@@ -16,32 +16,31 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
 /// H(q, p, t).
 fn hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
-    let context = emit::Context::new(energy, &lowered.constants, &lowered.partial);
+    let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(graph, lowered.damping);
-    let derived = derive::canonical(graph, &structure, energy.degrees()); // every node that some method needs
+    let derived = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let system = derived.scheduled(graph); // what is computed when
-    let domain = emit::domain(&context, graph, structure.energy, structure.damping.as_ref());
     let graph = &*graph; // which nobody changes any more
     let report = emit::report::canonical(&context, graph, &structure, &system);
-    Ok(emit::items(&context, graph, &system, &domain, &report))
+    Ok(emit::items(&context, graph, &system, &report))
 }
 
 /// H(q, p, s, t).
 fn contact_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
-    let context = emit::Context::new(energy, &lowered.constants, &lowered.partial);
+    let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
     let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
-    let derived = derive::contact(graph, root, (&pieces, &mechanics), (degrees, energy.lift.is_some()));
+    let derived =
+        derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let system = derived.scheduled(graph);
-    let domain = emit::domain(&context, graph, root, None);
     let graph = &*graph;
     let report = emit::report::contact(&context, graph, &system);
-    Ok(emit::items(&context, graph, &system, &domain, &report))
+    Ok(emit::items(&context, graph, &system, &report))
 }

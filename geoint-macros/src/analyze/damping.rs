@@ -29,6 +29,22 @@ pub(crate) enum Flaw {
     Indefinite,
 }
 
+impl Damping {
+    /// The coefficients whose sign is not known yet.
+    pub(crate) fn open_diagonal(&self, graph: &Graph) -> Vec<Id> {
+        let mut entries: Vec<Id> = (0..self.matrix.len()).map(|i| self.matrix[i][i]).collect();
+        entries.sort();
+        entries.dedup();
+        entries.retain(|entry| graph.as_number(*entry).is_none());
+        entries
+    }
+
+    /// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
+    pub(crate) fn open_matrix(&self) -> Vec<Id> {
+        if self.open { self.matrix.iter().flatten().copied().collect() } else { vec![] }
+    }
+}
+
 pub(super) fn damping(graph: &Graph, matrix: Vec<Vec<Id>>) -> Option<Damping> {
     let dependence = Dependence::of(graph);
     let entries = || (0..matrix.len()).flat_map(|i| (0..matrix.len()).map(move |j| (i, j)));

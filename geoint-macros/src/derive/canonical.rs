@@ -1,11 +1,13 @@
 //! What is derived from H(q, p, t).
 
+use super::domain::Domain;
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
@@ -13,7 +15,7 @@ use crate::schedule::{Kernel, Levels};
 const FEW: u32 = 3;
 
 /// Derives everything that some method needs.
-pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) -> System {
+pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Partial], degrees: u32) -> System {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
     let drag = structure
@@ -28,10 +30,12 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) 
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
     let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
+    // Damping that depends on the state makes a field of a higher degree.
+    let steady = structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let proven = [
         (structure.damping.is_none(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
-        (structure.degree.is_some_and(|degree| degree <= 3), "Cubic"),
+        (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
     ];
     System {
         energy: structure.energy,
@@ -44,6 +48,7 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, degrees: u32) 
         modified,
         pieces: None,
         implicit: Implicit::Canonical(fields.kernels(graph, structure)),
+        domain: Domain::of(graph, (structure.energy, Form::Hamiltonian), partial, structure.damping.as_ref()),
     }
 }
 

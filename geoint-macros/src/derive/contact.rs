@@ -1,11 +1,13 @@
 //! What is derived from H(q, p, s, t).
 
+use super::domain::Domain;
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
 use crate::diff;
-use crate::ir::{Graph, Id};
+use crate::ir::{Graph, Id, Partial};
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
+use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Flow, Mechanics, Pieces};
 
@@ -14,6 +16,7 @@ pub(crate) fn contact(
     graph: &mut Graph,
     energy: Id,
     (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
+    partial: &[Partial],
     (degrees, lift): (u32, bool),
 ) -> System {
     let gradient = diff::gradient(graph, energy, degrees);
@@ -42,6 +45,7 @@ pub(crate) fn contact(
         modified,
         pieces: Some(pieces),
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+        domain: Domain::of(graph, (energy, Form::Contact), partial, None),
     }
 }
 

@@ -3,6 +3,8 @@
 //! One value holds it for every form. It is a system of kernels; scheduled, the same is a system of plans. What a form does not have
 //! is `None`, and what an energy does not have is `Err` with the reason.
 
+mod poles;
+mod domain;
 mod system;
 mod implicit;
 mod canonical;
@@ -10,7 +12,9 @@ mod contact;
 
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
+pub(crate) use domain::{Domain, Sign};
 pub(crate) use implicit::MOST_UNKNOWNS;
+pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
     Undamped,

@@ -1,5 +1,6 @@
 //! The value that holds what was derived of a system.
 
+use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol};
@@ -27,6 +28,8 @@ pub(crate) struct System<K = Kernel> {
     /// The flows whose composition is a step; of contact systems.
     pub(crate) pieces: Option<Result<Vec<PieceKernel<K>>, Missing>>,
     pub(crate) implicit: Implicit<K>,
+    /// Where the energy is defined.
+    pub(crate) domain: Domain<K>,
 }
 
 /// What an energy lacks.
@@ -151,6 +154,7 @@ impl System {
             }),
             pieces: self.pieces.map(|pieces| Ok(pieces?.into_iter().map(|piece| piece.map(&mut plan)).collect())),
             implicit: self.implicit.map(&mut plan),
+            domain: self.domain.map(&mut plan),
             value: self.value.map(&mut plan),
             rate: self.rate.map(&mut plan),
             slopes: plan(self.slopes),

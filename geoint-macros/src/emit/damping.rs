@@ -2,7 +2,7 @@
 
 use super::kernel::Context;
 use crate::analyze::Damping;
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{Id, Symbol, print::Printer};
 use crate::parse::Energy;
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -17,22 +17,7 @@ pub(super) fn function(energy: &Energy) -> Option<TokenStream> {
     Some(quote!(#item))
 }
 
-/// The coefficients whose sign is not known yet, with what is said if it is negative.
-pub(super) fn coefficients(context: &Context<'_>, graph: &Graph, damping: &Damping) -> Vec<(Id, String)> {
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    let mut entries: Vec<Id> = (0..damping.matrix.len()).map(|i| damping.matrix[i][i]).collect();
-    entries.sort();
-    entries.dedup();
-    entries.retain(|entry| graph.as_number(*entry).is_none());
-    entries.into_iter().map(|entry| (entry, format!("damping that is negative: {}", printer.excerpt(entry)))).collect()
-}
-
-/// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
-pub(super) fn open_matrix(damping: &Damping) -> Vec<Id> {
-    if damping.open { damping.matrix.iter().flatten().copied().collect() } else { vec![] }
-}
-
-/// The statement that tests such a matrix.
+/// The statement that tests a matrix of which it is not known yet whether it is positive semidefinite.
 pub(super) fn matrix_test(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
     if values.is_empty() {
         return TokenStream::new();

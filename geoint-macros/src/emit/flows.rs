@@ -10,19 +10,14 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and `impl MechanicalContact` of contact systems.
-pub(super) fn splitting(
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &Result<KickDrift<Plan>, Missing>,
-    bounds: &TokenStream,
-) -> TokenStream {
+pub(super) fn splitting(context: &Context<'_>, graph: &Graph, found: &Result<KickDrift<Plan>, Missing>) -> TokenStream {
     match found {
-        Ok(flows) => separable(context, graph, flows, bounds),
-        Err(missing) => none(context, graph, *missing, bounds),
+        Ok(flows) => separable(context, graph, flows),
+        Err(missing) => none(context, graph, *missing),
     }
 }
 
-fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, bounds: &TokenStream) -> TokenStream {
+fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> TokenStream {
     let name = self_type(context);
     let exact = flows.exact_in_time.then(|| {
         quote!(
@@ -39,22 +34,21 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>, boun
                 &quote!((self.constants(), [h, g])),
                 &quote!(gradient_kick(self, prepared, t, q, p);),
             ],
-            bounds,
         ),
         Ok(GradientKick::Flow(flow)) => {
             let slots = slots(flow);
-            quadratic(context, [&quote!([R; #slots]), &context.stored(&flow.kernel, 0), &assign(context, flow)], bounds)
+            quadratic(context, [&quote!([R; #slots]), &context.stored(&flow.kernel, 0), &assign(context, flow)])
         }
         Err(missing) => {
             let (marker, tokens) = unsatisfied(context, graph, *missing);
-            let never = not_quadratic(context, bounds, &marker);
+            let never = not_quadratic(context, &marker);
             quote!(#tokens #never)
         }
     };
-    let mechanical = flows.undamped.as_ref().map(|undamped| mechanical(context, undamped, bounds));
+    let mechanical = flows.undamped.as_ref().map(|undamped| mechanical(context, undamped));
     let [(kick_type, prepare_kick, kick), (drift_type, prepare_drift, drift)] = [kick, drift];
     quote! {
-        impl<R: #bounds> Separable<R> for #name {
+        impl<R: Real> Separable<R> for #name {
             type Proof = ();
             const KICKS_REPEAT: bool = #repeats;
             type Kick = #kick_type;
@@ -108,13 +102,13 @@ pub(super) fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStr
 }
 
 /// `impl MechanicalContact`: kick and drift without damping, and the damping.
-fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>, bounds: &TokenStream) -> TokenStream {
+fn mechanical(context: &Context<'_>, undamped: &Undamped<Plan>) -> TokenStream {
     let name = self_type(context);
     let kick = free_flow(context, ["Kick", "kick"], undamped.kick.as_ref());
     let drift = free_flow(context, ["Drift", "drift"], undamped.drift.as_ref());
     let damping = context.values(&undamped.damping, |mut values| values.remove(0));
     quote! {
-        impl<R: #bounds> MechanicalContact<R> for #name {
+        impl<R: Real> MechanicalContact<R> for #name {
             type Proof = ();
             #kick
             #drift
@@ -150,13 +144,13 @@ fn free_flow(context: &Context<'_>, [upper, lower]: [&str; 2], own: Option<&Flow
 }
 
 /// `impl QuadraticKinetic` and `impl ForceGradient`, by what is prepared for a kick, how, and its body.
-fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3], bounds: &TokenStream) -> TokenStream {
+fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3]) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     quote! {
-        impl<R: #bounds> QuadraticKinetic<R> for #name {
+        impl<R: Real> QuadraticKinetic<R> for #name {
             type Proof = ();
         }
-        impl<R: #bounds> ForceGradient<R> for #name {
+        impl<R: Real> ForceGradient<R> for #name {
             type GradientKick = #prepared;
             #[inline]
             fn prepare_gradient_kick(&self, h: R, g: R) -> #prepared {
@@ -171,14 +165,14 @@ fn quadratic(context: &Context<'_>, [prepared, prepare, body]: [&TokenStream; 3]
 }
 
 /// The same for no scalar.
-fn not_quadratic(context: &Context<'_>, bounds: &TokenStream, marker: &Ident) -> TokenStream {
+fn not_quadratic(context: &Context<'_>, marker: &Ident) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let never = quote!(::core::convert::Infallible);
     quote! {
-        impl<R: #bounds + #marker> QuadraticKinetic<R> for #name {
+        impl<R: Real + #marker> QuadraticKinetic<R> for #name {
             type Proof = <R as #marker>::Proof;
         }
-        impl<R: #bounds + #marker> ForceGradient<R> for #name {
+        impl<R: Real + #marker> ForceGradient<R> for #name {
             type GradientKick = #never;
             fn prepare_gradient_kick(&self, _: R, _: R) -> #never {
                 ::core::unreachable!()
@@ -191,11 +185,11 @@ fn not_quadratic(context: &Context<'_>, bounds: &TokenStream, marker: &Ident) ->
 }
 
 /// Neither kick nor drift.
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenStream) -> TokenStream {
+fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
-    let not_quadratic = not_quadratic(context, bounds, &marker);
+    let not_quadratic = not_quadratic(context, &marker);
     let prepare = |name: &str| {
         let name = format_ident!("prepare_{name}");
         quote! {
@@ -218,7 +212,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
         let [prepare_kick, prepare_drift] = ["free_kick", "free_drift"].map(prepare);
         let [kick, drift] = ["free_kick", "free_drift"].map(flow);
         quote! {
-            impl<R: #bounds + #marker> MechanicalContact<R> for #name {
+            impl<R: Real + #marker> MechanicalContact<R> for #name {
                 type Proof = <R as #marker>::Proof;
                 type FreeKick = #never;
                 type FreeDrift = #never;
@@ -234,7 +228,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
     });
     quote! {
         #tokens
-        impl<R: #bounds + #marker> Separable<R> for #name {
+        impl<R: Real + #marker> Separable<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Kick = #never;
             type Drift = #never;

@@ -1,9 +1,9 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
 use super::straight_line;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::Symbol;
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{self, Block, Plan};
+use crate::schedule::{Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
@@ -12,8 +12,6 @@ pub(crate) struct Context<'a> {
     pub(super) energy: &'a Energy,
     /// Constants that live outside the function.
     constants: &'a [TokenStream],
-    /// What is not defined everywhere.
-    pub(super) partial: &'a [Partial],
 }
 
 /// `base[i][j]…`
@@ -38,8 +36,8 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
 }
 
 impl<'a> Context<'a> {
-    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream], partial: &'a [Partial]) -> Self {
-        Context { energy, constants, partial }
+    pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream]) -> Self {
+        Context { energy, constants }
     }
 
     /// The indices of the `i`-th coordinate in its array.
@@ -65,6 +63,17 @@ impl<'a> Context<'a> {
         })
     }
 
+    /// The array type of all coordinates.
+    pub(crate) fn phase(&self) -> TokenStream {
+        let array = self.array();
+        quote!([#array; 2])
+    }
+
+    /// The statement that gives parts of the point `z` the names that routines read.
+    pub(crate) fn parts(&self) -> TokenStream {
+        quote!(let [q, p] = z;)
+    }
+
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
         match self.energy.form {
@@ -88,15 +97,15 @@ impl<'a> Context<'a> {
 
     /// The type of an array of unknowns.
     pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenStream {
-        let (array, degrees) = (self.array(), self.energy.degrees() as usize);
+        let degrees = self.energy.degrees() as usize;
         if unknowns == degrees {
-            return array;
+            return self.array();
         }
         if unknowns == 2 * degrees + 1 {
             let unknowns = Literal::usize_unsuffixed(unknowns);
             return quote!([R; #unknowns]);
         }
-        quote!([#array; 2])
+        self.phase()
     }
 
     /// All scalars of parameters, in order.
@@ -176,16 +185,6 @@ impl<'a> Context<'a> {
             }
             None => self.input(symbol),
         }
-    }
-
-    /// One routine without levels: the statements, then what `finish` makes of the values of `roots`.
-    pub(crate) fn routine(
-        &self,
-        graph: &mut Graph,
-        roots: &[Id],
-        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
-    ) -> TokenStream {
-        straight_line::routine(&schedule::routine(graph, roots), &|symbol| self.input(symbol), finish)
     }
 
     /// The values of a plan's only routine, or of its first.

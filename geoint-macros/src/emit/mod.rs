@@ -20,7 +20,6 @@ use crate::derive::{Implicit, System};
 use crate::ir::Graph;
 use crate::parse::{Energy, IMPORTED};
 use crate::schedule::Plan;
-pub(crate) use domain::{DomainTests, domain};
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -32,28 +31,19 @@ pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
 }
 
 /// Everything that is emitted beside the user's function, of any form.
-pub(crate) fn items(
-    context: &Context<'_>,
-    graph: &Graph,
-    system: &System<Plan>,
-    domain: &DomainTests,
-    report: &str,
-) -> TokenStream {
-    let bounds = system::bounds();
+pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let inherent = system::inherent(context, report);
-    let space = system::phase_space(context, system, domain, &bounds);
-    let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found, &bounds));
-    let flows = flows::splitting(context, graph, &system.splitting, &bounds);
-    let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified, &bounds));
+    let space = system::phase_space(context, graph, system);
+    let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found));
+    let flows = flows::splitting(context, graph, &system.splitting);
+    let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
         Implicit::Canonical(field) => {
-            let discrete = implicit::discrete_field(context, field, &bounds);
-            let collocation = implicit::collocation(context, field, &bounds);
+            let discrete = implicit::discrete_field(context, field);
+            let collocation = implicit::collocation(context, field);
             quote!(#discrete #collocation)
         }
-        Implicit::Contact(methods) => {
-            methods.iter().map(|(method, step)| steps::step(context, method, step, &bounds)).collect()
-        }
+        Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
     around(context, report, &quote!(#inherent #space #pieces #flows #modified #implicit))
 }

@@ -16,16 +16,15 @@ pub(super) fn pieces(
     context: &Context<'_>,
     graph: &Graph,
     found: &Result<Vec<PieceKernel<Plan>>, Missing>,
-    bounds: &TokenStream,
 ) -> TokenStream {
     match found {
-        Ok(pieces) => splitting(context, graph, pieces, bounds),
-        Err(missing) => none(context, graph, *missing, bounds),
+        Ok(pieces) => splitting(context, graph, pieces),
+        Err(missing) => none(context, graph, *missing),
     }
 }
 
-fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>], bounds: &TokenStream) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>]) -> TokenStream {
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
         let name = printer.excerpt(piece.energy);
@@ -55,7 +54,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
     quote! {
-        impl<R: #bounds> ContactPieces<R> for #name {
+        impl<R: Real> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
             type Proof = ();
             type Flows = #types;
@@ -72,8 +71,9 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
             #[inline(always)]
             fn flow(
                 &self,
-                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, q: &mut #array, p: &mut #array, s: &mut R,
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut R,
             ) {
+                #parts
                 match piece {
                     #(#arms)*
                     _ => {}
@@ -83,13 +83,13 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>],
     }
 }
 
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenStream) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (name, phase) = (self_type(context), context.phase());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
-        impl<R: #bounds + #marker> ContactPieces<R> for #name {
+        impl<R: Real + #marker> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[];
             type Proof = <R as #marker>::Proof;
             type Flows = #never;
@@ -98,7 +98,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing, bounds: &TokenSt
                 ::core::unreachable!()
             }
             fn freeze(&self, _: &#never, _: R) {}
-            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut R) {
                 match *never {}
             }
         }

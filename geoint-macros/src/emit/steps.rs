@@ -10,7 +10,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl ImplicitStep` for a method.
-pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>, bounds: &TokenStream) -> TokenStream {
+pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenStream {
     let StepKernel { unknowns, kernel: plan } = step;
     let (name, method) = (self_type(context), format_ident!("{method}"));
     let (unknown, places) = (context.unknown_type(unknowns.len()), context.unknown_places(unknowns.len()));
@@ -24,7 +24,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>,
     let end = context.planned(&plan.last[1], (unknowns, "d"), |values| quote!([#(#values),*]));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
-        impl<R: #bounds> ImplicitStep<#method, R> for #name {
+        impl<R: Real> ImplicitStep<#method, R> for #name {
             type Proof = ();
             type Unknown = #unknown;
             type Constants = [R; #prepared];

@@ -97,8 +97,3 @@ pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &
     store_blocks.reverse();
     Plan { stores: store_blocks, last, slots: slots.iter().map(Vec::len).collect() }
 }
-
-/// One routine without earlier ones.
-pub(crate) fn routine(graph: &mut Graph, roots: &[Id]) -> Block {
-    plan(graph, |_| 0, &[], &[roots]).last.remove(0)
-}

@@ -14,4 +14,4 @@ mod lowering;
 pub(crate) use block::{Block, Instruction, Operand, Operations, Register, Statement};
 #[cfg(test)]
 pub(crate) use kernel::plan;
-pub(crate) use kernel::{Kernel, Levels, Plan, routine};
+pub(crate) use kernel::{Kernel, Levels, Plan};

@@ -50,7 +50,7 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     let structure = analyze::structure(&mut lowered.graph, lowered.energy, &energy.coordinates.shape);
     let gradient = diff::gradient(&mut lowered.graph, structure.energy, 2);
     let roots = [gradient.q, gradient.p].concat();
-    let operations = schedule::routine(&mut lowered.graph, &roots).operations();
+    let operations = schedule::Kernel::new(schedule::Levels::One, roots).plan(&mut lowered.graph).operations();
     // The best tools reach 58 to 79.
     assert!(operations.total() <= 65, "{operations:?}");
 }

@@ -11,7 +11,7 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
     let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let found = split::pieces(&mut lowered.graph, lowered.energy, energy.degrees(), None);
-    let context = emit::Context::new(&energy, &lowered.constants, &lowered.partial);
+    let context = emit::Context::new(&energy, &lowered.constants);
     let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?

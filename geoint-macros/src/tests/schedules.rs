@@ -206,7 +206,8 @@ fn what_belongs_to_a_branch_is_computed_in_that_branch() {
     });
     let graph = &mut lowered.graph;
     let gradient = diff::gradient(graph, lowered.energy, 1);
-    let block = schedule::routine(graph, &[lowered.energy, gradient.q[0]]);
+    let roots = vec![lowered.energy, gradient.q[0]];
+    let block = schedule::Kernel::new(schedule::Levels::One, roots).plan(graph).last.remove(0);
     let calls =
         |statement: &Statement| matches!(statement, Statement::SinCos(..) | Statement::Let(_, Instruction::Call(..)));
     assert!(!block.statements.iter().any(calls), "{block:?}");

@@ -19,13 +19,13 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::Array;
 use crate::space::Summation;
-use crate::system::{Conservative, Cubic};
+use crate::system::QuadraticField;
 
 /// x₁ = x₀ + h (1 − h/2 f'(x₀))⁻¹ f(x₀), which for quadratic f is (x₁ − x₀)/h = 2f(m) − ½f(x₀) − ½f(x₁), m the midpoint.
 ///
@@ -35,8 +35,8 @@ use crate::system::{Conservative, Cubic};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kahan;
 
-impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
-    type Proof = <<S as Cubic<R>>::Proof as And<<S as Conservative<R>>::Proof>>::Both;
+impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
+    type Proof = <S as QuadraticField<R>>::Proof;
     type Prepared = (S::Constants, R);
     type Memory = ();
 
@@ -56,14 +56,14 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
 
     /// Solved for the impulse alone, if T is quadratic: dq = h ∂T/∂p at the mean momentum.
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         (constants, h): &Self::Prepared,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (zero, one, half) = (S::Unknown::zero(), R::from_f64(1.0), R::from_f64(0.5) * *h);
-        probe.visit(t, &x.q, &x.p, &());
-        let (y, changed) = S::start(&x.q, &x.p);
+        probe.visit(t, &x.z, &());
+        let (y, changed) = S::start(&x.z);
         let (mut f, mut matrix) = (zero, S::Unknown::fill(zero));
         system.field(constants, t + half, &y, &mut f, &mut matrix);
 
@@ -96,8 +96,7 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
             change.add_scaled(*h, &system.velocity(constants, &mean));
             change
         };
-        let [dq, dp] = S::increments(&change, &impulse);
-        x.add(&dq, &dp);
+        x.add(&S::increments(&change, &impulse));
         Ok(())
     }
 }

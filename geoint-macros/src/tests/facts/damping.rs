@@ -21,7 +21,7 @@ fn damping_of(expr: TokenStream, item: TokenStream) -> Result<(Vec<String>, Opti
     let energy = energy.map_err(|e| e.messages())?;
     let lower::Lowered { mut graph, energy: root, damping, constants, .. } =
         lower::body(&energy).map_err(|e| e.messages())?;
-    let context = emit::Context::new(&energy, &constants, &[]);
+    let context = emit::Context::new(&energy, &constants);
     let damping = analyze::structure(&mut graph, root, &energy.coordinates.shape).damped(&graph, damping).damping;
     let printer = Printer::new(&graph, |symbol| context.user_name(symbol));
     let row = |row: &Vec<_>| row.iter().map(|id| printer.formula(*id)).collect::<Vec<_>>().join(", ");

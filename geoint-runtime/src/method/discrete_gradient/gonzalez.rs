@@ -31,8 +31,8 @@ impl MeanGradient for Gonzalez {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5));
         let mut tree = energy.tree(x, d);
@@ -63,7 +63,7 @@ impl MeanGradient for Gonzalez {
 }
 
 /// The diagonal of W.
-fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
+pub(super) fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
     let n = A::LEN;
     let (change, g) = (scaled(h, &turned(&middle.g)), middle.g);
     let (change, g, rows) = (Array::as_slice(&change), Array::as_slice(&g), middle.derivative.rows());

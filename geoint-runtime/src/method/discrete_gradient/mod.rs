@@ -22,6 +22,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod canonical;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;
@@ -30,6 +31,7 @@ mod itoh_abe;
 mod matrix;
 mod mean;
 mod mean_value;
+mod projected;
 mod tree;
 
 pub use coordinate_increment::CoordinateIncrement;
