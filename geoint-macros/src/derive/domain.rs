@@ -1,0 +1,149 @@
+//! Where the energy is defined: what is tested at a point, at the ends of a step, and between them.
+
+use super::poles::{Jumps, Poles};
+use crate::analyze::{self, Damping};
+use crate::ir::op::Domain as Defined;
+use crate::ir::{Function, Graph, Id, Node, Number, Partial};
+use crate::parse::Form;
+use crate::schedule::{Kernel, Levels};
+use std::collections::HashSet;
+
+/// What is tested of the domain.
+#[derive(Debug)]
+pub(crate) struct Domain<K = Kernel> {
+    /// What is tested at a point.
+    pub(crate) checks: Vec<Check>,
+    /// The argument of each; then the entries of a damping matrix that has to be tested.
+    pub(crate) arguments: K,
+    /// Whether the end of a step may lie outside the domain without a trace in later steps.
+    pub(crate) examined: bool,
+    pub(crate) poles: Option<Poles<K>>,
+    pub(crate) jumps: Option<Jumps<K>>,
+}
+
+/// A condition under which the energy is undefined.
+#[derive(Clone, Debug)]
+pub(crate) struct Check {
+    argument: Id,
+    pub(crate) if_it_is: Sign,
+    /// What that is, and of what.
+    pub(crate) what: String,
+    pub(crate) term: Id,
+}
+
+/// A number that must not be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Sign {
+    Negative,
+    NotPositive,
+    Zero,
+}
+
+impl Domain {
+    /// Derives what is tested of an energy in which some nodes are not defined everywhere.
+    pub(super) fn of(
+        graph: &mut Graph,
+        (energy, form): (Id, Form),
+        partial: &[Partial],
+        damping: Option<&Damping>,
+    ) -> Domain {
+        let mut checks = vec![];
+        for Partial { node, condition } in partial {
+            for check in checks_of(graph, *node) {
+                checks.push(Check { argument: guarded(graph, *condition, check.argument), ..check });
+            }
+        }
+        // A contact flow may begin where a function of time alone is singular: flows look after that themselves.
+        if form == Form::Contact {
+            checks.retain(|check| analyze::reads(graph, check.argument).state());
+        }
+        let mut matrix = vec![];
+        if let Some(damping) = damping {
+            let negative = |entry| Check::new(entry, Sign::Negative, "damping that is negative".into(), entry);
+            checks.extend(damping.open_diagonal(graph).into_iter().map(negative));
+            matrix = damping.open_matrix();
+        }
+        let arguments = checks.iter().map(|check| check.argument).chain(matrix).collect();
+        let examined = is_examined(graph, energy, partial);
+        Domain {
+            arguments: Kernel::new(Levels::One, arguments),
+            checks,
+            examined,
+            poles: Poles::of(graph, (energy, form), partial),
+            jumps: Jumps::of(graph, energy),
+        }
+    }
+}
+
+impl<K> Domain<K> {
+    /// The same with statements in place of nodes.
+    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Domain<L> {
+        Domain {
+            checks: self.checks,
+            arguments: of(self.arguments),
+            examined: self.examined,
+            poles: self.poles.map(|poles| poles.map(of)),
+            jumps: self.jumps.map(|jumps| jumps.map(of)),
+        }
+    }
+}
+
+impl Check {
+    fn new(argument: Id, if_it_is: Sign, what: String, term: Id) -> Check {
+        Check { argument, if_it_is, what, term }
+    }
+}
+
+/// Whether steps may lead over an edge of the domain and back unseen: a function that is not defined everywhere was simplified away, or a
+/// method with merged flows may pass.
+fn is_examined(graph: &mut Graph, energy: Id, partial: &[Partial]) -> bool {
+    let computed: HashSet<Id> = graph.reachable(&[energy]).into_iter().collect();
+    partial.iter().any(|Partial { node, condition }| {
+        analyze::reads(graph, *node).state()
+            && !checks_of(graph, *node).is_empty()
+            && (!computed.contains(node) || condition.is_some() || analyze::has_edge(graph, *node))
+    })
+}
+
+/// A node where a condition holds, and elsewhere 1, at which every function of the language is defined.
+fn guarded(graph: &mut Graph, condition: Option<Id>, node: Id) -> Id {
+    let one = graph.integer(1);
+    condition.map_or(node, |condition| graph.select(condition, node, one))
+}
+
+/// What has to be tested of one node for the energy, and its gradient, to be defined. Under a condition it is tested where that holds:
+/// that is what an `if` around a root is for.
+fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
+    match graph.node(id).clone() {
+        Node::Power(base, exponent) => {
+            let (sign, what) = match (exponent.is_integer(), exponent.numerator < 0) {
+                (true, false) => return vec![],
+                (true, true) => (Sign::Zero, "division by zero"),
+                (false, true) => (Sign::NotPositive, "division by the root of a number that is not positive"),
+                (false, false) if !analyze::has_edge(graph, id) => return vec![],
+                (false, false) => (Sign::Negative, "`sqrt` of a negative number"),
+            };
+            vec![Check::new(base, sign, what.into(), base)]
+        }
+        Node::Call(function, args) => {
+            let Defined::Interval(low, high, of) = function.entry().domain else { return vec![] };
+            let what = format!("`{}` of {of}", function.entry().name);
+            // Distances from the ends of the interval.
+            let mut distance = |end: f64, sign: Number| {
+                let (end, x) = (graph.number(Number::float(end).mul(sign.neg())), graph.scale(sign, args[0]));
+                graph.add(end, x)
+            };
+            let mut ends = vec![distance(low, Number::ONE)];
+            if high.is_finite() {
+                ends.push(distance(high, Number::MINUS_ONE));
+            }
+            let negative_power =
+                args.get(1).and_then(|exponent| graph.as_number(*exponent)).is_some_and(Number::is_negative);
+            let open =
+                matches!(function, Function::Ln | Function::Log2 | Function::Log10 | Function::Ln1p | Function::Atanh);
+            let sign = if open || negative_power { Sign::NotPositive } else { Sign::Negative };
+            ends.into_iter().map(|argument| Check::new(argument, sign, what.clone(), args[0])).collect()
+        }
+        _ => vec![],
+    }
+}
