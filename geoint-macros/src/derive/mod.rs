@@ -9,13 +9,15 @@ mod system;
 mod implicit;
 mod canonical;
 mod contact;
+mod flow;
 
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
+pub(crate) use flow::flow;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
+    FieldKernels, FlowField, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
     Undamped,
 };

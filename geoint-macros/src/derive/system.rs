@@ -2,7 +2,6 @@
 
 use super::domain::Domain;
 use crate::analyze::MeanValue;
-use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{Clock, Family};
@@ -10,24 +9,23 @@ use crate::split::{Clock, Family};
 /// What a system offers.
 #[derive(Debug)]
 pub(crate) struct System<K = Kernel> {
-    /// The energy as a node.
-    pub(crate) energy: Id,
-    /// ∂H/∂q, ∂H/∂p and ∂H/∂s as nodes.
-    pub(crate) gradient: Gradient,
     /// The traits of what was proven, and needs no kernel.
     pub(crate) proven: Vec<&'static str>,
     /// H; nothing if momenta are not followed.
     pub(crate) value: Option<K>,
-    /// ∇H.
-    pub(crate) slopes: K,
-    /// q' and p', where they are not those of H alone.
+    /// ∇H; nothing where the state is not moved by H in q and p.
+    pub(crate) slopes: Option<K>,
+    /// q' and p', where they are not those of H alone; x'.
     pub(crate) rate: Option<K>,
-    pub(crate) splitting: Result<KickDrift<K>, Missing>,
+    /// Kick and drift; of energies in q and p.
+    pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
     /// The flows whose composition is a step; of contact systems.
     pub(crate) pieces: Option<Result<Vec<PieceKernel<K>>, Missing>>,
     pub(crate) implicit: Implicit<K>,
+    /// What a flow keeps.
+    pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
 }
@@ -100,8 +98,32 @@ pub(crate) struct PieceKernel<K> {
 #[derive(Debug)]
 pub(crate) enum Implicit<K> {
     Canonical(FieldKernels<K>),
+    Flow(FlowField<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
+}
+
+/// Functions of x that a flow keeps.
+#[derive(Debug)]
+pub(crate) struct Integrals<K = Kernel> {
+    /// Their names, under which users call them.
+    pub(crate) names: Vec<String>,
+    pub(crate) values: K,
+    /// The gradients, one after the other.
+    pub(crate) slopes: K,
+}
+
+/// The field of a flow, with the steps that keep its integrals.
+#[derive(Debug)]
+pub(crate) struct FlowField<K = Kernel> {
+    pub(crate) coordinates: Vec<Symbol>,
+    pub(crate) increments: Vec<Symbol>,
+    /// f with its derivative.
+    pub(crate) collocation: K,
+    /// The mean velocity of order 2 with its derivative.
+    pub(crate) discrete: Option<K>,
+    /// That of order 4 as the equation of a step: h·f̄, and 1 − ∂(h·f̄)/∂d.
+    pub(crate) fourth: Option<K>,
 }
 
 /// The field of implicit methods for (q, p), or for q alone.
@@ -144,10 +166,8 @@ impl System {
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
         System {
-            energy: self.energy,
-            gradient: self.gradient,
             proven: self.proven,
-            splitting: self.splitting.map(|splitting| splitting.map(&mut plan)),
+            splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),
@@ -157,7 +177,8 @@ impl System {
             domain: self.domain.map(&mut plan),
             value: self.value.map(&mut plan),
             rate: self.rate.map(&mut plan),
-            slopes: plan(self.slopes),
+            slopes: self.slopes.map(&mut plan),
+            integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
         }
     }
 }
@@ -194,6 +215,12 @@ impl<K> PieceKernel<K> {
     }
 }
 
+impl<K> Integrals<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
+        Integrals { names: self.names, values: of(self.values), slopes: of(self.slopes) }
+    }
+}
+
 impl<K> Implicit<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Implicit<L> {
         match self {
@@ -206,6 +233,13 @@ impl<K> Implicit<K> {
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,
+            }),
+            Implicit::Flow(field) => Implicit::Flow(FlowField {
+                coordinates: field.coordinates,
+                increments: field.increments,
+                collocation: of(field.collocation),
+                discrete: field.discrete.map(&mut *of),
+                fourth: field.fourth.map(of),
             }),
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {

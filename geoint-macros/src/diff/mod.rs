@@ -2,6 +2,7 @@
 
 pub(crate) mod contact;
 pub(crate) mod field;
+pub(crate) mod flow;
 mod force_gradient;
 mod forward;
 pub(crate) mod modified;

@@ -73,7 +73,7 @@ fn flow(context: &Context<'_>, name: &str, flow: &FlowKernel<Plan>) -> (TokenStr
     let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
     let (slots, prepare, body) = (slots(flow), context.stored(&flow.kernel, 0), assign(context, flow));
     let action = match context.energy.form {
-        Form::Hamiltonian => quote!(_: &mut ()),
+        Form::Hamiltonian | Form::Structured | Form::Field => quote!(_: &mut ()),
         Form::Contact => quote!(s: &mut R),
     };
     let prepare = quote! {

@@ -66,7 +66,7 @@ impl<'a> Context<'a> {
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
         match self.energy.form {
-            Form::Hamiltonian => quote!(()),
+            Form::Hamiltonian | Form::Structured | Form::Field => quote!(()),
             Form::Contact => quote!(R),
         }
     }
