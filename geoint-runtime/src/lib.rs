@@ -174,11 +174,11 @@ pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
-pub use space::{ContactState, Coordinates, State};
+pub use space::{ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, ForceGradient, Hamiltonian, Mechanical, ModifiedEnergy, PhaseSpace,
-    Pieces, QuadraticKinetic, Separable,
+    Autonomous, Conformal, Conservative, Contact, Cotangent, ForceGradient, Hamiltonian, Mechanical, ModifiedEnergy,
+    PhaseSpace, Pieces, QuadraticKinetic, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -186,7 +186,7 @@ pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FourthOrder, Gauss, Gonzalez,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
         PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
         SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,

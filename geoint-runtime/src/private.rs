@@ -7,11 +7,11 @@ pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite};
-pub use crate::space::{Array, ContactState, Square, State};
+pub use crate::space::{Array, ContactState, FlowState, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Contact as ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep, Mean,
+    Contact as ContactSystem, Cotangent, Cubic, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep, Mean,
     Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces, Pole,
-    QuadraticKinetic, Separable,
+    QuadraticKinetic, Separable, VectorField, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -14,8 +14,9 @@ pub fn solution<S: Hamiltonian<R>, R: Scalar>(
 ) -> Vec<R> {
     let field = |t: R, y: &[R]| {
         let (q, p) = y.split_at(S::Array::LEN);
-        let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
-        system.gradient(t, &array::<S, R>(q), &array::<S, R>(p), &mut dq, &mut dp);
+        let mut slopes = S::Phase::zero();
+        system.gradient(t, &[array::<S, R>(q), array::<S, R>(p)], &mut slopes);
+        let [dq, dp] = slopes;
         dp.as_slice().iter().copied().chain(dq.as_slice().iter().map(|force| -*force)).collect::<Vec<R>>()
     };
     extrapolated(field, state.t, flat(state), duration, parts)

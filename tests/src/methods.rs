@@ -27,7 +27,7 @@ macro_rules! compositions {
 /// Methods for every H.
 pub fn general<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: Collocation<R>,
+    S: Collocation<R> + Hamiltonian<R>,
 {
     visit!(visitor: ExplicitEuler, RK4, DOP853);
     visit!(visitor: ImplicitMidpoint, Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);

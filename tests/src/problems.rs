@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use geoint_runtime::system::Collocation;
-use geoint_runtime::{Coordinates, Hamiltonian, PhaseSpace, State, hamiltonian, space::Array};
+use geoint_runtime::{Coordinates, Cotangent, Hamiltonian, State, hamiltonian, space::Array};
 use nalgebra::{SVector, Vector2, Vector3};
 
 /// Planar pendulum; q in rad.
@@ -154,7 +154,7 @@ pub fn short_pendulum(q: f32, p: f32, m: f32, l: f32, g: f32) -> f32 {
 /// An energy with parameters and a start, over any scalar.
 pub trait Problem {
     /// The system over another scalar.
-    type Over<R: Scalar>: Collocation<R>;
+    type Over<R: Scalar>: Collocation<R> + Hamiltonian<R>;
     /// The name of the function.
     const NAME: &'static str;
     /// Positions and momenta at the start.
@@ -174,7 +174,7 @@ pub trait Problem {
 }
 
 /// Positions or momenta of a problem over `R`.
-pub type Coords<P, R> = <<P as Problem>::Over<R> as PhaseSpace<R>>::Coordinates;
+pub type Coords<P, R> = <<P as Problem>::Over<R> as Cotangent<R>>::Coordinates;
 
 /// A point from plain numbers.
 pub fn state<S: Hamiltonian<R>, R: Scalar>(t: f64, q: &[f64], p: &[f64]) -> State<S::Coordinates> {

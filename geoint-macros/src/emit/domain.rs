@@ -11,7 +11,7 @@ use quote::quote;
 
 /// The items of `PhaseSpace` that speak of the domain.
 pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
-    let (array, action) = (context.array(), context.action());
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
     let outside = outside_domain(context, graph, domain);
     let poles = domain.poles.as_ref().map(|poles| poles::poles(context, graph, poles));
     let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, graph, jumps));
@@ -22,8 +22,9 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
     });
     quote! {
         fn outside_domain(
-            &self, t: R, q: &#array, p: &#array, s: &#action,
+            &self, t: R, z: &#phase, s: &#action,
         ) -> ::core::option::Option<&'static str> {
+            #parts
             #outside
         }
         #examined

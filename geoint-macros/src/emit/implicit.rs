@@ -108,7 +108,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>) 
 
 /// `impl Collocation`.
 pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, phase) = (self_type(context), context.phase());
     let FieldKernels { coordinates, collocation: plan, .. } = field;
     let unknown = context.unknown_type(coordinates.len());
     let places = context.unknown_places(coordinates.len());
@@ -121,11 +121,11 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     let [derivative, start, add, increments] = if field.second_order {
         let add =
             context.planned(&plan.last[2], (&momenta, "f"), |values| quote!(#(#y = w.multiply_add(#values, #y);)*));
-        [quote!(2), quote!((*q, *p)), add, quote!([*change, *impulse])]
+        [quote!(2), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
     } else {
         let f = places.iter().map(|indices| element(quote!(f), indices));
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
-        [quote!(1), quote!(([*q, *p], [*q, *p])), add, quote!(*change)]
+        [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
@@ -140,7 +140,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
                 #constants
             }
             #[inline(always)]
-            fn start(q: &#array, p: &#array) -> (#unknown, #unknown) {
+            fn start(z: &#phase) -> (#unknown, #unknown) {
                 #start
             }
             #[inline(always)]
@@ -165,7 +165,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
                 #add
             }
             #[inline(always)]
-            fn increments(change: &#unknown, impulse: &#unknown) -> [#array; 2] {
+            fn increments(change: &#unknown, impulse: &#unknown) -> #phase {
                 #increments
             }
         }

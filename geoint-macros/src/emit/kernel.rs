@@ -63,6 +63,17 @@ impl<'a> Context<'a> {
         })
     }
 
+    /// The array type of all coordinates.
+    pub(crate) fn phase(&self) -> TokenStream {
+        let array = self.array();
+        quote!([#array; 2])
+    }
+
+    /// The statement that gives parts of the point `z` the names that routines read.
+    pub(crate) fn parts(&self) -> TokenStream {
+        quote!(let [q, p] = z;)
+    }
+
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
         match self.energy.form {
@@ -86,15 +97,15 @@ impl<'a> Context<'a> {
 
     /// The type of an array of unknowns.
     pub(crate) fn unknown_type(&self, unknowns: usize) -> TokenStream {
-        let (array, degrees) = (self.array(), self.energy.degrees() as usize);
+        let degrees = self.energy.degrees() as usize;
         if unknowns == degrees {
-            return array;
+            return self.array();
         }
         if unknowns == 2 * degrees + 1 {
             let unknowns = Literal::usize_unsuffixed(unknowns);
             return quote!([R; #unknowns]);
         }
-        quote!([#array; 2])
+        self.phase()
     }
 
     /// All scalars of parameters, in order.

@@ -24,7 +24,7 @@ pub(super) fn pieces(
 }
 
 fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>]) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
         let name = printer.excerpt(piece.energy);
@@ -71,8 +71,9 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
             #[inline(always)]
             fn flow(
                 &self,
-                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, q: &mut #array, p: &mut #array, s: &mut R,
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut R,
             ) {
+                #parts
                 match piece {
                     #(#arms)*
                     _ => {}
@@ -83,7 +84,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
 }
 
 fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
-    let (name, array) = (self_type(context), context.array());
+    let (name, phase) = (self_type(context), context.phase());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
@@ -97,7 +98,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
                 ::core::unreachable!()
             }
             fn freeze(&self, _: &#never, _: R) {}
-            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #array, _: &mut #array, _: &mut R) {
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut R) {
                 match *never {}
             }
         }

@@ -47,7 +47,7 @@ fn signs_hold(context: &Context<'_>, signs: &Signs<Plan>) -> TokenStream {
 
 /// Tests by structure: those that divided differences do not make, and the rest.
 fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStream> {
-    let (array, action) = (context.array(), context.action());
+    let (phase, action) = (context.phase(), context.action());
     let always = poles.always.as_ref().map(|margins| positive(context, margins));
     let undivided = poles.undivided.as_ref().map(|margins| {
         let tests = positive(context, margins);
@@ -57,7 +57,7 @@ fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStr
         quote! {
             #[inline]
             fn clear_of_poles(
-                &self, divided: bool, t: [R; 2], q: [&#array; 2], p: [&#array; 2], s: [&#action; 2],
+                &self, divided: bool, t: [R; 2], z: [&#phase; 2], s: [&#action; 2],
             ) -> bool {
                 #always
                 #undivided
@@ -69,7 +69,8 @@ fn clear_of_poles(context: &Context<'_>, poles: &Poles<Plan>) -> Option<TokenStr
 
 /// `false` where a margin is not positive.
 fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<Plan>) -> TokenStream {
-    let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(*count));
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let count = Literal::usize_unsuffixed(*count);
     let values = context.values(values, |values| quote!([#(#values),*]));
     let margin = |margin: &Margin| match margin {
         Margin::Together(places) => {
@@ -84,8 +85,8 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
     };
     let margins = margins.iter().map(margin);
     quote! {
-        let values = |t: R, q: &#array, p: &#array, s: &#action| -> [R; #count] { #values };
-        let (start, end) = (values(t[0], q[0], p[0], s[0]), values(t[1], q[1], p[1], s[1]));
+        let values = |t: R, z: &#phase, s: &#action| -> [R; #count] { #parts #values };
+        let (start, end) = (values(t[0], z[0], s[0]), values(t[1], z[1], s[1]));
         if #(#margins.any_not_positive())||* {
             return false;
         }
@@ -96,8 +97,8 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => element(quote!(q), &[i as usize]),
-        Symbol::P(i) => element(quote!(p), &[i as usize]),
+        Symbol::Q(i) => element(quote!(z), &[i as usize]),
+        Symbol::P(i) => element(quote!(z), &[(context.energy.degrees() + i) as usize]),
         Symbol::S => quote!(s),
         Symbol::Parameter(i) if (i as usize) < parameters.len() => element(quote!(parameters), &[i as usize]),
         symbol => context.input(symbol),
@@ -121,12 +122,12 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
     let (name, outside, inside) = (format_ident!("{name}"), values(quote!(Scalar)), values(quote!(R)));
     quote! {
         fn #name<Scalar: Real>(
-            &self, index: usize, lift: impl Fn(R) -> Scalar, t: Scalar, q: &[Scalar], p: &[Scalar], s: Scalar,
+            &self, index: usize, lift: impl Fn(R) -> Scalar, t: Scalar, z: &[Scalar], s: Scalar,
         ) -> #outside {
-            fn values<R: Real>(index: usize, parameters: &[R], t: R, q: &[R], p: &[R], s: R) -> #inside {
+            fn values<R: Real>(index: usize, parameters: &[R], t: R, z: &[R], s: R) -> #inside {
                 match index { #(#arms)* }
             }
-            values(index, &[#(lift(#parameters)),*], t, q, p, s)
+            values(index, &[#(lift(#parameters)),*], t, z, s)
         }
     }
 }
@@ -136,16 +137,17 @@ pub(super) fn jumps(context: &Context<'_>, graph: &Graph, jumps: &Jumps<Plan>) -
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let height = |jump: &Jump| printer.excerpt(jump.height);
     let what = jumps.all.iter().map(|jump| format!("the energy jumps at the end of the step, by {}", height(jump)));
-    let (array, action, count) = (context.array(), context.action(), Literal::usize_unsuffixed(jumps.all.len()));
+    let (phase, parts, action) = (context.phase(), context.parts(), context.action());
+    let count = Literal::usize_unsuffixed(jumps.all.len());
     let sides = context.values(&jumps.sides, |values| quote!([#(#values),*]));
     let heights = enclosed(context, "jump", 2, &jumps.heights.last);
     quote! {
         const JUMPS: &'static [&'static str] = &[#(#what),*];
 
         #[inline]
-        fn same_sides(&self, t: R, q: [&#array; 2], p: [&#array; 2], s: [&#action; 2]) -> bool {
-            let sides = |q: &#array, p: &#array, s: &#action| -> [R; #count] { #sides };
-            sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
+        fn same_sides(&self, t: R, z: [&#phase; 2], s: [&#action; 2]) -> bool {
+            let sides = |z: &#phase, s: &#action| -> [R; #count] { #parts #sides };
+            sides(z[0], s[0]) == sides(z[1], s[1])
         }
         #heights
     }

@@ -104,6 +104,7 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
 /// The energy with its gradient and where it is defined, and the traits of what was proven.
 pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {
     let (name, array, action) = (self_type(context), context.array(), context.action());
+    let (phase, parts, state) = (context.phase(), context.parts(), state(context.energy.form));
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     // Momenta that are not followed give no energy.
     let value = match &system.value {
@@ -116,12 +117,19 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
         Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
     };
     let slopes = context.values(&system.slopes, |values| halves(context, &values));
-    let rate = system.rate.as_ref().map(|rate| {
-        let body = context.values(rate, |values| halves(context, &values));
+    let field = (context.energy.form == Form::Hamiltonian).then(|| {
+        let body = match &system.rate {
+            Some(rate) => context.values(rate, |values| halves(context, &values)),
+            None => quote!(canonical_rate(self, t, z, slopes);),
+        };
         quote! {
-            #[inline]
-            fn rate(&self, t: R, q: &#array, p: &#array, dq: &mut #array, dp: &mut #array) {
-                #body
+            impl<R: Real> VectorField<R> for #name {
+                type Proof = ();
+                #[inline(always)]
+                fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
+                    #parts
+                    #body
+                }
             }
         }
     });
@@ -129,51 +137,57 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
         impl<R: Real> PhaseSpace<R> for #name {
-            type Coordinates = #coordinates;
-            type Array = #array;
+            type State = #state<#coordinates>;
+            type Phase = #phase;
             type Action = #action;
 
             #[inline]
-            fn hamiltonian(&self, t: R, q: &#array, p: &#array, #given) -> R {
+            fn hamiltonian(&self, t: R, z: &#phase, #given) -> R {
+                #parts
                 #value
             }
             #domain
         }
+        impl<R: Real> Cotangent<R> for #name {
+            type Coordinates = #coordinates;
+            type Array = #array;
+        }
+        #field
         impl<R: Real> #form<R> for #name {
             type Proof = ();
             #[inline]
-            fn gradient(
-                &self, t: R, q: &#array, p: &#array, #receives dq: &mut #array, dp: &mut #array, #returned
-            ) {
+            fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
+                #parts
                 #slopes
             }
-            #rate
         }
     }
 }
 
-/// `dq[i] = …; dp[i] = …;`, and `*ds = …;` if there is one more value.
+/// `slopes[0][i] = …; slopes[1][i] = …;`, and `*ds = …;` if there is one more value.
 fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
     let places = context.coordinates();
     let (q, rest) = values.split_at(places.len());
     let (p, s) = rest.split_at(places.len());
-    let (q, p) = (write("dq", &places, q), write("dp", &places, p));
+    let half = |half: usize| -> Vec<Vec<usize>> { places.iter().map(|place| [&[half], &place[..]].concat()).collect() };
+    let (q, p) = (write("slopes", &half(0), q), write("slopes", &half(1), p));
     quote!(#q #p #(*ds = #s;)*)
 }
 
 /// `impl ModifiedEnergy`, and the method that users call.
 pub(super) fn modified_energy(context: &Context<'_>, modified: &Modified<Plan>) -> TokenStream {
     let value = match modified {
-        Modified::Implicit => quote!(modified_verlet(self, h, t, q, p)),
+        Modified::Implicit => quote!(modified_verlet(self, h, t, z)),
         Modified::Value(plan) => context.values(plan, |mut values| values.remove(0)),
     };
-    let (name, array) = (self_type(context), context.array());
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let state = state(context.energy.form);
     let Energy { name: plain, float, coordinates, .. } = context.energy;
     let coordinates = &coordinates.ty;
     quote! {
         impl<R: Real> ModifiedEnergy<R> for #name {
-            fn modified_hamiltonian(&self, h: R, t: R, q: &#array, p: &#array, s: &Self::Action) -> R {
+            fn modified_hamiltonian(&self, h: R, t: R, z: &#phase, s: &Self::Action) -> R {
+                #parts
                 #value
             }
         }

@@ -162,7 +162,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     }
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,

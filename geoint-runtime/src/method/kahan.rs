@@ -56,14 +56,14 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
 
     /// Solved for the impulse alone, if T is quadratic: dq = h ∂T/∂p at the mean momentum.
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         (constants, h): &Self::Prepared,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (zero, one, half) = (S::Unknown::zero(), R::from_f64(1.0), R::from_f64(0.5) * *h);
-        probe.visit(t, &x.q, &x.p, &());
-        let (y, changed) = S::start(&x.q, &x.p);
+        probe.visit(t, &x.z, &());
+        let (y, changed) = S::start(&x.z);
         let (mut f, mut matrix) = (zero, S::Unknown::fill(zero));
         system.field(constants, t + half, &y, &mut f, &mut matrix);
 
@@ -96,8 +96,7 @@ impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
             change.add_scaled(*h, &system.velocity(constants, &mean));
             change
         };
-        let [dq, dp] = S::increments(&change, &impulse);
-        x.add(&dq, &dp);
+        x.add(&S::increments(&change, &impulse));
         Ok(())
     }
 }

@@ -116,7 +116,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     ///
     /// # Errors
     /// Where the step has no result; point and memory are then worth nothing.
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
@@ -127,13 +127,13 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// # Errors
     /// Where one of them has no result; point and memory are then worth nothing.
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(
+    fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
-        x: &mut Point<S::Array, C, S::Action>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
         for i in 0..steps {
             let t = clock.at(i) + x.ahead.value();
@@ -161,7 +161,7 @@ pub struct Step<'a, S: PhaseSpace<R>, R: Real, C, P> {
     /// The time at which the step starts.
     pub t: R,
     /// The point that is moved.
-    pub x: &'a mut Point<S::Array, C, S::Action>,
+    pub x: &'a mut Point<S::Phase, C, S::Action>,
     /// Is shown every point at which the energy is evaluated.
     pub probe: &'a mut P,
 }

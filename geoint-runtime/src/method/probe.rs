@@ -13,7 +13,7 @@ pub trait Probe<S: PhaseSpace<R>, R: Real> {
     const PATIENT: bool = true;
 
     /// The energy is about to be evaluated here.
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action);
+    fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action);
 
     /// An exact flow of a piece of the energy has been applied, with a result that is finite or not.
     #[inline(always)]
@@ -30,7 +30,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     const PATIENT: bool = false;
 
     #[inline(always)]
-    fn visit(&mut self, _: R, _: &S::Array, _: &S::Array, _: &S::Action) {}
+    fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {}
 }
 
 /// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
@@ -43,7 +43,7 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     step: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let x = &*step.x;
-    Refusal::outside(step.system.outside_domain(times[1], &x.q, &x.p, &x.s))?;
+    Refusal::outside(step.system.outside_domain(times[1], &x.z, &x.s))?;
     check_poles(poles, false, times, before, step)
 }
 
@@ -56,15 +56,15 @@ pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
     divided: bool,
     times: [R; 2],
-    (q, p, s): &Start<S, R>,
+    (z, s): &Start<S, R>,
     Step { system, x, .. }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let ends = (times, [q, &x.q], [p, &x.p], [s, &x.s]);
+    let ends = (times, [z, &x.z], [s, &x.s]);
     if P::PATIENT || Known::<S, R>::SEARCHED {
         return Refusal::outside(poles.between(system, divided, ends));
     }
     if !poles.is_clear(system, divided, ends) {
-        x.p.as_mut_slice()[0] = R::from_f64(f64::NAN);
+        x.z.as_mut_slice()[0] = R::from_f64(f64::NAN);
     }
     Ok(())
 }
@@ -75,20 +75,19 @@ pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 pub(crate) fn check_conditions<S: PhaseSpace<R, Action = ()>, R: Real, C>(
     system: &S,
     t: R,
-    [q, p]: &[S::Array; 2],
-    x: &Point<S::Array, C>,
+    z: &S::Phase,
+    x: &Point<S::Phase, C>,
 ) -> Result<(), Refusal> {
-    Refusal::outside(jump_between(system, t, [q, &x.q], [p, &x.p], [&(), &()]))
+    Refusal::outside(jump_between(system, t, [z, &x.z], [&(), &()]))
 }
 
-/// Where a step starts: q, p, s.
-pub(crate) type Start<S, R> = (<S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+/// Where a step starts: z, s.
+pub(crate) type Start<S, R> = (<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action);
 
 /// A copy of a point, entry by entry, so that both may stay in registers.
 #[inline(always)]
-pub(crate) fn start<S: PhaseSpace<R>, R: Real, C>(x: &Point<S::Array, C, S::Action>) -> Start<S, R> {
-    let mut start = (S::Array::zero(), S::Array::zero(), x.s);
-    start.0.copy_from(&x.q);
-    start.1.copy_from(&x.p);
+pub(crate) fn start<S: PhaseSpace<R>, R: Real, C>(x: &Point<S::Phase, C, S::Action>) -> Start<S, R> {
+    let mut start = (S::Phase::zero(), x.s);
+    start.0.copy_from(&x.z);
     start
 }

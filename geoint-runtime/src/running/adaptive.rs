@@ -14,8 +14,8 @@ use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
 use crate::space::{Compensated, DoubleWord, Point};
-use crate::space::{Coordinates, State};
-use crate::system::Hamiltonian;
+use crate::space::Snapshot;
+use crate::system::{StateOf, VectorField};
 
 /// A point whose sums outlive a change of the step size.
 type Carried<A> = Point<A, Compensated<A>>;
@@ -53,10 +53,10 @@ type Carried<A> = Point<A, Compensated<A>>;
 /// # Ok::<(), StepError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
+pub struct Adaptive<S: VectorField<R>, M: Method<S, R>, R: Real = f64> {
     system: S,
     method: M,
-    tolerance: Tolerance<S::Array>,
+    tolerance: Tolerance<S::Phase>,
     /// Steps on the way to a time.
     most_steps: u64,
     bounds: Bounds,
@@ -65,7 +65,7 @@ pub struct Adaptive<S: Hamiltonian<R>, M: Method<S, R>, R: Real = f64> {
     /// Of steps as a whole, and of their halves.
     memory: [M::Memory; 2],
     clock: Clock<R>,
-    x: Carried<S::Array>,
+    x: Carried<S::Phase>,
     steps: u64,
     rejections: u64,
 }
@@ -78,23 +78,24 @@ struct Prepared<P> {
     half: P,
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
+impl<S: VectorField<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// A system under a method, with steps as long as the tolerance of a step's error allows, from `state` on.
     ///
     /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-    pub fn new(system: S, method: M, tolerance: f64, state: State<S::Coordinates>) -> Self {
-        let x = Carried::new(state.q.into_array(), state.p.into_array());
+    pub fn new(system: S, method: M, tolerance: f64, state: StateOf<S, R>) -> Self {
+        let (t, z, ()) = state.parts();
+        let x = Carried::new(z);
         let controller = Controller::new(method.claims().order);
         let mut sim = Adaptive {
             system,
             method,
-            tolerance: Tolerance::new(tolerance, &[x.q, x.p]),
+            tolerance: Tolerance::new(tolerance, &x.z),
             most_steps: u64::MAX,
             bounds: Bounds::default(),
             controller,
             prepared: prepare(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
-            clock: Clock::new(state.t, zero()),
+            clock: Clock::new(t, zero()),
             x,
             steps: 0,
             rejections: 0,
@@ -117,10 +118,11 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self
     }
 
-    /// Errors that are tolerated beside those relative to coordinates: one for each position and each momentum, in its unit. Without
-    /// this they are zero.
-    pub fn absolute(mut self, q: S::Coordinates, p: S::Coordinates) -> Self {
-        self.tolerance.absolute([q.into_array(), p.into_array()]);
+    /// Errors that are tolerated beside those relative to coordinates: one for each coordinate, in its unit, written as a state is.
+    /// Without this they are zero.
+    pub fn absolute(mut self, errors: StateOf<S, R>) -> Self {
+        let (_, z, ()) = errors.parts();
+        self.tolerance.absolute(z);
         self
     }
 
@@ -132,32 +134,22 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
 
     /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
     fn guess(&self) -> f64 {
-        let [slope_q, slope_p] = self.gradient(&self.x);
-        let times = [(&self.x.q, &slope_p), (&self.x.p, &slope_q)].map(|(x, rate)| {
-            let time = |(x, rate): (&R, &R)| {
-                if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
-            };
-            x.as_slice().iter().zip(rate.as_slice()).map(time).fold(f64::INFINITY, f64::min)
-        });
-        times[0].min(times[1])
+        let time = |(x, rate): (&R, &R)| {
+            if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
+        };
+        let rates = self.rate(&self.x.z);
+        self.x.z.as_slice().iter().zip(rates.as_slice()).map(time).fold(f64::INFINITY, f64::min)
     }
 
-    fn gradient(&self, x: &Carried<S::Array>) -> [S::Array; 2] {
-        let mut slopes = [S::Array::zero(); 2];
-        let [by_q, by_p] = &mut slopes;
-        self.system.gradient(self.time(), &x.q, &x.p, by_q, by_p);
-        slopes
+    fn rate(&self, z: &S::Phase) -> S::Phase {
+        let mut rate = S::Phase::zero();
+        self.system.rate(self.time(), z, &mut rate);
+        rate
     }
 
     /// What part of the time in which the state changes a step takes.
     fn part(&self) -> f64 {
         self.controller.part(self.tolerance.relative)
-    }
-
-    /// The rates of a point, those of momenta with the other sign.
-    fn field(&self, [q, p]: &[S::Array; 2]) -> [S::Array; 2] {
-        let [slope_q, slope_p] = self.gradient(&Carried::new(*q, *p));
-        [slope_p, slope_q]
     }
 
     /// One step, of whatever length the tolerance allows.
@@ -275,7 +267,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             }
             self.clock.pass_step(R::from_f64(h), x.ahead);
             let (mut tolerance, part) = (self.tolerance, self.part());
-            tolerance.include([&[self.x.q, self.x.p], &[x.q, x.p]], h, part, |x| self.field(x));
+            tolerance.include([&self.x.z, &x.z], h, part, |z| self.rate(z));
             self.tolerance = tolerance;
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
@@ -290,7 +282,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         prepared: &Prepared<M::Prepared>,
         [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
         probe: &mut P,
-    ) -> Result<(Carried<S::Array>, f64), Reason> {
+    ) -> Result<(Carried<S::Phase>, f64), Reason> {
         let half = R::from_f64(0.5 * prepared.h);
         let (mut x, mut whole) = (self.x, self.x);
         let system = &self.system;
@@ -301,24 +293,22 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }
-            if let Some(what) = self.system.outside_domain(self.time() + end + x.ahead.value(), &x.q, &x.p, &()) {
+            if let Some(what) = self.system.outside_domain(self.time() + end + x.ahead.value(), &x.z, &()) {
                 return Err(Reason::OutsideDomain { what });
             }
         }
-        let mut gap = plus([x.q, x.p], -1.0, &[whole.q, whole.p]);
+        let mut gap = plus(x.z, -1.0, &whole.z);
         // Where a method scales its steps, the two are at different times.
         let late = x.ahead.value() - whole.ahead.value();
         if late.magnitude() != 0.0 {
-            let [slope_q, slope_p] = self.gradient(&x);
-            gap[0].add_scaled(-late, &slope_p);
-            gap[1].add_scaled(late, &slope_q);
+            gap.add_scaled(-late, &self.rate(&x.z));
         }
         // The step as a whole may have led to what is not a number.
-        if !gap.iter().all(Array::is_finite) {
+        if !gap.is_finite() {
             return Err(Reason::NonFinite);
         }
-        let step = Judged { part: self.part(), before: &[self.x.q, self.x.p], after: &[x.q, x.p], gap: &gap };
-        let error = self.tolerance.error(&step, |x| self.field(x));
+        let step = Judged { part: self.part(), before: &self.x.z, after: &x.z, gap: &gap };
+        let error = self.tolerance.error(&step, |z| self.rate(z));
         Ok((x, error))
     }
 
@@ -351,7 +341,7 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &()) {
+        match self.system.outside_domain(self.time(), &self.x.z, &()) {
             Some(what) if self.steps == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),
         }
@@ -363,13 +353,13 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     }
 
     /// The state now.
-    pub fn state(&self) -> State<S::Coordinates> {
-        State::at(self.time(), Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p))
+    pub fn state(&self) -> StateOf<S, R> {
+        S::State::of(self.time(), self.x.z, ())
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &())
+        self.system.hamiltonian(self.time(), &self.x.z, &())
     }
 
     /// The length of the next step, if the tolerance allows it and no time to end at is nearer.
@@ -398,13 +388,13 @@ impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     }
 }
 
-fn prepare<S: Hamiltonian<R>, M: Method<S, R>, R: Real>(system: &S, method: &M, h: f64) -> Prepared<M::Prepared> {
+fn prepare<S: VectorField<R>, M: Method<S, R>, R: Real>(system: &S, method: &M, h: f64) -> Prepared<M::Prepared> {
     let prepare = |h: f64| method.prepare(system, R::from_f64(h));
     Prepared { h, whole: prepare(h), half: prepare(0.5 * h) }
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
-    type State = State<S::Coordinates>;
+impl<S: VectorField<R>, M: Method<S, R>, R: Real> Trajectory for Adaptive<S, M, R> {
+    type State = StateOf<S, R>;
 
     fn step(&mut self) -> Result<(), StepError> {
         self.step()

@@ -6,9 +6,9 @@ use super::trajectory::Trajectory;
 use super::watch::{Found, Watch};
 use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::{Real, signed, zero};
-use crate::space::{Action, Coordinates};
+use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, Hamiltonian, PhaseSpace, StateOf, singular_time};
+use crate::system::{Conformal, PhaseSpace, StateOf, VectorField, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -27,7 +27,7 @@ pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plai
     clock: Clock<R>,
     /// Steps since the beginning.
     steps: u64,
-    x: Point<S::Array, C, S::Action>,
+    x: Point<S::Phase, C, S::Action>,
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
@@ -35,7 +35,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     ///
     /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
     pub fn new(system: S, method: M, h: R, state: StateOf<S, R>) -> Self {
-        let (t0, q, p, s) = S::Action::parts(state);
+        let (t0, z, s) = state.parts();
         Integrator {
             system,
             method,
@@ -43,12 +43,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
             memory: M::memory(),
             clock: Clock::new(t0, h),
             steps: 0,
-            x: Point::with_action(q.into_array(), p.into_array(), s),
+            x: Point::with_action(z, s),
         }
     }
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
     /// One step.
     ///
     /// # Errors
@@ -162,7 +162,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
             self.pass(1);
             return Ok(true);
         }
-        watch.visit(self.clock.at(1), &x.q, &x.p, &x.s);
+        watch.visit(self.clock.at(1), &x.z, &x.s);
         Err(match (outcome, watch.reason(outcome.err())) {
             (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
             (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
@@ -191,7 +191,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
-        match self.system.outside_domain(self.time(), &self.x.q, &self.x.p, &self.x.s) {
+        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             Some(what) => Err(StepError::OutsideDomain { t, what }),
             None => Ok(()),
         }
@@ -199,19 +199,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
 
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
-    fn is_good(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> bool {
-        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.q, &x.p, &x.s).is_none()
+    fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
     }
 
     /// When steps end that led to `x`.
     #[inline(always)]
-    fn end(&self, steps: u64, x: &Point<S::Array, C, S::Action>) -> R {
+    fn end(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> R {
         self.clock.at(steps) + x.ahead.value()
     }
 
     /// Whether a step from time `start` to `x` does not end beyond `limit`.
     #[inline(always)]
-    fn ends_within(&self, limit: Option<R>, x: &Point<S::Array, C, S::Action>, start: R) -> bool {
+    fn ends_within(&self, limit: Option<R>, x: &Point<S::Phase, C, S::Action>, start: R) -> bool {
         limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
     }
 
@@ -250,14 +250,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
     /// The state now.
     #[inline]
     pub fn state(&self) -> StateOf<S, R> {
-        let (q, p) = (Coordinates::from_array(self.x.q), Coordinates::from_array(self.x.p));
-        S::Action::state(self.time(), q, p, if C::ACTION { self.x.s } else { S::Action::unknown() })
+        S::State::of(self.time(), self.x.z, if C::ACTION { self.x.s } else { S::Action::unknown() })
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
         let s = if C::ACTION { self.x.s } else { S::Action::unknown() };
-        self.system.hamiltonian(self.time(), &self.x.q, &self.x.p, &s)
+        self.system.hamiltonian(self.time(), &self.x.z, &s)
     }
 
     /// The number of steps taken.
@@ -288,16 +287,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integra
         Samples::new(self, k)
     }
 
-    fn with_sums<D: Summation<S::Array>>(self) -> Integrator<S, M, R, D> {
+    fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
         let Integrator { system, method, prepared, memory, clock, steps, x } = self;
         Integrator { system, method, prepared, memory, clock, steps, x: x.with_sums() }
     }
 }
 
-impl<S: Hamiltonian<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Integrator<S, M, R, C> {
+impl<S: VectorField<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
     /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
     /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
-    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Array>> {
+    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Phase>> {
         self.with_sums()
     }
 }
@@ -310,7 +309,7 @@ impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     }
 }
 
-impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Array>> Trajectory for Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Trajectory for Integrator<S, M, R, C> {
     type State = StateOf<S, R>;
 
     #[inline]

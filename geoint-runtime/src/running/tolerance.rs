@@ -9,11 +9,11 @@ use crate::space::Array;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Tolerance<A: Array> {
     pub(crate) relative: f64,
-    absolute: [A; 2],
+    absolute: A,
     /// Of what a coordinate was.
-    sizes: Sizes<[A; 2]>,
+    sizes: Sizes<A>,
     /// Of what errors of other coordinates cause in it, over the tolerance.
-    caused: Sizes<[A; 2]>,
+    caused: Sizes<A>,
     /// The longest time so far in which the state changes.
     longest: f64,
 }
@@ -22,20 +22,20 @@ pub(crate) struct Tolerance<A: Array> {
 pub(crate) struct Judged<'a, A: Array> {
     /// What part of the time it takes in which the state changes.
     pub(crate) part: f64,
-    pub(crate) before: &'a [A; 2],
-    pub(crate) after: &'a [A; 2],
+    pub(crate) before: &'a A,
+    pub(crate) after: &'a A,
     /// The estimated error.
-    pub(crate) gap: &'a [A; 2],
+    pub(crate) gap: &'a A,
 }
 
 impl<A: Array> Tolerance<A> {
-    pub(crate) fn new(relative: f64, x: &[A; 2]) -> Self {
+    pub(crate) fn new(relative: f64, x: &A) -> Self {
         let (mut sizes, caused) = (Sizes::new(), Sizes::new());
         sizes.keep(x);
-        Tolerance { relative, absolute: Array::zero(), sizes, caused, longest: 0.0 }
+        Tolerance { relative, absolute: A::zero(), sizes, caused, longest: 0.0 }
     }
 
-    pub(crate) fn absolute(&mut self, absolute: [A; 2]) {
+    pub(crate) fn absolute(&mut self, absolute: A) {
         self.absolute = absolute;
     }
 
@@ -43,7 +43,7 @@ impl<A: Array> Tolerance<A> {
     pub(crate) fn unusable(&self) -> Option<f64> {
         let positive = self.relative > 0.0 && self.relative < f64::INFINITY;
         let negative = |x: &&A::Real| x.any_below(0.0) || !x.magnitude().is_finite();
-        let absolute = Array::as_slice(&self.absolute).iter().find(negative).map(|x| signed(*x));
+        let absolute = self.absolute.as_slice().iter().find(negative).map(|x| signed(*x));
         if positive { absolute } else { Some(self.relative) }
     }
 
@@ -60,13 +60,13 @@ impl<A: Array> Tolerance<A> {
     /// a point, where only their magnitudes and differences count.
     pub(crate) fn include(
         &mut self,
-        [before, after]: [&[A; 2]; 2],
+        [before, after]: [&A; 2],
         h: f64,
         part: f64,
-        field: impl Fn(&[A; 2]) -> [A; 2],
+        field: impl Fn(&A) -> A,
     ) {
         let mut reached = *after;
-        for (i, x) in Array::as_mut_slice(&mut reached).iter_mut().enumerate() {
+        for (i, x) in reached.as_mut_slice().iter_mut().enumerate() {
             *x = A::Real::from_f64(self.size(i, x.magnitude(), part));
         }
         self.sizes.keep(&reached);
@@ -82,7 +82,7 @@ impl<A: Array> Tolerance<A> {
     ///
     /// It is measured while steps become longer than all before: the few steps after a start.
     #[cold]
-    fn cause(&mut self, x: &[A; 2], time: f64, field: impl Fn(&[A; 2]) -> [A; 2]) {
+    fn cause(&mut self, x: &A, time: f64, field: impl Fn(&A) -> A) {
         let (here, mut sizes) = (field(x), *x);
         // Each round reaches the next neighbours, and raises what was not raised before.
         for _ in 0..2 * A::LEN {
@@ -90,15 +90,15 @@ impl<A: Array> Tolerance<A> {
             // With equal and with alternating signs: errors of neighbours may cancel.
             for alternate in [1.0, -1.0] {
                 let (mut moved, mut sign) = (*x, 1.0);
-                for (x, size) in Array::as_mut_slice(&mut moved).iter_mut().zip(Array::as_slice(&sizes)) {
+                for (x, size) in moved.as_mut_slice().iter_mut().zip(sizes.as_slice()) {
                     *x += A::Real::from_f64(sign * self.relative * size.magnitude());
                     sign *= alternate;
                 }
                 let there = field(&moved);
-                for (i, next) in Array::as_mut_slice(&mut next).iter_mut().enumerate() {
-                    let change = (Array::as_slice(&there)[i] - Array::as_slice(&here)[i]).magnitude();
+                for (i, next) in next.as_mut_slice().iter_mut().enumerate() {
+                    let change = (there.as_slice()[i] - here.as_slice()[i]).magnitude();
                     let size = time * change / self.relative;
-                    let raised = Array::as_slice(&sizes)[i] != Array::as_slice(x)[i];
+                    let raised = sizes.as_slice()[i] != x.as_slice()[i];
                     // What is not a number is no size.
                     if !raised && size > next.magnitude() && size < f64::INFINITY {
                         *next = A::Real::from_f64(size);
@@ -117,10 +117,10 @@ impl<A: Array> Tolerance<A> {
     ///
     /// A coordinate that is zero, and whose rate is, is not measured in its first step: it is driven by others, and only the order
     /// of magnitude of what it becomes is right.
-    pub(crate) fn error(&self, step: &Judged<'_, A>, field: impl Fn(&[A; 2]) -> [A; 2]) -> f64 {
-        let entry = |x: &[A; 2], i: usize| Array::as_slice(x)[i].magnitude();
+    pub(crate) fn error(&self, step: &Judged<'_, A>, field: impl Fn(&A) -> A) -> f64 {
+        let entry = |x: &A, i: usize| x.as_slice()[i].magnitude();
         let moving = (0..2 * A::LEN).all(|i| self.sizes.of(i) > 0.0);
-        let rates = if moving { Array::zero() } else { field(step.before) };
+        let rates = if moving { A::zero() } else { field(step.before) };
         largest((0..2 * A::LEN).map(|i| {
             let gap = entry(step.gap, i);
             if gap == 0.0 || (self.sizes.of(i) == 0.0 && entry(&rates, i) == 0.0) {

@@ -25,11 +25,11 @@ pub(crate) enum Found {
 }
 
 /// Where a step starts: its time, and q, p, s.
-type Start<S, R> = (R, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Array, <S as PhaseSpace<R>>::Action);
+type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action);
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
-    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Array, C, S::Action>) -> Self {
-        Watch { system, poles: Poles::of(system), start: (t, x.q, x.p, x.s), found: None }
+    pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Phase, C, S::Action>) -> Self {
+        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None }
     }
 }
 
@@ -44,11 +44,11 @@ impl<S, X> Watch<'_, S, X> {
 }
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
-    fn visit(&mut self, t: R, q: &S::Array, p: &S::Array, s: &S::Action) {
+    fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action) {
         if self.found.is_none() {
-            let (t0, q0, p0, s0) = &self.start;
-            let pole = || self.poles.between(self.system, false, ([*t0, t], [q0, q], [p0, p], [s0, s]));
-            self.found = self.system.outside_domain(t, q, p, s).or_else(pole).map(Found::OutsideDomain);
+            let (t0, z0, s0) = &self.start;
+            let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
+            self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
         }
     }
 

@@ -9,6 +9,6 @@ mod summation;
 pub use array::{Array, Square};
 pub use double_word::DoubleWord;
 pub use point::Point;
-pub use state::{Action, ContactState, Coordinates, Snapshot, State};
+pub use state::{Action, ContactState, Coordinates, FlowState, Snapshot, State};
 pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};

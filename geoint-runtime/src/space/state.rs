@@ -137,56 +137,124 @@ impl<Q: Coordinates> ContactState<Q> {
     }
 }
 
-/// A point of phase space at a time, whatever its kind.
+/// A point of the phase space of a flow x' = f(x, t) at a time: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FlowState<X: Coordinates> {
+    /// Time.
+    pub t: X::Real,
+    /// All coordinates.
+    pub x: X,
+}
+
+impl<X: Coordinates> FlowState<X> {
+    /// The point `x` at t = 0.
+    pub fn new(x: X) -> Self {
+        FlowState { t: zero(), x }
+    }
+
+    /// The point `x` at time `t`.
+    pub fn at(t: X::Real, x: X) -> Self {
+        FlowState { t, x }
+    }
+}
+
+/// A point of phase space at a time, whatever its kind: all coordinates in one array, and an action if there is one.
 ///
 /// Sealed: phase spaces to come add to it.
 pub trait Snapshot: Sealed + Copy + Debug + PartialEq {
     /// The scalar.
     type Real: Real;
+    /// All coordinates: [q, p], or x.
+    type Phase: Array<Real = Self::Real>;
+    /// What phase space has beside them.
+    type Action: Action<Self::Real>;
+    /// Coordinates come in groups of so many that have one unit: positions, momenta.
+    const ALIKE: usize;
     /// Its time.
     fn time(&self) -> Self::Real;
+    /// A point from its parts.
+    fn of(t: Self::Real, z: Self::Phase, action: Self::Action) -> Self;
+    /// The parts of a point.
+    fn parts(self) -> (Self::Real, Self::Phase, Self::Action);
 }
 
 impl<Q: Coordinates> Sealed for State<Q> {}
 impl<Q: Coordinates> Sealed for ContactState<Q> {}
+impl<X: Coordinates> Sealed for FlowState<X> {}
 
 impl<Q: Coordinates> Snapshot for State<Q> {
     type Real = Q::Real;
+    type Phase = [Q::Array; 2];
+    type Action = ();
+    const ALIKE: usize = Q::Array::LEN;
+    #[inline]
     fn time(&self) -> Q::Real {
         self.t
+    }
+    #[inline]
+    fn of(t: Q::Real, [q, p]: [Q::Array; 2], (): ()) -> Self {
+        State { t, q: Q::from_array(q), p: Q::from_array(p) }
+    }
+    #[inline]
+    fn parts(self) -> (Q::Real, [Q::Array; 2], ()) {
+        (self.t, [self.q.into_array(), self.p.into_array()], ())
     }
 }
 
 impl<Q: Coordinates> Snapshot for ContactState<Q> {
     type Real = Q::Real;
+    type Phase = [Q::Array; 2];
+    type Action = Q::Real;
+    const ALIKE: usize = Q::Array::LEN;
+    #[inline]
     fn time(&self) -> Q::Real {
         self.t
     }
+    #[inline]
+    fn of(t: Q::Real, [q, p]: [Q::Array; 2], s: Q::Real) -> Self {
+        ContactState { t, q: Q::from_array(q), p: Q::from_array(p), s }
+    }
+    #[inline]
+    fn parts(self) -> (Q::Real, [Q::Array; 2], Q::Real) {
+        (self.t, [self.q.into_array(), self.p.into_array()], self.s)
+    }
 }
 
-/// What phase space has beside positions and momenta: nothing, or the action of a contact system.
+impl<X: Coordinates> Snapshot for FlowState<X> {
+    type Real = X::Real;
+    type Phase = X::Array;
+    type Action = ();
+    const ALIKE: usize = 1;
+    #[inline]
+    fn time(&self) -> X::Real {
+        self.t
+    }
+    #[inline]
+    fn of(t: X::Real, x: X::Array, (): ()) -> Self {
+        FlowState { t, x: X::from_array(x) }
+    }
+    #[inline]
+    fn parts(self) -> (X::Real, X::Array, ()) {
+        (self.t, self.x.into_array(), ())
+    }
+}
+
+/// What phase space has beside its coordinates: nothing, or the action of a contact system.
 ///
 /// Sealed: methods tell the two kinds apart.
 pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
-    /// Points of such a phase space.
-    type State<Q: Coordinates<Real = R>>: Snapshot<Real = R>;
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
     /// The action, if there is one.
     fn scalar(&self) -> Option<R>;
     /// Not a number.
     fn unknown() -> Self;
-    /// A point from its parts.
-    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, action: Self) -> Self::State<Q>;
-    /// The parts of a point.
-    fn parts<Q: Coordinates<Real = R>>(state: Self::State<Q>) -> (R, Q, Q, Self);
 }
 
 impl Sealed for () {}
 impl<R: Real> Sealed for R {}
 
 impl<R: Real> Action<R> for () {
-    type State<Q: Coordinates<Real = R>> = State<Q>;
     #[inline(always)]
     fn is_finite(&self) -> bool {
         true
@@ -196,16 +264,9 @@ impl<R: Real> Action<R> for () {
         None
     }
     fn unknown() {}
-    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, (): ()) -> State<Q> {
-        State { t, q, p }
-    }
-    fn parts<Q: Coordinates<Real = R>>(State { t, q, p }: State<Q>) -> (R, Q, Q, ()) {
-        (t, q, p, ())
-    }
 }
 
 impl<R: Real> Action<R> for R {
-    type State<Q: Coordinates<Real = R>> = ContactState<Q>;
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY
@@ -216,11 +277,5 @@ impl<R: Real> Action<R> for R {
     }
     fn unknown() -> R {
         R::from_f64(f64::NAN)
-    }
-    fn state<Q: Coordinates<Real = R>>(t: R, q: Q, p: Q, s: R) -> ContactState<Q> {
-        ContactState { t, q, p, s }
-    }
-    fn parts<Q: Coordinates<Real = R>>(ContactState { t, q, p, s }: ContactState<Q>) -> (R, Q, Q, R) {
-        (t, q, p, s)
     }
 }

@@ -15,8 +15,14 @@ pub trait Summation<A: Array>: Sealed + Copy + Debug {
     const ACTION: bool = true;
     /// A sum without a rounding error so far.
     fn new() -> Self;
-    /// Lets `flow` act on `x`. The increment that `flow` adds does not depend on its argument.
-    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
+    /// Lets `flow` act on a part `x` of the coordinates, whose first one is the `first` of all. The increment that `flow` adds does not
+    /// depend on its argument.
+    fn add_part<B: Array<Real = A::Real>>(&mut self, first: usize, x: &mut B, flow: impl FnOnce(&mut B));
+    /// The same for all coordinates.
+    #[inline(always)]
+    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
+        self.add_part(0, x, flow);
+    }
     /// Adds the rounding error of an increment to the compensation.
     fn compensate(&mut self, error: &A);
     /// The compensation: what the sum is too small by.
@@ -39,7 +45,7 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
         Plain
     }
     #[inline(always)]
-    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
+    fn add_part<B: Array<Real = A::Real>>(&mut self, _: usize, x: &mut B, flow: impl FnOnce(&mut B)) {
         flow(x);
     }
     #[inline(always)]
@@ -65,11 +71,11 @@ impl<A: Array> Summation<A> for Compensated<A> {
         Compensated { compensation: A::zero() }
     }
     #[inline(always)]
-    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
+    fn add_part<B: Array<Real = A::Real>>(&mut self, first: usize, x: &mut B, flow: impl FnOnce(&mut B)) {
         // Acting on zero, the flow gives the increment.
-        let mut increment = A::nothing();
+        let mut increment = B::nothing();
         flow(&mut increment);
-        let compensation = self.compensation.as_mut_slice();
+        let compensation = &mut self.compensation.as_mut_slice()[first..first + B::LEN];
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller
             // one, the error of the first sum is lost, which is a rounding of the compensation.

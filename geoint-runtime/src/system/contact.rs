@@ -1,25 +1,17 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
-use super::{PhaseSpace, Separable};
+use super::{Cotangent, PhaseSpace, Separable};
 use crate::scalar::Real;
-use crate::space::{Array, Square};
+use crate::space::{Array, ContactState, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
-pub trait Contact<R: Real = f64>: PhaseSpace<R, Action = R> {
+pub trait Contact<R: Real = f64>: 
+    Cotangent<R> + PhaseSpace<R, Action = R, State = ContactState<<Self as Cotangent<R>>::Coordinates>>
+{
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
-    #[expect(clippy::too_many_arguments, reason = "a point and its gradient")]
-    fn gradient(
-        &self,
-        t: R,
-        q: &Self::Array,
-        p: &Self::Array,
-        s: &R,
-        dq: &mut Self::Array,
-        dp: &mut Self::Array,
-        ds: &mut R,
-    );
+    fn gradient(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R);
 }
 
 /// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
@@ -79,7 +71,7 @@ pub struct Piece {
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
-pub trait Pieces<R: Real = f64>: Contact<R> {
+pub trait Pieces<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The pieces; the last one is in the middle of a step.
@@ -94,16 +86,14 @@ pub trait Pieces<R: Real = f64>: Contact<R> {
     /// Freezes time at `t`.
     fn freeze(&self, flows: &Self::Flows, t: R) -> Self::Frozen;
     /// The flow of a piece, from time t on if it is exact in time. Not a number where it ends before.
-    #[expect(clippy::too_many_arguments, reason = "a flow, its coefficients and a point")]
     fn flow(
         &self,
         piece: usize,
         flows: &Self::Flows,
         frozen: &Self::Frozen,
         t: R,
-        q: &mut Self::Array,
-        p: &mut Self::Array,
-        s: &mut R,
+        z: &mut Self::Phase,
+        s: &mut Self::Action,
     );
 }
 

@@ -1,6 +1,6 @@
 //! The differential equation as implicit methods solve it.
 
-use super::Hamiltonian;
+use super::VectorField;
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
@@ -16,17 +16,17 @@ pub trait Cubic<R: Real = f64>: Collocation<R> {
     type Proof;
 }
 
-/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for y = (q, p); or, if T is
+/// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z; or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`",
     label = "this method is for those",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
-pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
+pub trait Collocation<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// y: an array of (q, p), or q alone. f has the same shape.
+    /// y: all coordinates, or q alone. f has the same shape.
     type Unknown: Array<Real = R>;
     /// What depends on parameters only.
     type Constants: Copy + core::fmt::Debug;
@@ -36,7 +36,7 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     /// What depends on parameters only.
     fn constants(&self) -> Self::Constants;
     /// y, and what f changes: y, or p.
-    fn start(q: &Self::Array, p: &Self::Array) -> (Self::Unknown, Self::Unknown);
+    fn start(z: &Self::Phase) -> (Self::Unknown, Self::Unknown);
     /// What y' is apart from f: nothing, or q' = ∂T/∂p.
     fn velocity(&self, constants: &Self::Constants, p: &Self::Unknown) -> Self::Unknown;
     /// f and ∂f/∂y.
@@ -50,8 +50,8 @@ pub trait Collocation<R: Real = f64>: Hamiltonian<R> {
     );
     /// y ← y + w·f, or y + w·M⁻¹f.
     fn add(&self, constants: &Self::Constants, w: R, f: &Self::Unknown, y: &mut Self::Unknown);
-    /// The increments of (q, p): that of y; or that of q = y, and the impulse.
-    fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> [Self::Array; 2];
+    /// The increments of all coordinates: that of y; or that of q = y, and the impulse.
+    fn increments(change: &Self::Unknown, impulse: &Self::Unknown) -> Self::Phase;
 }
 
 /// How the mean of ∇H along a line is had: exactly, if H is a sum of functions of linear forms and of a polynomial.

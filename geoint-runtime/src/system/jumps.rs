@@ -14,11 +14,10 @@ use crate::space::{Action, Array};
 pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
     system: &S,
     t: R,
-    q: [&S::Array; 2],
-    p: [&S::Array; 2],
+    z: [&S::Phase; 2],
     s: [&S::Action; 2],
 ) -> Option<&'static str> {
-    if S::JUMPS.is_empty() || system.same_sides(t, q, p, s) { None } else { search(system, t, q, p, s) }
+    if S::JUMPS.is_empty() || system.same_sides(t, z, s) { None } else { search(system, t, z, s) }
 }
 
 #[cold]
@@ -26,24 +25,19 @@ pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
 fn search<S: PhaseSpace<R>, R: Real>(
     system: &S,
     t: R,
-    q: [&S::Array; 2],
-    p: [&S::Array; 2],
+    z: [&S::Phase; 2],
     s: [&S::Action; 2],
 ) -> Option<&'static str> {
     let constant = |x: Interval| Enclosure::<R>::new(x, Interval::WHOLE);
-    let between = |[a, b]: [&S::Array; 2]| {
-        let mut all = S::Array::fill(constant(Interval::WHOLE));
-        for (i, x) in S::Array::entries(&mut all).iter_mut().enumerate() {
-            *x = constant(bounds(a.as_slice()[i]).hull(bounds(b.as_slice()[i])));
-        }
-        all
-    };
-    let (mut q, mut p) = (between(q), between(p));
+    let mut all = S::Phase::fill(constant(Interval::WHOLE));
+    let all = S::Phase::entries(&mut all);
+    for (i, x) in all.iter_mut().enumerate() {
+        *x = constant(bounds(z[0].as_slice()[i]).hull(bounds(z[1].as_slice()[i])));
+    }
     let s = s.map(|s| bounds(s.scalar().unwrap_or(R::from_f64(0.0))));
     let (t, s) = (constant(bounds(t)), constant(s[0].hull(s[1])));
-    let (q, p) = (S::Array::entries(&mut q), S::Array::entries(&mut p));
     (0..S::JUMPS.len()).find_map(|i| {
-        let [side, height] = system.jump(i, Enclosure::constant, t, q, p, s);
+        let [side, height] = system.jump(i, Enclosure::constant, t, all, s);
         (side.value.contains_zero() && !height.value.contains_zero()).then_some(S::JUMPS[i])
     })
 }

@@ -21,22 +21,22 @@ pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 pub use crate::solving::{Inverse, Inverted};
 
 use crate::scalar::Real;
-use crate::space::{Action, Array, Coordinates};
+use crate::space::{Action, Array, Coordinates, Snapshot, State};
 
 /// A phase space with an energy on it.
 pub trait PhaseSpace<R: Real = f64>: Copy {
-    /// Positions and momenta as the user writes them.
-    type Coordinates: Coordinates<Real = R, Array = Self::Array>;
-    /// Positions and momenta as kernels see them.
-    type Array: Array<Real = R>;
+    /// A point at a time, as the user writes it.
+    type State: Snapshot<Real = R, Phase = Self::Phase, Action = Self::Action>;
+    /// All coordinates of a point, as kernels see them: z = [q, p], or x.
+    type Phase: Array<Real = R>;
     /// What phase space has beside them: the action `R` of a contact system, or nothing.
     type Action: Action<R>;
 
     /// H at a point.
-    fn hamiltonian(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> R;
+    fn hamiltonian(&self, t: R, z: &Self::Phase, s: &Self::Action) -> R;
 
     /// The first function of H, if any, that is not defined at a point, and of which term.
-    fn outside_domain(&self, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> Option<&'static str>;
+    fn outside_domain(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Option<&'static str>;
 
     /// The poles of H: what must not vanish on the way of an implicit step.
     const POLES: &'static [Pole] = &[];
@@ -57,16 +57,14 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         &self,
         _divided: bool,
         _t: [R; 2],
-        _q: [&Self::Array; 2],
-        _p: [&Self::Array; 2],
+        _z: [&Self::Phase; 2],
         _s: [&Self::Action; 2],
     ) -> bool {
         true
     }
 
-    /// What vanishes at a pole, in any scalar: parameters are lifted to it, positions and momenta come in the order in which they are
-    /// stored.
-    fn vanishing<T: Real>(&self, _pole: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> T {
+    /// What vanishes at a pole, in any scalar: parameters are lifted to it, coordinates come in the order in which they are stored.
+    fn vanishing<T: Real>(&self, _pole: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> T {
         T::from_f64(1.0)
     }
 
@@ -75,12 +73,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// Whether no condition of H is decided differently at two points.
     #[inline(always)]
-    fn same_sides(&self, _t: R, _q: [&Self::Array; 2], _p: [&Self::Array; 2], _s: [&Self::Action; 2]) -> bool {
+    fn same_sides(&self, _t: R, _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> bool {
         true
     }
 
     /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
-    fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _q: &[T], _p: &[T], _s: T) -> [T; 2] {
+    fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]
     }
 
@@ -90,13 +88,36 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
-        let (t, q, p, s) = Self::Action::parts(*state);
-        self.hamiltonian(t, &q.into_array(), &p.into_array(), &s)
+        let (t, z, s) = state.parts();
+        self.hamiltonian(t, &z, &s)
     }
 }
 
-/// Points of the phase space of a system: [`State`](crate::State), or [`ContactState`](crate::ContactState).
-pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S as PhaseSpace<R>>::Coordinates>;
+/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState), or
+/// [`FlowState`](crate::FlowState).
+pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;
+
+/// A phase space with a momentum beside each position: z = [q, p].
+pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>>::Array; 2]> {
+    /// Positions, or momenta, as the user writes them.
+    type Coordinates: Coordinates<Real = R, Array = Self::Array>;
+    /// The same as kernels see them.
+    type Array: Array<Real = R>;
+}
+
+/// A differential equation z' = f(z, t).
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]`",
+    label = "this is for those alone",
+    note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
+            `ContactDiscreteGradient`"
+)]
+pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// z' at a point.
+    fn rate(&self, t: R, z: &Self::Phase, dz: &mut Self::Phase);
+}
 
 /// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
 #[diagnostic::on_unimplemented(
@@ -105,19 +126,22 @@ pub type StateOf<S, R> = <<S as PhaseSpace<R>>::Action as Action<R>>::State<<S a
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
             `ContactDiscreteGradient`"
 )]
-pub trait Hamiltonian<R: Real = f64>: PhaseSpace<R, Action = ()> {
+pub trait Hamiltonian<R: Real = f64>:
+    VectorField<R> + Cotangent<R> + PhaseSpace<R, State = State<<Self as Cotangent<R>>::Coordinates>>
+{
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// ∂H/∂q and ∂H/∂p at a point.
-    fn gradient(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array);
+    /// [∂H/∂q, ∂H/∂p] at a point.
+    fn gradient(&self, t: R, z: &Self::Phase, slopes: &mut Self::Phase);
+}
 
-    /// q' and p' at a point.
-    #[inline(always)]
-    fn rate(&self, t: R, q: &Self::Array, p: &Self::Array, dq: &mut Self::Array, dp: &mut Self::Array) {
-        self.gradient(t, q, p, dp, dq);
-        for slope in dp.as_mut_slice() {
-            *slope = -*slope;
-        }
+/// z' of a system that is not damped, from the gradient: J∇H.
+#[inline(always)]
+pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase) {
+    system.gradient(t, z, dz);
+    let [q, p] = dz;
+    for (q, p) in q.as_mut_slice().iter_mut().zip(p.as_mut_slice()) {
+        (*q, *p) = (*p, -*q);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{PhaseSpace, StateOf};
 use crate::scalar::Real;
-use crate::space::{Action, Coordinates};
+use crate::space::Snapshot;
 
 /// What a step of order 2 keeps in place of H, to the next order.
 ///
@@ -12,11 +12,11 @@ use crate::space::{Action, Coordinates};
 /// section IX.4.
 pub trait ModifiedEnergy<R: Real = f64>: PhaseSpace<R> {
     /// H + h²H₂ at a point.
-    fn modified_hamiltonian(&self, h: R, t: R, q: &Self::Array, p: &Self::Array, s: &Self::Action) -> R;
+    fn modified_hamiltonian(&self, h: R, t: R, z: &Self::Phase, s: &Self::Action) -> R;
 
     /// H + h²H₂ of a state.
     fn modified_energy(&self, h: R, state: &StateOf<Self, R>) -> R {
-        let (t, q, p, s) = Self::Action::parts(*state);
-        self.modified_hamiltonian(h, t, &q.into_array(), &p.into_array(), &s)
+        let (t, z, s) = state.parts();
+        self.modified_hamiltonian(h, t, &z, &s)
     }
 }

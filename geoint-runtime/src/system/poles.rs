@@ -22,11 +22,10 @@ pub struct Pole {
     pub timed: bool,
 }
 
-/// Two points of phase space, each with its time: t, q, p, s.
+/// Two points of phase space, each with its time: t, z, s.
 pub(crate) type Ends<'a, S, R> = (
     [R; 2],
-    [&'a <S as PhaseSpace<R>>::Array; 2],
-    [&'a <S as PhaseSpace<R>>::Array; 2],
+    [&'a <S as PhaseSpace<R>>::Phase; 2],
     [&'a <S as PhaseSpace<R>>::Action; 2],
 );
 
@@ -57,12 +56,12 @@ impl Poles {
         &self,
         system: &S,
         divided: bool,
-        (t, q, p, s): Ends<'_, S, R>,
+        (t, z, s): Ends<'_, S, R>,
     ) -> bool {
         if S::POLES.is_empty() {
             return true;
         }
-        let clear = || system.clear_of_poles(divided, t, q, p, s);
+        let clear = || system.clear_of_poles(divided, t, z, s);
         if Known::<S, R>::FIXED { clear() } else { !self.open || (!self.searched && clear()) }
     }
 
@@ -72,13 +71,13 @@ impl Poles {
         &self,
         system: &S,
         divided: bool,
-        (t, q, p, s): Ends<'_, S, R>,
+        (t, z, s): Ends<'_, S, R>,
     ) -> Option<&'static str> {
-        if self.is_clear(system, divided, (t, q, p, s)) {
+        if self.is_clear(system, divided, (t, z, s)) {
             return None;
         }
         // Copies: what is searched is in memory, and a step would otherwise keep its state there.
-        search(*system, t, copied(q), copied(p), s.map(|s| *s))
+        search(*system, t, copied(z), s.map(|s| *s))
     }
 }
 
@@ -94,9 +93,9 @@ fn copied<A: Array>([start, end]: [&A; 2]) -> [A; 2] {
 /// Whether a pole is ruled out in all of phase space.
 fn is_nowhere<S: PhaseSpace<R>, R: Real>(system: &S, pole: usize) -> bool {
     let anything = Enclosure::<R>::new(Interval::WHOLE, Interval::WHOLE);
-    let mut all = S::Array::fill(anything);
-    let all = S::Array::entries(&mut all);
-    !system.vanishing(pole, Enclosure::constant, anything, all, all, anything).value.contains_zero()
+    let mut all = S::Phase::fill(anything);
+    let all = S::Phase::entries(&mut all);
+    !system.vanishing(pole, Enclosure::constant, anything, all, anything).value.contains_zero()
 }
 
 /// The first pole, if any, that intervals cannot rule out. Points that are not finite are no question of poles.
@@ -105,12 +104,10 @@ fn is_nowhere<S: PhaseSpace<R>, R: Real>(system: &S, pole: usize) -> bool {
 fn search<S: PhaseSpace<R>, R: Real>(
     system: S,
     t: [R; 2],
-    q: [S::Array; 2],
-    p: [S::Array; 2],
+    z: [S::Phase; 2],
     s: [S::Action; 2],
 ) -> Option<&'static str> {
-    let finite = |x: &[S::Array; 2]| x.iter().all(|x| x.is_finite());
-    if !(finite(&q) && finite(&p)) {
+    if !z.iter().all(Array::is_finite) {
         return None;
     }
     let t = Line::new(t);
@@ -118,15 +115,12 @@ fn search<S: PhaseSpace<R>, R: Real>(
     let open = |(i, pole): &(usize, &Pole)| !(pole.by_parameters && is_nowhere(&system, *i));
     let clear = |(i, _): &(usize, &Pole)| {
         vanishes_nowhere(|part| {
-            let [mut q, mut p] = [&q, &p].map(|[start, end]| {
-                let mut on = S::Array::fill(t.on(part));
-                for (j, on) in S::Array::entries(&mut on).iter_mut().enumerate() {
-                    *on = Line::new([start.as_slice()[j], end.as_slice()[j]]).on(part);
-                }
-                on
-            });
-            let (q, p) = (S::Array::entries(&mut q), S::Array::entries(&mut p));
-            system.vanishing(*i, Enclosure::constant, t.on(part), q, p, s.on(part))
+            let mut on = S::Phase::fill(t.on(part));
+            let on = S::Phase::entries(&mut on);
+            for (j, on) in on.iter_mut().enumerate() {
+                *on = Line::new([z[0].as_slice()[j], z[1].as_slice()[j]]).on(part);
+            }
+            system.vanishing(*i, Enclosure::constant, t.on(part), on, s.on(part))
         })
     };
     S::POLES.iter().enumerate().filter(open).find(|pole| !clear(pole)).map(|(_, pole)| pole.what)
@@ -179,9 +173,9 @@ fn search_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'sta
     let anything = Enclosure::new(Interval::WHOLE, Interval::WHOLE);
     let clear = |i: usize| {
         vanishes_nowhere(|part| {
-            let mut all = S::Array::fill(anything);
-            let all = S::Array::entries(&mut all);
-            system.vanishing(i, Enclosure::constant, t.on(part), all, all, anything)
+            let mut all = S::Phase::fill(anything);
+            let all = S::Phase::entries(&mut all);
+            system.vanishing(i, Enclosure::constant, t.on(part), all, anything)
         })
     };
     let timed = S::POLES.iter().enumerate().filter(|(_, pole)| pole.timed);

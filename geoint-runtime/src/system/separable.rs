@@ -1,6 +1,6 @@
 //! H = T + V: kick and drift.
 
-use super::PhaseSpace;
+use super::Cotangent;
 use crate::scalar::Real;
 
 /// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
@@ -10,7 +10,7 @@ use crate::scalar::Real;
     label = "H was not proven to be T(p) + V(q)",
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
-pub trait Separable<R: Real = f64>: PhaseSpace<R> {
+pub trait Separable<R: Real = f64>: Cotangent<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What a kick of given length needs from the parameters.

@@ -21,18 +21,17 @@ type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
 
 /// A step that evaluates the energy at x + `ahead`·d.
 #[inline(always)]
-fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     Prepared { constants, half, poles }: &PreparedFor<S, M, R>,
     newton: &mut Newton<S::Unknown>,
     ahead: f64,
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let (none, n, middle) = (S::Unknown::zero(), S::Array::LEN, t + *half);
+    let (none, n, middle) = (S::Unknown::zero(), S::Phase::LEN, t + *half);
     let mut origin = none;
     let entries = origin.as_mut_slice();
-    entries[..n].copy_from_slice(x.q.as_slice());
-    entries[n..2 * n].copy_from_slice(x.p.as_slice());
-    entries[2 * n] = x.s;
+    entries[..n].copy_from_slice(Array::as_slice(&x.z));
+    entries[n] = x.s;
     let begun = system.begin(constants, middle, &origin);
 
     // Φ(Φ(0)) is the explicit midpoint rule, or as good.
@@ -46,8 +45,8 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
         let (mut seen, mut f) = (origin, none);
         seen.add_scaled(R::from_f64(ahead), d);
-        let (q, p, s) = apart::<S, M, R>(&seen);
-        probe.visit(middle, &q, &p, &s);
+        let (z, s) = apart::<S, M, R>(&seen);
+        probe.visit(middle, &z, &s);
         system.image(constants, &begun, d, &mut f, matrix);
         f
     };
@@ -59,21 +58,19 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Array>, P: Probe<S, R
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
-    let (dq, dp, ds) = apart::<S, M, R>(&end);
+    let (dz, ds) = apart::<S, M, R>(&end);
     let before = start::<S, R, C>(x);
-    x.add(&dq, &dp);
+    x.add(&dz);
     x.s += ds;
     check_end(poles, [t, middle + *half], &before, Step { system, t, x, probe })
 }
 
 /// Positions, momenta and the action.
 #[inline(always)]
-fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Array, S::Array, R) {
-    let n = S::Array::LEN;
-    let (mut q, mut p) = (S::Array::zero(), S::Array::zero());
-    q.as_mut_slice().copy_from_slice(&x.as_slice()[..n]);
-    p.as_mut_slice().copy_from_slice(&x.as_slice()[n..2 * n]);
-    (q, p, x.as_slice().last().copied().unwrap_or_else(zero))
+fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Phase, R) {
+    let mut z = S::Phase::zero();
+    Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..S::Phase::LEN]);
+    (z, x.as_slice().last().copied().unwrap_or_else(zero))
 }
 
 /// Makes methods of this: where they look at the energy, whether the step is a contact map, whether H decays as the equation says.
@@ -101,7 +98,7 @@ macro_rules! methods {
             }
 
             #[inline(always)]
-            fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 at: Step<'_, S, R, C, P>,

@@ -47,7 +47,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     fn memory() {}
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Prepared<S, R>,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
@@ -59,14 +59,16 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         if before.any_not_positive() || after.any_not_positive() {
             return Err(Refusal::Singular);
         }
-        probe.visit(t, &x.q, &x.p, &x.s);
+        probe.visit(t, &x.z, &x.s);
         scale(before, x);
         // An action that is not followed is dropped here, and with it what it is computed from.
         let unread = x.s;
-        system.free_kick(&prepared.half_kick, t, &mut x.q, &mut x.p, &mut x.s);
-        system.free_drift(&prepared.drift, t + half, &mut x.q, &mut x.p, &mut x.s);
-        probe.visit(end, &x.q, &x.p, &x.s);
-        system.free_kick(&prepared.half_kick, end, &mut x.q, &mut x.p, &mut x.s);
+        let [q, p] = &mut x.z;
+        system.free_kick(&prepared.half_kick, t, q, p, &mut x.s);
+        system.free_drift(&prepared.drift, t + half, q, p, &mut x.s);
+        probe.visit(end, &x.z, &x.s);
+        let [q, p] = &mut x.z;
+        system.free_kick(&prepared.half_kick, end, q, p, &mut x.s);
         scale(one / after, x);
         if !C::ACTION {
             x.s = unread;
@@ -77,8 +79,8 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
 
 /// (p, s) ← w·(p, s).
 #[inline(always)]
-fn scale<A: Array, C>(w: A::Real, x: &mut Point<A, C, A::Real>) {
-    for p in x.p.as_mut_slice() {
+fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
+    for p in x.z[1].as_mut_slice() {
         *p = w * *p;
     }
     x.s = w * x.s;

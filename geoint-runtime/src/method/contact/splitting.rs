@@ -49,27 +49,27 @@ impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
     fn memory() {}
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { flows, half, .. }: &Self::Prepared,
         (): &mut (),
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
         let frozen = step.system.freeze(flows, middle);
-        step.probe.visit(start, &step.x.q, &step.x.p, &step.x.s);
+        step.probe.visit(start, &step.x.z, &step.x.s);
         pass(0..all, (flows, &frozen), step.part(start));
         pass((0..all - 1).rev(), (flows, &frozen), step.part(middle));
         Ok(())
     }
 
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(
+    fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
         (): &mut (),
         system: &S,
         clock: &Clock<R>,
         steps: u64,
-        x: &mut Point<S::Array, C, R>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
         let Prepared { flows, merged, half } = prepared;
         let (all, probe) = (S::PIECES.len(), &mut Unwatched);
@@ -95,7 +95,7 @@ impl<S: Pieces<R>, R: Real> Method<S, R> for ContactSplitting {
 
 /// The flows of some pieces one after the other, each from the time of `step` on.
 #[inline(always)]
-fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
+fn pass<S: Pieces<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     pieces: impl Iterator<Item = usize>,
     (flows, frozen): (&S::Flows, &S::Frozen),
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
@@ -104,7 +104,7 @@ fn pass<S: Pieces<R>, R: Real, C: Summation<S::Array>, P: Probe<S, R>>(
         // An action that is not followed is dropped here, and with it what it is computed from.
         let mut unread = x.s;
         let s = if C::ACTION { &mut x.s } else { &mut unread };
-        system.flow(piece, flows, frozen, t, &mut x.q, &mut x.p, s);
+        system.flow(piece, flows, frozen, t, &mut x.z, s);
         probe.flown(S::PIECES[piece].name, || x.is_finite());
     }
 }
@@ -185,7 +185,7 @@ impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K>
     fn memory() {}
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         (): &mut (),
         mut step: Step<'_, S, R, C, P>,
@@ -194,7 +194,7 @@ impl<S: Pieces<R>, R: Real, const K: usize> Method<S, R> for PieceComposition<K>
         for Pair { forth, back, at: [start, middle] } in prepared {
             let (start, middle) = (step.t + *start, step.t + *middle);
             let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
-            step.probe.visit(start, &step.x.q, &step.x.p, &step.x.s);
+            step.probe.visit(start, &step.x.z, &step.x.s);
             pass(0..all, (forth, &frozen[0]), step.part(start));
             pass((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
         }

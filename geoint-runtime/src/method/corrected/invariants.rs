@@ -5,16 +5,16 @@ use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::system::{Autonomous, DiscreteField};
 
-/// One or more functions of (q, p) that the flow of `S` keeps.
+/// One or more functions of the coordinates that the flow of `S` keeps.
 ///
-/// Points and increments are pairs (q, p) of nested arrays. Tuples of two or three single invariants are invariants.
+/// Points and increments are arrays of all coordinates: [q, p], or x. Tuples of two or three single invariants are invariants.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a set of invariants of `{S}`",
     note = "`Energy` is one of every autonomous system whose divided differences are known"
 )]
 pub trait Invariants<S, R: Real = f64>: Copy
 where
-    S: crate::Hamiltonian<R>,
+    S: crate::system::VectorField<R>,
 {
     /// One scalar an invariant: `R`, or an array.
     type Values: Array<Real = R>;
@@ -23,10 +23,10 @@ where
 
     /// What they change by between `x` and `x + d`. Write it without subtracting values where you can: what is lost in that
     /// difference is added to the trajectory.
-    fn changes(&self, system: &S, x: &[S::Array; 2], d: &[S::Array; 2]) -> Self::Values;
+    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> Self::Values;
 
-    /// The gradient of each: its derivatives by q and by p.
-    fn gradients(&self, system: &S, x: &[S::Array; 2]) -> <Self::Values as Array>::Map<[S::Array; 2]>;
+    /// The gradient of each.
+    fn gradients(&self, system: &S, x: &S::Phase) -> <Self::Values as Array>::Map<S::Phase>;
 }
 
 /// H itself.
@@ -42,15 +42,15 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     const KEEP_ENERGY: bool = true;
 
     #[inline]
-    fn changes(&self, system: &S, [q, p]: &[S::Array; 2], [dq, dp]: &[S::Array; 2]) -> R {
-        let ((y, mut changed), (d, change)) = (S::start(q, p), S::start(dq, dp));
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
+        let ((y, mut changed), (d, change)) = (S::start(z), S::start(dz));
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
         let parameters = system.parameters(zero());
         let start = system.begin(&parameters, zero(), &y);
         system.slope(&parameters, &start, &d, &mut f, &mut jacobian);
         if S::DERIVATIVE == 1 {
             // f̄ = J∇̄H: the rates of q and of p.
-            let (rate_q, rate_p) = f.as_slice().split_at(S::Array::LEN);
+            let ((rate_q, rate_p), [dq, dp]) = (f.as_slice().split_at(S::Array::LEN), dz);
             return dot(rate_q, dp.as_slice()) - dot(rate_p, dq.as_slice());
         }
         // f̄ = −∇̄V, and the mean gradient of a quadratic T is that of the mean momentum.
@@ -60,10 +60,9 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     }
 
     #[inline]
-    fn gradients(&self, system: &S, [q, p]: &[S::Array; 2]) -> [S::Array; 2] {
-        let mut gradient = [S::Array::zero(); 2];
-        let [by_q, by_p] = &mut gradient;
-        system.gradient(zero(), q, p, by_q, by_p);
+    fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
+        let mut gradient = S::Phase::zero();
+        system.gradient(zero(), z, &mut gradient);
         gradient
     }
 }
@@ -77,16 +76,16 @@ macro_rules! known {
 /// Single invariants side by side.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
-        impl<S: crate::Hamiltonian<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
+        impl<S: crate::system::VectorField<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
             type Values = known!([R; $n]; $($I)*);
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
 
             #[inline]
-            fn changes(&self, system: &S, x: &[S::Array; 2], d: &[S::Array; 2]) -> [R; $n] {
+            fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> [R; $n] {
                 [$(self.$i.changes(system, x, d)),*]
             }
             #[inline]
-            fn gradients(&self, system: &S, x: &[S::Array; 2]) -> [[S::Array; 2]; $n] {
+            fn gradients(&self, system: &S, x: &S::Phase) -> [S::Phase; $n] {
                 [$(self.$i.gradients(system, x)),*]
             }
         }
@@ -106,15 +105,13 @@ fn dot<R: Real>(x: &[R], y: &[R]) -> R {
 
 /// The same over positions and momenta.
 #[inline]
-pub(crate) fn product<A: Array>(x: &[A; 2], y: &[A; 2]) -> A::Real {
-    dot(x[0].as_slice(), y[0].as_slice()) + dot(x[1].as_slice(), y[1].as_slice())
+pub(crate) fn product<A: Array>(x: &A, y: &A) -> A::Real {
+    dot(x.as_slice(), y.as_slice())
 }
 
 /// x + w·y.
 #[inline]
-pub(crate) fn plus<A: Array>(mut x: [A; 2], w: f64, y: &[A; 2]) -> [A; 2] {
-    for (x, y) in x.iter_mut().zip(y) {
-        x.add_scaled(A::Real::from_f64(w), y);
-    }
+pub(crate) fn plus<A: Array>(mut x: A, w: f64, y: &A) -> A {
+    x.add_scaled(A::Real::from_f64(w), y);
     x
 }

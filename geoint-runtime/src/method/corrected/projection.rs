@@ -7,7 +7,7 @@ use crate::solving::linear;
 use crate::solving::rounding::correct;
 use crate::solving::size::{Sizes, largest};
 use crate::space::{Array, Compensated, Square, Summation};
-use crate::system::{Hamiltonian, Poles};
+use crate::system::{Poles, VectorField};
 use core::cell::Cell;
 
 /// On the way back by less than this, relative to the coordinates, gradients hardly change: corrections that are small and do not
@@ -36,15 +36,15 @@ pub struct Prepared<P, I> {
 #[derive(Clone, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
-    sizes: Sizes<[A; 2]>,
+    sizes: Sizes<A>,
     /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
-    sums: [Compensated<A>; 2],
+    sums: Compensated<A>,
 }
 
-impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
+impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
     type Proof = <M::Proof as And<I::Values>>::Both;
     type Prepared = Prepared<M::Prepared, I>;
-    type Memory = Memory<M::Memory, S::Array>;
+    type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
@@ -61,32 +61,32 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new() }
     }
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, invariants }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Memory { method: memory, sizes, sums } = memory;
-        let before = [step.x.q, step.x.p];
+        let before = step.x.z;
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
-        probe.visit(t, &x.q, &x.p, &());
-        let moved = plus([x.q, x.p], -1.0, &before);
+        probe.visit(t, &x.z, &());
+        let moved = plus(x.z, -1.0, &before);
         sizes.include(&before, &moved);
 
         // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
-        let mut gradients = invariants.gradients(system, &[x.q, x.p]);
+        let mut gradients = invariants.gradients(system, &x.z);
         let directions = I::Values::entries(&mut gradients);
         let mut terms = I::Values::zero();
         for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
             *terms = sizes.normalise(direction);
         }
         let back = |multipliers: &I::Values| {
-            let mut back = <[S::Array; 2]>::zero();
+            let mut back = S::Phase::zero();
             for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
                 back.add_scaled(*multiplier, direction);
             }
@@ -122,7 +122,7 @@ impl<S: Hamiltonian<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         if I::KEEP_ENERGY {
             check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
         }
-        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
+        check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }
 }
 

@@ -37,15 +37,15 @@ pub struct Prepared<P, R> {
 #[derive(Clone, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
-    sizes: Sizes<[A; 2]>,
+    sizes: Sizes<A>,
     /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
-    sums: [Compensated<A>; 2],
+    sums: Compensated<A>,
 }
 
 impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
     type Proof = <M::Proof as And<<S as Autonomous<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
-    type Memory = Memory<M::Memory, S::Array>;
+    type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = true;
 
     fn claims(&self) -> Claims {
@@ -62,26 +62,26 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: [Compensated::new(); 2] }
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new() }
     }
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
         Memory { method: memory, sizes, sums }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let before = [step.x.q, step.x.p];
+        let before = step.x.z;
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
-        probe.visit(t, &x.q, &x.p, &());
-        let moved = plus([x.q, x.p], -1.0, &before);
+        probe.visit(t, &x.z, &());
+        let moved = plus(x.z, -1.0, &before);
         sizes.include(&before, &moved);
         let mut gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
         let secant = whole - product(&gradient, &moved);
         // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
-        let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before[0], &before[1], &()).abs();
+        let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before, &()).abs();
 
         // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
         // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
@@ -89,7 +89,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         let decided = Cell::new(moved);
         let value = |excess: R| {
             let gamma = R::from_f64(1.0) + excess;
-            decided.set(moved.map(|d| scaled(gamma, &d)));
+            decided.set(scaled(gamma, &moved));
             Energy.changes(system, &before, &decided.get()) / gamma
         };
         let mut line = (zero(), whole, secant);
@@ -114,10 +114,10 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
             }
             solution => solution?,
         };
-        x.correct(sums, &before, &moved, &moved.map(|d| scaled(excess, &d)));
+        x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
-        check_poles(poles, false, [t; 2], &(before[0], before[1], ()), Step { system, t, x, probe })
+        check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }
 }
 

@@ -47,8 +47,8 @@ impl MeanGradient for CoordinateIncrement {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let Staircase { g, end, .. } = energy.staircase(x, d, S::Array::LEN);
         if S::Array::LEN == 1 {

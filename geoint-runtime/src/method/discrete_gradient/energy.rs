@@ -42,12 +42,12 @@ pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
 impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {
     /// The tree discrete gradient between x and x + d, and its derivative with respect to d.
     #[inline]
-    pub fn tree(&mut self, x: &[S::Array; 2], d: &[S::Array; 2]) -> Slope<S::Array> {
+    pub fn tree(&mut self, x: &S::Phase, d: &S::Phase) -> Slope<S::Array> {
         let end = moved(x, R::from_f64(1.0), d);
-        self.probe.visit(self.t, &x[0], &x[1], &());
-        self.probe.visit(self.t, &end[0], &end[1], &());
-        let (y, mut mean) = S::start(&x[0], &x[1]);
-        let (change, impulse) = S::start(&d[0], &d[1]);
+        self.probe.visit(self.t, x, &());
+        self.probe.visit(self.t, &end, &());
+        let (y, mut mean) = S::start(x);
+        let (change, impulse) = S::start(d);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
         let start = self.system.begin(self.parameters, self.t, &y);
         self.system.slope(self.parameters, &start, &change, &mut f, &mut jacobian);
@@ -58,9 +58,9 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
 
     /// ∇H and the Hessian at a point.
     #[inline]
-    pub fn gradient(&mut self, t: R, x: &[S::Array; 2]) -> Slope<S::Array> {
-        self.probe.visit(t, &x[0], &x[1], &());
-        let (y, p) = S::start(&x[0], &x[1]);
+    pub fn gradient(&mut self, t: R, x: &S::Phase) -> Slope<S::Array> {
+        self.probe.visit(t, x, &());
+        let (y, p) = S::start(x);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
         self.system.field(self.constants, t, &y, &mut f, &mut jacobian);
         self.slope(&p, R::from_f64(1.0), &f, &mut jacobian)
@@ -100,12 +100,12 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
     /// Each entry comes from the edge along which its coordinate moves. With blocks of one coordinate that entry is the
     /// exact divided difference of H: the discrete chain rule has no other term.
     #[inline]
-    pub fn staircase(&mut self, x: &[S::Array; 2], d: &[S::Array; 2], block: usize) -> Staircase<S::Array> {
+    pub fn staircase(&mut self, x: &S::Phase, d: &S::Phase, block: usize) -> Staircase<S::Array> {
         let mut stairs = Staircase { g: Array::zero(), start: Matrix::zero(), end: Matrix::zero() };
         let mut corner = *x;
         for first in (0..2 * S::Array::LEN).step_by(block.max(1)) {
             let moving = first..first + block;
-            let mut edge = <[S::Array; 2]>::zero();
+            let mut edge = <S::Phase>::zero();
             entries(&mut edge)[moving.clone()].copy_from_slice(&Array::as_slice(d)[moving.clone()]);
             let next = moved(&corner, R::from_f64(1.0), &edge);
             // The tree gradient is symmetric: from the other end, the derivative is that with respect to this one.

@@ -38,8 +38,8 @@ impl<G: MeanGradient + SymmetricMap> MeanGradient for FourthOrder<G> {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let (h, [one, half, sixth, twelfth]) = (energy.h, [1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 12.0].map(R::from_f64));
         let Slope { g, mut derivative } = self.0.between(energy, x, d)?;
@@ -66,9 +66,9 @@ impl<G: MeanGradient + SymmetricMap> MeanGradient for FourthOrder<G> {
 /// Zero, to the last bit, if H does not depend on time.
 fn driving<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
-    m: &[S::Array; 2],
+    m: &S::Phase,
     middle: &mut Slope<S::Array>,
-) -> [S::Array; 2] {
+) -> S::Phase {
     let (h, [half, sixth, twelfth]) = (energy.h, [1.0 / 2.0, 1.0 / 6.0, 1.0 / 12.0].map(R::from_f64));
     let mut before = energy.gradient(energy.t - half * h, m);
     let mut after = energy.gradient(energy.t + half * h, m);

@@ -31,8 +31,8 @@ impl MeanGradient for Gonzalez {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5));
         let mut tree = energy.tree(x, d);

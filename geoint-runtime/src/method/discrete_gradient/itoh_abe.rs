@@ -42,8 +42,8 @@ impl MeanGradient for ItohAbe {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let Staircase { g, end, .. } = energy.staircase(x, d, 1);
         Ok(Slope { g, derivative: end })
@@ -58,8 +58,8 @@ impl MeanGradient for ItohAbeAdjoint {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let end = moved(x, R::from_f64(1.0), d);
         let Staircase { g, start, .. } = energy.staircase(&end, &opposite(d), 1);
@@ -75,8 +75,8 @@ impl MeanGradient for SymmetrisedItohAbe {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         let half = R::from_f64(0.5);
         let (mut there, mut back) = (ItohAbe.between(energy, x, d)?, ItohAbeAdjoint.between(energy, x, d)?);
@@ -111,7 +111,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     }
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         (first, second, half): &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,

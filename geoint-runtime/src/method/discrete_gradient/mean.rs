@@ -39,8 +39,8 @@ pub trait MeanGradient: Copy {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
@@ -57,13 +57,13 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 /// What a step hands on to the next one: the compensations of the sums of q and p, and sizes of increments.
 #[derive(Clone, Debug)]
 pub struct Memory<A: Array> {
-    sums: [Compensated<A>; 2],
+    sums: Compensated<[A; 2]>,
     solver: QuasiNewton<[A; 2]>,
 }
 
 impl<A: Array> Memory<A> {
     pub(super) fn new() -> Self {
-        Memory { sums: [Compensated::new(); 2], solver: QuasiNewton::new() }
+        Memory { sums: Compensated::new(), solver: QuasiNewton::new() }
     }
 }
 
@@ -73,7 +73,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
     }
 
     #[inline]
-    pub(super) fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    pub(super) fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
         Memory { sums, solver }: &mut Memory<S::Array>,
         Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
@@ -81,7 +81,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let Prepared { mean, constants, parameters, h, poles } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
         let mut energy = Energy { system, constants, parameters, probe, t: t + half, h: *h };
-        let x = [point.q, point.p];
+        let x = point.z;
         // The explicit midpoint rule.
         let rate = turned(&energy.gradient(t, &x).g);
         let rate = turned(&energy.gradient(t + half, &moved(&x, half, &rate)).g);
@@ -95,7 +95,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             }
             // d − h J g and 1 − h J ∂g/∂d.
             *residual = moved(d, -*h, &turned(&g));
-            let (derivative, rows) = (derivative.rows(), <[S::Array; 2]>::entries::<[S::Array; 2]>(matrix));
+            let (derivative, rows) = (derivative.rows(), <S::Phase>::entries::<S::Phase>(matrix));
             for i in 0..n {
                 rows[i] = scaled(-*h, &derivative[n + i]);
                 rows[n + i] = scaled(*h, &derivative[i]);
@@ -105,9 +105,9 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
             }
             Ok(())
         })?;
-        point.add_with(sums, d.each_ref(), [&S::Array::zero(); 2]);
+        point.add_with(sums, &d, &S::Phase::zero());
         check_conditions(system, t + half, &decided, point)?;
-        check_end(poles, [t, t + *h], &(x[0], x[1], ()), Step { system, t, x: point, probe })
+        check_end(poles, [t, t + *h], &(x, ()), Step { system, t, x: point, probe })
     }
 }
 
@@ -141,7 +141,7 @@ macro_rules! methods {
             }
 
             #[inline]
-            fn step<C: Summation<$system::Array>, P: Probe<$system, R>>(
+            fn step<C: Summation<$system::Phase>, P: Probe<$system, R>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 step: Step<'_, $system, R, C, P>,

@@ -39,8 +39,8 @@ where
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         if S::MEAN == Mean::Parts(1) {
             return Ok(energy.tree(x, d));
@@ -68,13 +68,13 @@ where
 /// it is a discrete gradient of every H.
 fn extrapolated<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
     energy: &mut Energy<'_, S, R, P>,
-    x: &[S::Array; 2],
-    d: &[S::Array; 2],
+    x: &S::Phase,
+    d: &S::Phase,
     most: usize,
-) -> [S::Array; 2] {
+) -> S::Phase {
     let real = |n: usize| R::from_f64(n as f64);
     let square = |n: usize| real(n * n);
-    let mut mean = <[S::Array; 2]>::zero();
+    let mut mean = <S::Phase>::zero();
     for n in 1..=most {
         let part = scaled(real(1) / real(n), d);
         // Lagrange's polynomial in 1/n², at 0.

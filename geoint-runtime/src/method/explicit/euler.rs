@@ -2,9 +2,9 @@
 
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Array;
 use crate::space::Summation;
-use crate::system::Hamiltonian;
+use crate::space::Array;
+use crate::system::VectorField;
 
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
 ///
@@ -12,7 +12,7 @@ use crate::system::Hamiltonian;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExplicitEuler;
 
-impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
+impl<S: VectorField<R>, R: Real> Method<S, R> for ExplicitEuler {
     type Proof = S::Proof;
     /// h.
     type Prepared = R;
@@ -33,18 +33,16 @@ impl<S: Hamiltonian<R>, R: Real> Method<S, R> for ExplicitEuler {
     fn memory() {}
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         h: &R,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        probe.visit(t, &x.q, &x.p, &());
-        let (mut rate_q, mut rate_p) = (S::Array::zero(), S::Array::zero());
-        system.rate(t, &x.q, &x.p, &mut rate_q, &mut rate_p);
-        let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
-        dq.add_scaled(*h, &rate_q);
-        dp.add_scaled(*h, &rate_p);
-        x.add(&dq, &dp);
+        probe.visit(t, &x.z, &());
+        let (mut rate, mut dz) = (S::Phase::zero(), S::Phase::zero());
+        system.rate(t, &x.z, &mut rate);
+        dz.add_scaled(*h, &rate);
+        x.add(&dz);
         Ok(())
     }
 }

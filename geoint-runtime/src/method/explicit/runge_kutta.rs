@@ -1,4 +1,4 @@
-//! Explicit Runge–Kutta methods: yᵢ = x₀ + h Σ aᵢⱼ kⱼ, kᵢ = J∇H(yᵢ), x₁ = x₀ + h Σ bᵢ kᵢ.
+//! Explicit Runge–Kutta methods: yᵢ = x₀ + h Σ aᵢⱼ kⱼ, kᵢ = f(yᵢ), x₁ = x₀ + h Σ bᵢ kᵢ.
 //!
 //! They keep nothing by themselves. They are here because [`Projection`](crate::Projection) and
 //! [`Relaxation`](crate::Relaxation) make them keep the energy, and as the measure of what that is worth.
@@ -12,7 +12,7 @@ use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;
 use crate::space::Summation;
-use crate::system::Hamiltonian;
+use crate::system::VectorField;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
 ///
@@ -195,7 +195,7 @@ pub struct Prepared<R, const K: usize> {
     c: [R; K],
 }
 
-impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
+impl<S: VectorField<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     type Proof = S::Proof;
     type Prepared = Prepared<R, K>;
     type Memory = ();
@@ -223,14 +223,14 @@ impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
     fn memory() {}
 
     #[inline]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { a, b, c }: &Self::Prepared,
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let none = S::Array::zero();
-        let (mut rates_q, mut rates_p) = ([none; K], [none; K]);
-        let sum = |weights: &[R], rates: &[S::Array]| {
+        let none = S::Phase::zero();
+        let mut rates = [none; K];
+        let sum = |weights: &[R], rates: &[S::Phase]| {
             let mut sum = none;
             for (w, rate) in weights.iter().zip(rates) {
                 sum.add_scaled(*w, rate);
@@ -238,13 +238,12 @@ impl<S: Hamiltonian<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
             sum
         };
         for i in 0..K {
-            let (mut q, mut p) = (x.q, x.p);
-            q.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_q));
-            p.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates_p));
-            probe.visit(t + c[i], &q, &p, &());
-            system.rate(t + c[i], &q, &p, &mut rates_q[i], &mut rates_p[i]);
+            let mut z = x.z;
+            z.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates));
+            probe.visit(t + c[i], &z, &());
+            system.rate(t + c[i], &z, &mut rates[i]);
         }
-        x.add(&sum(b, &rates_q), &sum(b, &rates_p));
+        x.add(&sum(b, &rates));
         Ok(())
     }
 }

@@ -30,7 +30,7 @@ use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, 
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Square};
-use crate::space::{Plain, Point, Summation};
+use crate::space::{Snapshot, Summation};
 use crate::system::{Collocation, Poles};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
@@ -102,19 +102,19 @@ where
     }
 
     fn memory() -> Self::Memory {
-        Newton::new(Y::Array::LEN, Y::Unknown::LEN / Y::Array::LEN)
+        Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
     }
 
     #[inline(always)]
-    fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         Prepared { poles, constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
         newton: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let zero = Y::Unknown::zero();
-        let (y0, changed) = Y::start(&x.q, &x.p);
+        let (y0, changed) = Y::start(&x.z);
         let velocity = system.velocity(constants, &changed);
-        probe.visit(t, &x.q, &x.p, &());
+        probe.visit(t, &x.z, &());
 
         // The stages as if y' were constant.
         let nodes = *nodes;
@@ -142,10 +142,9 @@ where
             for j in 0..S {
                 system.add(constants, coupling[i][j], &k[j], &mut change);
             }
-            let mut at = Point::<Y::Array, Plain>::new(point.q, point.p);
-            let [dq, dp] = Y::increments(&change, &zero);
-            at.add(&dq, &dp);
-            probe.visit(t + nodes[i], &at.q, &at.p, &());
+            let mut z = point.z;
+            z.add_scaled(R::from_f64(1.0), &Y::increments(&change, &zero));
+            probe.visit(t + nodes[i], &z, &());
             let mut y = y0;
             y.add_scaled(R::from_f64(1.0), &change);
             system.field(constants, t + nodes[i], &y, &mut f, slope);
@@ -181,8 +180,7 @@ where
             impulse.add_scaled(weights[i], &k[i]);
         }
         let before = start::<Y, R, C>(x);
-        let [dq, dp] = Y::increments(&change, &impulse);
-        x.add(&dq, &dp);
+        x.add(&Y::increments(&change, &impulse));
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
@@ -209,7 +207,7 @@ impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
     }
 
     #[inline(always)]
-    fn step<C: Summation<Y::Array>, P: Probe<Y, R>>(
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
         step: Step<'_, Y, R, C, P>,

@@ -70,13 +70,13 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// inner₁, outer₂, inner₂, …, inner_K.
     #[inline(always)]
-    fn between<C: Summation<S::Array>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
+    fn between<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
-            probe.visit(inner_at.other, &x.q, &x.p, &x.s);
+            probe.visit(inner_at.other, &x.z, &x.s);
             O::inner(&self.inner[i], inner_at, moving(system, x));
             if i + 1 < K {
-                probe.visit(outer_at.other, &x.q, &x.p, &x.s);
+                probe.visit(outer_at.other, &x.z, &x.s);
                 O::outer(&self.outer[i], outer_at, moving(system, x));
             }
         }
@@ -84,36 +84,36 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// The same and last.
     #[inline(always)]
-    fn finish<C: Summation<S::Array>, P: Probe<S, R>>(&self, mut step: Step<'_, S, R, C, P>) {
+    fn finish<C: Summation<S::Phase>, P: Probe<S, R>>(&self, mut step: Step<'_, S, R, C, P>) {
         self.between(step.part(step.t));
         let Step { system, t, x, probe } = step;
         if let Some(last) = &self.last {
             let [_, at] = self.times(t, K - 1);
-            probe.visit(at.other, &x.q, &x.p, &x.s);
+            probe.visit(at.other, &x.z, &x.s);
             O::outer(last, at, moving(system, x));
         }
     }
 
     /// The same for large systems, for the reason that [`end`](Self::end) has.
     #[inline(never)]
-    fn single_apart<C: Summation<S::Array>>(
+    fn single_apart<C: Summation<S::Phase>>(
         &self,
         kick: &mut LastKick<S::Array>,
         system: &S,
         t: R,
-        x: &mut Point<S::Array, C, S::Action>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) {
         self.single(kick, system, t, x);
     }
 
     /// One step by itself. Its first kick is the last one of the step before, if that ended here: one force less.
     #[inline(always)]
-    fn single<C: Summation<S::Array>>(
+    fn single<C: Summation<S::Phase>>(
         &self,
         kick: &mut LastKick<S::Array>,
         system: &S,
         t: R,
-        x: &mut Point<S::Array, C, S::Action>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) {
         let (Some(last), true) = (&self.last, self.repeats && C::PLAIN) else {
             return self.step(Step { system, t, x, probe: &mut Unwatched });
@@ -121,40 +121,40 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let one = R::from_f64(1.0);
         // Without a branch for each entry.
         let same = |here: bool, (a, b): (&R, &R)| here & (*a == *b);
-        if kick.q.as_slice().iter().zip(x.q.as_slice()).fold(kick.known, same) {
-            x.p.add_scaled(one, &kick.impulse);
+        if kick.q.as_slice().iter().zip(x.z[0].as_slice()).fold(kick.known, same) {
+            x.z[1].add_scaled(one, &kick.impulse);
         } else {
             O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
         }
         self.between(Step { system, t, x, probe: &mut Unwatched });
         // Acting on zero, the flow gives the increment.
         (kick.known, kick.impulse) = (true, S::Array::nothing());
-        kick.q.copy_from(&x.q);
+        kick.q.copy_from(&x.z[0]);
         let [_, at] = self.times(t, K - 1);
-        let Point { q, p, s, sums, .. } = x;
+        let Point { z: [q, p], s, sums, .. } = x;
         O::outer(last, at, Moving { system, q, p: &mut kick.impulse, s, sums });
         p.add_scaled(one, &kick.impulse);
     }
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
         let Step { system, t, x, probe } = step;
-        probe.visit(t, &x.q, &x.p, &x.s);
+        probe.visit(t, &x.z, &x.s);
         O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
         self.finish(Step { system, t, x, probe });
     }
 
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(
+    fn advance<C: Summation<S::Phase>>(
         &self,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
-        point: &mut Point<S::Array, C, S::Action>,
+        point: &mut Point<S::Phase, C, S::Action>,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
         // In locals of this loop, q and p stay in registers.
-        let (mut q, mut p, mut s, mut sums) = (point.q, point.p, point.s, point.sums);
+        let ([mut q, mut p], mut s, mut sums) = (point.z, point.s, point.sums);
         macro_rules! x {
             () => {
                 Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums }
@@ -170,14 +170,14 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 O::outer(&self.outer[i], outer_at, x!());
             }
         }
-        (point.q, point.p, point.s, point.sums) = (q, p, s, sums);
+        (point.z, point.s, point.sums) = ([q, p], s, sums);
         self.end(system, clock.at(final_step), point);
     }
 
     /// Apart from the loop, whose flows are then the only ones that the optimiser arranges registers for: inlined, this
     /// makes the loop over six bodies up to a fifth slower.
     #[inline(never)]
-    fn end<C: Summation<S::Array>>(&self, system: &S, t: R, x: &mut Point<S::Array, C, S::Action>) {
+    fn end<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
         self.finish(Step { system, t, x, probe: &mut Unwatched });
     }
 }
@@ -185,9 +185,10 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 #[inline(always)]
 fn moving<'a, S: Separable<R>, R: Real, C>(
     system: &'a S,
-    x: &'a mut Point<S::Array, C, S::Action>,
+    x: &'a mut Point<S::Phase, C, S::Action>,
 ) -> Moving<'a, S, R, C> {
-    Moving { system, q: &mut x.q, p: &mut x.p, s: &mut x.s, sums: &mut x.sums }
+    let [q, p] = &mut x.z;
+    Moving { system, q, p, s: &mut x.s, sums: &mut x.sums }
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
@@ -212,7 +213,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     }
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         kick: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
@@ -228,13 +229,13 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     }
 
     #[inline(always)]
-    fn advance<C: Summation<S::Array>>(
+    fn advance<C: Summation<S::Phase>>(
         prepared: &Self::Prepared,
         _: &mut Self::Memory,
         system: &S,
         clock: &Clock<R>,
         steps: u64,
-        x: &mut Point<S::Array, C, S::Action>,
+        x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
         prepared.advance(system, clock, steps, x);
         Ok(())

@@ -3,7 +3,8 @@
 use crate::scalar::Real;
 use crate::sealed::Sealed;
 use crate::space::Summation;
-use crate::system::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
+use crate::space::Array;
+use crate::system::{Cotangent, ForceGradient, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -105,9 +106,9 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// Prepares an inner flow.
     fn prepare_inner(system: &S, weight: Weight<R>) -> Self::Inner;
     /// An outer flow.
-    fn outer<C: Summation<S::Array>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
+    fn outer<C: Summation<S::Phase>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
     /// An inner flow.
-    fn inner<C: Summation<S::Array>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
+    fn inner<C: Summation<S::Phase>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
@@ -122,11 +123,11 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
         system.prepare_drift(weight.h)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn outer<C: Summation<S::Phase>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.kick::<F>(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn inner<C: Summation<S::Phase>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.drift(flow, at);
     }
 }
@@ -143,11 +144,11 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
         F::prepare(system, weight)
     }
     #[inline(always)]
-    fn outer<C: Summation<S::Array>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn outer<C: Summation<S::Phase>>(flow: &S::Drift, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.drift(flow, at);
     }
     #[inline(always)]
-    fn inner<C: Summation<S::Array>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
+    fn inner<C: Summation<S::Phase>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.kick::<F>(flow, at);
     }
 }
@@ -161,28 +162,28 @@ pub struct Times<R> {
 
 /// A point of a system while flows move it. Its parts are apart, so that a loop may hold each of them in registers.
 #[derive(Debug)]
-pub struct Moving<'a, S: PhaseSpace<R>, R: Real, C> {
+pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) system: &'a S,
     pub(crate) q: &'a mut S::Array,
     pub(crate) p: &'a mut S::Array,
     pub(crate) s: &'a mut S::Action,
-    pub(crate) sums: &'a mut [C; 2],
+    pub(crate) sums: &'a mut C,
 }
 
-impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
+impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
     /// p ← p − h ∂V/∂q, at the time that the drifts have reached.
     ///
     /// Plain sums are left to the kernel: called from a closure, it is no longer seen that q and p are apart, which costs a
     /// tenth on six bodies.
     #[inline(always)]
     pub fn kick<F: Kicks<S, R>>(self, flow: &F::Kick, at: Times<R>) {
-        let Moving { system, q, p, s, sums: [_, sum] } = self;
+        let Moving { system, q, p, s, sums } = self;
         let mut unread = *s;
         let s = if C::ACTION { s } else { &mut unread };
         if C::PLAIN {
             F::kick(system, flow, at.other, q, p, s);
         } else {
-            sum.add(p, |p| F::kick(system, flow, at.other, q, p, s));
+            sums.add_part(S::Array::LEN, p, |p| F::kick(system, flow, at.other, q, p, s));
         }
     }
 
@@ -190,14 +191,14 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Array>> Moving<'_, S, R, C> {
     /// exact in time.
     #[inline(always)]
     pub fn drift(self, flow: &S::Drift, at: Times<R>) {
-        let Moving { system, q, p, s, sums: [sum, _] } = self;
+        let Moving { system, q, p, s, sums } = self;
         let mut unread = *s;
         let s = if C::ACTION { s } else { &mut unread };
         let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
         if C::PLAIN {
             system.drift(flow, t, q, p, s);
         } else {
-            sum.add(q, |q| system.drift(flow, t, q, p, s));
+            sums.add_part(0, q, |q| system.drift(flow, t, q, p, s));
         }
     }
 }

@@ -71,7 +71,7 @@ macro_rules! delegate {
                 <$inner as Method<S, R>>::memory()
             }
             #[inline(always)]
-            fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 step: Step<'_, S, R, C, P>,
@@ -79,13 +79,13 @@ macro_rules! delegate {
                 <$inner as Method<S, R>>::step(prepared, memory, step)
             }
             #[inline(always)]
-            fn advance<C: Summation<S::Array>>(
+            fn advance<C: Summation<S::Phase>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
                 system: &S,
                 clock: &Clock<R>,
                 steps: u64,
-                x: &mut Point<S::Array, C, S::Action>,
+                x: &mut Point<S::Phase, C, S::Action>,
             ) -> Result<(), Refusal> {
                 <$inner as Method<S, R>>::advance(prepared, memory, system, clock, steps, x)
             }

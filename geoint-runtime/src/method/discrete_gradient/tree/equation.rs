@@ -5,7 +5,7 @@
 
 use crate::method::{Probe, Refusal, check_conditions};
 use crate::scalar::{Real, zero};
-use crate::space::{Array, Plain, Point, Square, Summation, exact_sum};
+use crate::space::{Array, Point, Square, Summation, exact_sum};
 use crate::system::DiscreteField;
 use core::cell::Cell;
 
@@ -64,8 +64,7 @@ pub(super) struct Equation<'a, S: DiscreteField<R>, R: Real> {
     system: &'a S,
     coefficients: &'a Coefficients<S, R>,
     t: R,
-    q: S::Array,
-    p: S::Array,
+    z: S::Phase,
     y: S::Unknown,
     /// What the impulse is added to.
     pub(super) changed: S::Unknown,
@@ -73,7 +72,7 @@ pub(super) struct Equation<'a, S: DiscreteField<R>, R: Real> {
     compensation: (Option<S::Unknown>, S::Unknown),
     start: S::Start,
     /// The end of the step at which conditions of the energy were decided last.
-    decided: Cell<[S::Array; 2]>,
+    decided: Cell<S::Phase>,
 }
 
 impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
@@ -81,33 +80,32 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     pub(super) const STANDSTILL: f64 = if S::DERIVATIVE == 1 { 0.0 } else { -2.0 };
 
     #[inline(always)]
-    pub(super) fn of_step<C: Summation<S::Array>>(
+    pub(super) fn of_step<C: Summation<S::Phase>>(
         system: &'a S,
         coefficients: &'a Coefficients<S, R>,
         t: R,
-        x: &Point<S::Array, C>,
+        x: &Point<S::Phase, C>,
     ) -> Self {
-        let (y, changed) = S::start(&x.q, &x.p);
+        let (y, changed) = S::start(&x.z);
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
-        let (of_y, of_changed) = S::start(&x.sums[0].compensation(), &x.sums[1].compensation());
+        let (of_y, of_changed) = S::start(&x.sums.compensation());
         let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
         Equation {
             system,
             coefficients,
             t,
-            q: x.q,
-            p: x.p,
+            z: x.z,
             y,
             changed,
             compensation,
             start,
-            decided: Cell::new([x.q, x.p]),
+            decided: Cell::new(x.z),
         }
     }
 
     /// The increments of (q, p) that go with an impulse.
     #[inline(always)]
-    pub(super) fn increments(&self, impulse: &S::Unknown) -> [S::Array; 2] {
+    pub(super) fn increments(&self, impulse: &S::Unknown) -> S::Phase {
         S::increments(&self.coefficients.change(self.system, &self.changed, impulse), impulse)
     }
 
@@ -152,10 +150,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
         let mut change = self.coefficients.change(self.system, &self.changed, impulse);
-        let mut end = Point::<S::Array, Plain>::new(self.q, self.p);
-        let [dq, dp] = S::increments(&change, impulse);
-        end.add(&dq, &dp);
-        probe.visit(self.t, &end.q, &end.p, &());
+        probe.visit(self.t, &self.end(&change, impulse), &());
         if let Some(compensation) = &self.compensation.0 {
             // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
             change.add_scaled(R::from_f64(2.0), compensation);
@@ -166,20 +161,25 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         image
     }
 
+    /// The end of the step for these increments.
+    #[inline(always)]
+    fn end(&self, change: &S::Unknown, impulse: &S::Unknown) -> S::Phase {
+        let mut end = self.z;
+        end.add_scaled(R::from_f64(1.0), &S::increments(change, impulse));
+        end
+    }
+
     /// Remembers the end of the step for these increments, if the energy has conditions.
     #[inline(always)]
     fn decide(&self, change: &S::Unknown, impulse: &S::Unknown) {
         if !S::JUMPS.is_empty() {
-            let [dq, dp] = S::increments(change, impulse);
-            let mut end = Point::<S::Array, Plain>::new(self.q, self.p);
-            end.add(&dq, &dp);
-            self.decided.set([end.q, end.p]);
+            self.decided.set(self.end(change, impulse));
         }
     }
 
     /// Refuses an end of the step at which rounding has decided a condition otherwise than the equation has, and the energy jumps.
     #[inline(always)]
-    pub(super) fn check_conditions<C>(&self, x: &Point<S::Array, C>) -> Result<(), Refusal> {
+    pub(super) fn check_conditions<C>(&self, x: &Point<S::Phase, C>) -> Result<(), Refusal> {
         let middle = self.t + R::from_f64(0.5) * self.coefficients.h;
         check_conditions(self.system, middle, &self.decided.get(), x)
     }
@@ -190,7 +190,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     /// Without this, and with a field at y without its compensation, the energy of a pendulum drifts by 4·10⁻²⁰ a step at
     /// h = 0.1, and by 10⁻¹⁹ at 0.2. Plain sums of equations of second order have no use for it.
     #[inline(always)]
-    pub(super) fn lost<C: Summation<S::Array>>(&self, impulse: &S::Unknown, lost: &S::Unknown) -> [S::Array; 2] {
+    pub(super) fn lost<C: Summation<S::Phase>>(&self, impulse: &S::Unknown, lost: &S::Unknown) -> S::Phase {
         let mut change = S::Unknown::zero();
         if S::DERIVATIVE == 1 {
             change = *lost;

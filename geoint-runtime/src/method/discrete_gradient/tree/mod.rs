@@ -9,7 +9,7 @@ use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_poles, sta
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::Newton;
-use crate::space::{Array, Compensated, Square, Summation};
+use crate::space::{Array, Compensated, Snapshot, Square, Summation};
 use crate::system::{Conservative, DiscreteField, Poles};
 use equation::{Coefficients, Equation};
 
@@ -38,7 +38,7 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
     newton: Newton<S::Unknown>,
     /// The energy is worth compensated sums, which cost a twentieth: at some step sizes the roundings of plain ones have a bias,
     /// and it drifts by 10⁻¹² in a million steps.
-    sums: [Compensated<S::Array>; 2],
+    sums: Compensated<S::Phase>,
 }
 
 impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
@@ -61,24 +61,23 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     }
 
     fn memory() -> Memory<S, R> {
-        Memory { newton: Newton::new(S::Array::LEN, 2), sums: [Compensated::new(); 2] }
+        Memory { newton: Newton::new(S::State::ALIKE, S::Phase::LEN / S::State::ALIKE), sums: Compensated::new() }
     }
 
     #[inline(always)]
-    fn step<C: Summation<S::Array>, P: Probe<S, R>>(
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
         Memory { newton, sums }: &mut Memory<S, R>,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        probe.visit(t, &x.q, &x.p, &());
+        probe.visit(t, &x.z, &());
         let equation = Equation::of_step(system, coefficients, t, x);
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
         if S::Inverse::EXISTS {
             let impulse = inverse.times(&equation.without_impulse());
-            let [dq, dp] = equation.increments(&impulse);
             let before = start::<S, R, C>(x);
-            x.add_with(sums, [&dq, &dp], [&S::Array::zero(); 2]);
+            x.add_with(sums, &equation.increments(&impulse), &S::Phase::zero());
             if !impulse.is_finite() {
                 return Err(Refusal::Singular);
             }
@@ -97,9 +96,8 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
         let (impulse, lost) = newton.solve((&equation.changed, standstill), initial_guess, probe, image, derivative)?;
 
         let before = start::<S, R, C>(x);
-        let [dq, dp] = equation.increments(&impulse);
-        let lost = equation.lost::<C>(&impulse, &lost);
-        x.add_with(sums, [&dq, &dp], lost.each_ref());
+        let increments = equation.increments(&impulse);
+        x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
         equation.check_conditions(x)?;
         check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe })
     }
@@ -114,8 +112,8 @@ impl MeanGradient for DiscreteGradient {
     fn between<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>>(
         &self,
         energy: &mut Energy<'_, S, R, P>,
-        x: &[S::Array; 2],
-        d: &[S::Array; 2],
+        x: &S::Phase,
+        d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
         Ok(energy.tree(x, d))
     }
