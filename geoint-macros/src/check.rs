@@ -1,9 +1,10 @@
 //! What the user asked for against what was proven.
 
 use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
+use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
-use crate::lower::Place;
+use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
@@ -20,21 +21,8 @@ pub(crate) fn requests(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    if let Some(Damping { matrix, flaw: Some(flaw), .. }) = &structure.damping {
-        let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
-        let message = match *flaw {
-            Flaw::NotSymmetric(i, j) => format!(
-                "damping is a symmetric matrix, but row {i}, column {j} is {} and row {j}, column {i} is {}: write both alike",
-                entry(i, j),
-                entry(j, i)
-            ),
-            Flaw::Negative(i) => format!(
-                "damping takes energy away, but the coefficient of coordinate {i} is {}: write one that is not negative",
-                entry(i, i)
-            ),
-            Flaw::Indefinite => INDEFINITE.into(),
-        };
-        errors.at(&energy.damping, message);
+    if let Some(damping) = &structure.damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
     }
     for (requirement, span) in &energy.requirements {
         if structure.damping.is_some() {
@@ -55,6 +43,31 @@ pub(crate) fn requests(
         }
     }
     errors.or(())
+}
+
+/// Damping that is none.
+fn flaw_of_damping<F: Fn(Symbol) -> String>(
+    energy: &Energy,
+    damping: &Damping,
+    printer: &Printer<'_, F>,
+    errors: &mut Diagnostics,
+) {
+    if let Damping { matrix, flaw: Some(flaw), .. } = damping {
+        let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
+        let message = match *flaw {
+            Flaw::NotSymmetric(i, j) => format!(
+                "damping is a symmetric matrix, but row {i}, column {j} is {} and row {j}, column {i} is {}: write both alike",
+                entry(i, j),
+                entry(j, i)
+            ),
+            Flaw::Negative(i) => format!(
+                "damping takes energy away, but the coefficient of coordinate {i} is {}: write one that is not negative",
+                entry(i, i)
+            ),
+            Flaw::Indefinite => INDEFINITE.into(),
+        };
+        errors.at(&energy.damping, message);
+    }
 }
 
 /// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
@@ -136,6 +149,84 @@ fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)
     let conditions: Vec<String> = case.iter().map(condition).collect();
     if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
 }
+
+/// Reports S that is not skew, and damping that is none.
+pub(crate) fn structure(
+    energy: &Energy,
+    (structure, damping): (&proof::Structure, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let (Some((i, j, rest)), Some(form)) = (&structure.flaw, &energy.structure) {
+        let sum = match rest {
+            Some(Remainder { rest, certain: true, .. }) => format!("is {}, not 0", printer.excerpt(*rest)),
+            Some(Remainder { rest, .. }) => format!("was not proven to be 0: {}", printer.excerpt(*rest)),
+            None => "is too long to be compared with 0".into(),
+        };
+        let message = if i == j {
+            format!("S is skew, but twice S[{i}][{i}] {sum}")
+        } else {
+            format!("S is skew, but S[{i}][{j}] + S[{j}][{i}] {sum}: give `|i, j| …` for i < j, and the rest follows")
+        };
+        let place = places.get(&structure.matrix[*j][*i]).filter(|_| is_written(graph, structure.matrix[*j][*i]));
+        match place {
+            Some(place) => errors.at_place(*place, message),
+            None => errors.at(&form.expr, message),
+        }
+    }
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Whether a node is more than a symbol or a number, which may have been written elsewhere first.
+fn is_written(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_))
+}
+
+/// Reports functions that are not kept, and those that are functions of others.
+pub(crate) fn integrals(
+    energy: &Energy,
+    written: &[Integral],
+    found: &proof::Integrals,
+    graph: &Graph,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    for (i, (kept, verdict)) in energy.keeps.iter().zip(&found.kept).enumerate() {
+        let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
+        let message = match verdict {
+            None | Some(Identity::Zero) => continue,
+            Some(Identity::Left(Remainder { rest, case, certain: true })) => format!(
+                "`{name}` is not constant along the field{but}: what remains of its derivative{} is {}",
+                in_case(&printer, case),
+                printer.excerpt(*rest)
+            ),
+            Some(Identity::Left(Remainder { rest, case, .. })) => format!(
+                "`{name}` was not proven to be constant along the field{but}: what remains of its derivative{} is {}; {ASSUME}",
+                in_case(&printer, case),
+                printer.excerpt(*rest)
+            ),
+            Some(Identity::TooLong) => {
+                format!("`{name}` was not proven to be constant along the field{but}: its derivative is too long; {ASSUME}")
+            }
+        };
+        errors.at_place(written[i].place, message);
+    }
+    if let Some(i) = found.dependent.filter(|_| errors.len() == 0) {
+        let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
+        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.keeps[i].name));
+    }
+    errors.or(())
+}
+
+const ASSUME: &str = "if that is zero by a relation between functions, write them alike, or say that you know it: \
+                      `keeps(assume(integral = …))`";
 
 const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
                        found";

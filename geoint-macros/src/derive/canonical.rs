@@ -43,7 +43,7 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Par
         splitting: Some(splitting),
         modified,
         pieces: None,
-        implicit: Implicit::Canonical(fields.kernels(graph, structure)),
+        implicit: Implicit::Field(fields.kernels(graph, structure)),
         integrals: None,
         domain: Domain::of(graph, Roots::of_energy(&structure.energy), Form::Hamiltonian, partial, structure.damping.as_ref()),
     };

@@ -10,14 +10,15 @@ mod implicit;
 mod canonical;
 mod contact;
 mod flow;
+pub(crate) mod proof;
 
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
-pub(crate) use flow::flow;
+pub(crate) use flow::{Flow, Named, flow};
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowField, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
     Undamped,
 };

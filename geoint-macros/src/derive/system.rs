@@ -97,36 +97,25 @@ pub(crate) struct PieceKernel<K> {
 /// The equations of implicit methods.
 #[derive(Debug)]
 pub(crate) enum Implicit<K> {
-    Canonical(FieldKernels<K>),
-    Flow(FlowField<K>),
+    /// Of a field.
+    Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
 }
 
-/// Functions of x that a flow keeps.
+/// Functions of x that a flow keeps, or whose change is known.
 #[derive(Debug)]
 pub(crate) struct Integrals<K = Kernel> {
     /// Their names, under which users call them.
     pub(crate) names: Vec<String>,
     pub(crate) values: K,
-    /// The gradients, one after the other.
+    /// Those that are kept.
+    pub(crate) constant: Vec<usize>,
+    /// The gradients of these, one after the other.
     pub(crate) slopes: K,
 }
 
-/// The field of a flow, with the steps that keep its integrals.
-#[derive(Debug)]
-pub(crate) struct FlowField<K = Kernel> {
-    pub(crate) coordinates: Vec<Symbol>,
-    pub(crate) increments: Vec<Symbol>,
-    /// f with its derivative.
-    pub(crate) collocation: K,
-    /// The mean velocity of order 2 with its derivative.
-    pub(crate) discrete: Option<K>,
-    /// That of order 4 as the equation of a step: h·f̄, and 1 − ∂(h·f̄)/∂d.
-    pub(crate) fourth: Option<K>,
-}
-
-/// The field of implicit methods for (q, p), or for q alone.
+/// The field of implicit methods for (q, p), for q alone, or for x.
 #[derive(Debug)]
 pub(crate) struct FieldKernels<K> {
     /// The coordinates that are solved for, and their increments.
@@ -137,7 +126,9 @@ pub(crate) struct FieldKernels<K> {
     /// f with its derivative; ∂T/∂p; M⁻¹p.
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
-    pub(crate) discrete: K,
+    pub(crate) discrete: Option<K>,
+    /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
+    pub(crate) fourth: Option<K>,
     /// Whether Newton's iteration has a kernel of its own.
     pub(crate) folded: bool,
     /// Whether the equation of a step is linear.
@@ -217,29 +208,23 @@ impl<K> PieceKernel<K> {
 
 impl<K> Integrals<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
-        Integrals { names: self.names, values: of(self.values), slopes: of(self.slopes) }
+        Integrals { names: self.names, constant: self.constant, values: of(self.values), slopes: of(self.slopes) }
     }
 }
 
 impl<K> Implicit<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Implicit<L> {
         match self {
-            Implicit::Canonical(field) => Implicit::Canonical(FieldKernels {
+            Implicit::Field(field) => Implicit::Field(FieldKernels {
                 coordinates: field.coordinates,
                 increments: field.increments,
                 second_order: field.second_order,
                 collocation: of(field.collocation),
-                discrete: of(field.discrete),
+                discrete: field.discrete.map(&mut *of),
+                fourth: field.fourth.map(&mut *of),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,
-            }),
-            Implicit::Flow(field) => Implicit::Flow(FlowField {
-                coordinates: field.coordinates,
-                increments: field.increments,
-                collocation: of(field.collocation),
-                discrete: field.discrete.map(&mut *of),
-                fourth: field.fourth.map(of),
             }),
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {

@@ -12,7 +12,7 @@
 
 use super::field::{Field, middle};
 use super::forward::jacobian;
-use super::gradient::{discrete_gradient_and_rate, gradient, partial};
+use super::gradient::{discrete_gradient, discrete_gradient_and_rate, gradient, partial};
 use super::slope::coordinate_increment;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -261,7 +261,20 @@ fn minus(graph: &mut Graph, a: &[Id], c: Id, b: &[Id]) -> Vec<Id> {
     a.iter().zip(b).map(&mut difference).collect()
 }
 
-/// S∇H, and the gradient of a function as the matrix of v ↦ ∇C × v.
+/// S(m)·ḡ with the discrete gradient ḡ of H: keeps H for skew S.
+pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> Field {
+    let n = matrix.len() as u32;
+    let mut mean = Substitution::new(middle);
+    let matrix: Vec<Vec<Id>> =
+        matrix.iter().map(|row| row.iter().map(|entry| mean.apply(graph, *entry)).collect()).collect();
+    let gradient = discrete_gradient(graph, energy, n).q;
+    let f = times(graph, &matrix, &gradient);
+    let unknowns: Vec<Symbol> = (0..n).map(Symbol::Dq).collect();
+    let jacobian = jacobian(graph, &f, &unknowns);
+    Field { unknowns, f, jacobian }
+}
+
+/// A matrix times a vector.
 pub(crate) fn times(graph: &mut Graph, matrix: &[Vec<Id>], vector: &[Id]) -> Vec<Id> {
     matrix.iter().map(|row| dot(graph, row, vector)).collect()
 }

@@ -18,10 +18,14 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactPieces",
     "ContactState",
     "ContactSystem",
+    "Coordinates",
     "Cotangent",
     "Cubic",
     "DiscreteField",
+    "FirstIntegrals",
+    "FlowState",
     "ForceGradient",
+    "FourthOrderField",
     "Hamiltonian",
     "ImplicitStep",
     "Integrator",
@@ -33,9 +37,11 @@ pub(crate) const IMPORTED: &[&str] = &[
     "PhaseSpace",
     "PieceClock",
     "ProofAnd",
+    "Quadratic",
     "QuadraticKinetic",
     "Real",
     "Separable",
+    "Snapshot",
     "Square",
     "State",
     "VectorField",
@@ -46,9 +52,12 @@ pub(crate) const IMPORTED: &[&str] = &[
     "slope",
 ];
 
+/// What emitted code declares for itself.
+const DECLARED: &[&str] = &["Functions"];
+
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {
-    IMPORTED.iter().any(|taken| name == taken)
+    IMPORTED.iter().chain(DECLARED).any(|taken| name == taken)
 }
 
 /// `henon_heiles` → `HenonHeiles`.

@@ -97,7 +97,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         writeln!(text, "- kick: {}", counted(flows.kick.kernel.operations()))?;
         writeln!(text, "- drift: {}", counted(flows.drift.kernel.operations()))?;
     }
-    if let Implicit::Canonical(field) = &system.implicit {
+    if let Implicit::Field(field) = &system.implicit {
         implicit(text, field)?;
     }
 
@@ -129,7 +129,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
 /// What implicit steps cost, and how they are solved.
 fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
     writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
-    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(field.discrete.operations()))?;
+    if let Some(discrete) = &field.discrete {
+        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(discrete.operations()))?;
+    }
 
     writeln!(text, "\nImplicit steps")?;
     let unknowns = field.coordinates.len();
