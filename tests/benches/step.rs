@@ -11,7 +11,7 @@ use criterion::Criterion;
 use geoint_runtime::method::Method;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
-use geoint_runtime::space::{Action, Coordinates};
+use geoint_runtime::space::{Coordinates, Snapshot};
 use geoint_runtime::system::StateOf;
 use nalgebra::Vector3;
 use paired::{Pair, Ratio, Run};
@@ -203,7 +203,7 @@ fn without_action() -> Vec<Pair> {
 
 fn contact_run<S, M>(system: S, method: M, h: f64, start: ContactState<[f64; 2]>) -> Run
 where
-    S: PhaseSpace<Coordinates = [f64; 2], Array = [f64; 2], Action = f64> + 'static,
+    S: PhaseSpace<State = ContactState<[f64; 2]>, Phase = [[f64; 2]; 2], Action = f64> + 'static,
     M: Method<S> + 'static,
 {
     Box::new(move |steps| {
@@ -352,8 +352,8 @@ fn single_steps() -> Vec<Pair> {
         M: Method<S> + 'static,
     {
         let flat = |state: StateOf<S, f64>| {
-            let (_, q, p, _) = <S::Action as Action<f64>>::parts(state);
-            [q, p].iter().flat_map(|x| x.into_array().as_slice().to_vec()).collect::<Vec<f64>>()
+            let (_, z, _) = state.parts();
+            z.as_slice().to_vec()
         };
         let run = move || Integrator::new(black_box(system), method, black_box(h), start);
         Pair {

@@ -89,7 +89,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     let all = [&field[..], &values].concat();
     let quadratic = analyze::is_polynomial(graph, field, 2);
     System {
-        proven: if quadratic { vec!["Quadratic"] } else { vec![] },
+        proven: if quadratic { vec!["QuadraticField"] } else { vec![] },
         value: energy.as_ref().map(|(energy, _)| Kernel::new(Levels::One, vec![*energy])),
         slopes: None,
         rate: Some(Kernel::new(Levels::One, field.clone())),

@@ -22,7 +22,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>) -> TokenStr
             #[doc = #doc]
             pub fn #function(&self, state: &FlowState<#coordinates>) -> #float {
                 let (t, z, ()) = Snapshot::parts(*state);
-                Functions::values(self, t, &z)[#i]
+                NamedFunctions::values(self, t, &z)[#i]
             }
         }
     });
@@ -31,8 +31,8 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>) -> TokenStr
         pub fn field(&self, state: &FlowState<#coordinates>) -> #coordinates {
             let (t, z, ()) = Snapshot::parts(*state);
             let mut slopes = <<#name as PhaseSpace<#float>>::Phase as Array>::zero();
-            VectorField::rate(self, t, &z, &mut slopes);
-            Coordinates::from_array(slopes)
+            DifferentialEquation::rate(self, t, &z, &mut slopes);
+            <FlowState<#coordinates> as Snapshot>::of(t, slopes, ()).x
         }
         #(#functions)*
     }
@@ -45,10 +45,10 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals<Plan>) -> T
     let values = context.values(&integrals.values, |values| quote!([#(#values),*]));
     let constant = (!integrals.constant.is_empty()).then(|| constant(context, integrals));
     quote! {
-        trait Functions<R: Real>: PhaseSpace<R> {
+        trait NamedFunctions<R: Real>: PhaseSpace<R> {
             fn values(&self, t: R, z: &Self::Phase) -> [R; #count];
         }
-        impl<R: Real> Functions<R> for #name {
+        impl<R: Real> NamedFunctions<R> for #name {
             #[inline]
             fn values(&self, t: R, z: &#phase) -> [R; #count] {
                 #parts
@@ -76,7 +76,7 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
 
             #[inline]
             fn integrals(&self, t: R, z: &#phase) -> [R; #count] {
-                let all = Functions::values(self, t, z);
+                let all = NamedFunctions::values(self, t, z);
                 [#(all[#indices]),*]
             }
             #[inline]

@@ -145,7 +145,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     }
 }
 
-/// `impl VectorField`; nothing for contact systems.
+/// `impl DifferentialEquation`; nothing for contact systems.
 fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStream> {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let body = match (context.energy.form, &system.rate) {
@@ -155,7 +155,7 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };
     Some(quote! {
-        impl<R: Real> VectorField<R> for #name {
+        impl<R: Real> DifferentialEquation<R> for #name {
             type Proof = ();
             #[inline(always)]
             fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
@@ -166,7 +166,7 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
     })
 }
 
-/// `impl Cotangent`, and the gradient of an energy on it.
+/// `impl CotangentSpace`, and the gradient of an energy on it.
 fn gradient(context: &Context<'_>, slopes: &Plan) -> TokenStream {
     let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
@@ -176,7 +176,7 @@ fn gradient(context: &Context<'_>, slopes: &Plan) -> TokenStream {
     };
     let slopes = context.values(slopes, |values| halves(context, &values));
     quote! {
-        impl<R: Real> Cotangent<R> for #name {
+        impl<R: Real> CotangentSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
         }

@@ -18,9 +18,9 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactPieces",
     "ContactState",
     "ContactSystem",
-    "Coordinates",
-    "Cotangent",
+    "CotangentSpace",
     "Cubic",
+    "DifferentialEquation",
     "DiscreteField",
     "FirstIntegrals",
     "FlowState",
@@ -37,14 +37,12 @@ pub(crate) const IMPORTED: &[&str] = &[
     "PhaseSpace",
     "PieceClock",
     "ProofAnd",
-    "Quadratic",
     "QuadraticKinetic",
     "Real",
     "Separable",
     "Snapshot",
     "Square",
     "State",
-    "VectorField",
     "canonical_rate",
     "is_positive_semidefinite",
     "modified_verlet",
@@ -53,7 +51,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["Functions"];
+const DECLARED: &[&str] = &["NamedFunctions"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

@@ -13,8 +13,8 @@ use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
 use crate::space::Array;
-use crate::space::{Compensated, DoubleWord, Point};
 use crate::space::Snapshot;
+use crate::space::{Compensated, DoubleWord, Point};
 use crate::system::{StateOf, VectorField};
 
 /// A point whose sums outlive a change of the step size.

@@ -58,13 +58,7 @@ impl<A: Array> Tolerance<A> {
 
     /// Includes a step from one point to another, which is a part of the time in which the state changes. `field` gives the rates of
     /// a point, where only their magnitudes and differences count.
-    pub(crate) fn include(
-        &mut self,
-        [before, after]: [&A; 2],
-        h: f64,
-        part: f64,
-        field: impl Fn(&A) -> A,
-    ) {
+    pub(crate) fn include(&mut self, [before, after]: [&A; 2], h: f64, part: f64, field: impl Fn(&A) -> A) {
         let mut reached = *after;
         for (i, x) in reached.as_mut_slice().iter_mut().enumerate() {
             *x = A::Real::from_f64(self.size(i, x.magnitude(), part));

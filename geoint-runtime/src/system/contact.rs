@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use crate::space::{Array, ContactState, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
-pub trait Contact<R: Real = f64>: 
+pub trait Contact<R: Real = f64>:
     Cotangent<R> + PhaseSpace<R, Action = R, State = ContactState<<Self as Cotangent<R>>::Coordinates>>
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -22,12 +22,7 @@ pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
 
 #[cold]
 #[inline(never)]
-fn search<S: PhaseSpace<R>, R: Real>(
-    system: &S,
-    t: R,
-    z: [&S::Phase; 2],
-    s: [&S::Action; 2],
-) -> Option<&'static str> {
+fn search<S: PhaseSpace<R>, R: Real>(system: &S, t: R, z: [&S::Phase; 2], s: [&S::Action; 2]) -> Option<&'static str> {
     let constant = |x: Interval| Enclosure::<R>::new(x, Interval::WHOLE);
     let mut all = S::Phase::fill(constant(Interval::WHOLE));
     let all = S::Phase::entries(&mut all);

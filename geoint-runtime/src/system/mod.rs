@@ -53,13 +53,7 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// Where `divided` is `true`, the divided differences of H between the two points are known to be numbers: they are not, where
     /// 1/x has ends of different signs.
     #[inline(always)]
-    fn clear_of_poles(
-        &self,
-        _divided: bool,
-        _t: [R; 2],
-        _z: [&Self::Phase; 2],
-        _s: [&Self::Action; 2],
-    ) -> bool {
+    fn clear_of_poles(&self, _divided: bool, _t: [R; 2], _z: [&Self::Phase; 2], _s: [&Self::Action; 2]) -> bool {
         true
     }
 

@@ -23,11 +23,7 @@ pub struct Pole {
 }
 
 /// Two points of phase space, each with its time: t, z, s.
-pub(crate) type Ends<'a, S, R> = (
-    [R; 2],
-    [&'a <S as PhaseSpace<R>>::Phase; 2],
-    [&'a <S as PhaseSpace<R>>::Action; 2],
-);
+pub(crate) type Ends<'a, S, R> = ([R; 2], [&'a <S as PhaseSpace<R>>::Phase; 2], [&'a <S as PhaseSpace<R>>::Action; 2]);
 
 /// What the parameters of a system say of its poles.
 #[derive(Clone, Copy, Debug)]

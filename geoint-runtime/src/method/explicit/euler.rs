@@ -2,8 +2,8 @@
 
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
 use crate::space::Array;
+use crate::space::Summation;
 use crate::system::VectorField;
 
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.

@@ -2,8 +2,8 @@
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::Summation;
 use crate::space::Array;
+use crate::space::Summation;
 use crate::system::{Cotangent, ForceGradient, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;

@@ -90,17 +90,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
         let (of_y, of_changed) = S::start(&x.sums.compensation());
         let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
-        Equation {
-            system,
-            coefficients,
-            t,
-            z: x.z,
-            y,
-            changed,
-            compensation,
-            start,
-            decided: Cell::new(x.z),
-        }
+        Equation { system, coefficients, t, z: x.z, y, changed, compensation, start, decided: Cell::new(x.z) }
     }
 
     /// The increments of (q, p) that go with an impulse.
