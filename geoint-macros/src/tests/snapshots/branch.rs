@@ -65,11 +65,12 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ContactState, ContactSystem, CotangentSpace, Cubic, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Hamiltonian, ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
         ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
-        Separable, Square, State, is_positive_semidefinite, modified_verlet,
-        gradient_kick, slope,
+        Separable, Snapshot, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -109,11 +110,12 @@ const _: () = {
         type Proof = ();
     }
     impl<R: Real> PhaseSpace<R> for Spring {
-        type Coordinates = R;
-        type Array = [R; 1];
+        type State = State<R>;
+        type Phase = [[R; 1]; 2];
         type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
+        fn hamiltonian(&self, t: R, z: &[[R; 1]; 2], _: &()) -> R {
+            let [q, p] = z;
             let (p0, k1, k2, q0, v0, v1, v2, v3, v8, v9);
             p0 = p[0];
             k1 = R::from_f64(1.0);
@@ -141,24 +143,19 @@ const _: () = {
         fn outside_domain(
             &self,
             t: R,
-            q: &[R; 1],
-            p: &[R; 1],
+            z: &[[R; 1]; 2],
             s: &(),
         ) -> ::core::option::Option<&'static str> {
+            let [q, p] = z;
             ::core::option::Option::None
         }
         const JUMPS: &'static [&'static str] = &[
             "the energy jumps at the end of the step, by cos(t)·abs(q)⁴",
         ];
         #[inline]
-        fn same_sides(
-            &self,
-            t: R,
-            q: [&[R; 1]; 2],
-            p: [&[R; 1]; 2],
-            s: [&(); 2],
-        ) -> bool {
-            let sides = |q: &[R; 1], p: &[R; 1], s: &()| -> [R; 1] {
+        fn same_sides(&self, t: R, z: [&[[R; 1]; 2]; 2], s: [&(); 2]) -> bool {
+            let sides = |z: &[[R; 1]; 2], s: &()| -> [R; 1] {
+                let [q, p] = z;
                 let (k0, q0, k2, k3, v0, v1);
                 k0 = R::from_f64(0.0);
                 q0 = q[0];
@@ -168,30 +165,28 @@ const _: () = {
                 [v1] = R::choose(v0, || { [k2] }, || { [k3] });
                 [v1]
             };
-            sides(q[0], p[0], s[0]) == sides(q[1], p[1], s[1])
+            sides(z[0], s[0]) == sides(z[1], s[1])
         }
         fn jump<Scalar: Real>(
             &self,
             index: usize,
             lift: impl Fn(R) -> Scalar,
             t: Scalar,
-            q: &[Scalar],
-            p: &[Scalar],
+            z: &[Scalar],
             s: Scalar,
         ) -> [Scalar; 2] {
             fn values<R: Real>(
                 index: usize,
                 parameters: &[R],
                 t: R,
-                q: &[R],
-                p: &[R],
+                z: &[R],
                 s: R,
             ) -> [R; 2] {
                 match index {
                     _ => {
                         let (k0, q0, k2, k3, v0, v1, v2, v3, v4, v5, v6);
                         k0 = R::from_f64(0.0);
-                        q0 = q[0];
+                        q0 = z[0];
                         k2 = R::from_f64(1.0);
                         k3 = R::from_f64(-1.0);
                         v0 = k0.less(q0);
@@ -205,20 +200,26 @@ const _: () = {
                     }
                 }
             }
-            values(index, &[], t, q, p, s)
+            values(index, &[], t, z, s)
         }
+    }
+    impl<R: Real> DifferentialEquation<R> for Spring {
+        type Proof = ();
+        #[inline(always)]
+        fn rate(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
+            let [q, p] = z;
+            canonical_rate(self, t, z, slopes);
+        }
+    }
+    impl<R: Real> CotangentSpace<R> for Spring {
+        type Coordinates = R;
+        type Array = [R; 1];
     }
     impl<R: Real> Hamiltonian<R> for Spring {
         type Proof = ();
         #[inline]
-        fn gradient(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-            dq: &mut [R; 1],
-            dp: &mut [R; 1],
-        ) {
+        fn gradient(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
+            let [q, p] = z;
             let (k0, q0, k2, p0, k4, v0, v6, v7, v8, v9, v10);
             k0 = R::from_f64(0.0);
             q0 = q[0];
@@ -243,8 +244,8 @@ const _: () = {
             v8 = k4 + v7;
             v9 = v8.sqrt();
             v10 = p0 / v9;
-            dq[0] = v6;
-            dp[0] = v10;
+            slopes[0][0] = v6;
+            slopes[1][0] = v10;
         }
     }
     impl<R: Real> Separable<R> for Spring {
@@ -348,10 +349,10 @@ const _: () = {
             &self,
             h: R,
             t: R,
-            q: &[R; 1],
-            p: &[R; 1],
+            z: &[[R; 1]; 2],
             s: &Self::Action,
         ) -> R {
+            let [q, p] = z;
             let (
                 p0,
                 k1,
@@ -721,8 +722,8 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn start(q: &[R; 1], p: &[R; 1]) -> ([[R; 1]; 2], [[R; 1]; 2]) {
-            ([*q, *p], [*q, *p])
+        fn start(z: &[[R; 1]; 2]) -> ([[R; 1]; 2], [[R; 1]; 2]) {
+            (*z, *z)
         }
         #[inline(always)]
         fn velocity(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {

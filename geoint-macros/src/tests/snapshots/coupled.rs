@@ -62,11 +62,12 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ContactState, ContactSystem, CotangentSpace, Cubic, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Hamiltonian, ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
         ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
-        Separable, Square, State, is_positive_semidefinite, modified_verlet,
-        gradient_kick, slope,
+        Separable, Snapshot, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -109,11 +110,12 @@ const _: () = {
         type Proof = ();
     }
     impl<R: Real> PhaseSpace<R> for Coupled {
-        type Coordinates = [R; 2];
-        type Array = [R; 2];
+        type State = State<[R; 2]>;
+        type Phase = [[R; 2]; 2];
         type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 2], p: &[R; 2], _: &()) -> R {
+        fn hamiltonian(&self, t: R, z: &[[R; 2]; 2], _: &()) -> R {
+            let [q, p] = z;
             let (q0, k1, p0, q1, p1, v0, v1, v2, v3, v4);
             q0 = q[0];
             k1 = R::from_f64(1.0);
@@ -130,24 +132,30 @@ const _: () = {
         fn outside_domain(
             &self,
             t: R,
-            q: &[R; 2],
-            p: &[R; 2],
+            z: &[[R; 2]; 2],
             s: &(),
         ) -> ::core::option::Option<&'static str> {
+            let [q, p] = z;
             ::core::option::Option::None
         }
+    }
+    impl<R: Real> DifferentialEquation<R> for Coupled {
+        type Proof = ();
+        #[inline(always)]
+        fn rate(&self, t: R, z: &[[R; 2]; 2], slopes: &mut [[R; 2]; 2]) {
+            let [q, p] = z;
+            canonical_rate(self, t, z, slopes);
+        }
+    }
+    impl<R: Real> CotangentSpace<R> for Coupled {
+        type Coordinates = [R; 2];
+        type Array = [R; 2];
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Proof = ();
         #[inline]
-        fn gradient(
-            &self,
-            t: R,
-            q: &[R; 2],
-            p: &[R; 2],
-            dq: &mut [R; 2],
-            dp: &mut [R; 2],
-        ) {
+        fn gradient(&self, t: R, z: &[[R; 2]; 2], slopes: &mut [[R; 2]; 2]) {
+            let [q, p] = z;
             let (p0, k1, q0, k3, p1, q1, v0, v1, v2, v3, v4, v5, v6);
             p0 = p[0];
             k1 = R::from_f64(2.0);
@@ -162,10 +170,10 @@ const _: () = {
             v4 = k3 + v3;
             v5 = k1 * p0;
             v6 = v5 * v4;
-            dq[0] = v2;
-            dq[1] = p1;
-            dp[0] = v6;
-            dp[1] = q1;
+            slopes[0][0] = v2;
+            slopes[0][1] = p1;
+            slopes[1][0] = v6;
+            slopes[1][1] = q1;
         }
     }
     #[diagnostic::on_unimplemented(
@@ -377,8 +385,8 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn start(q: &[R; 2], p: &[R; 2]) -> ([[R; 2]; 2], [[R; 2]; 2]) {
-            ([*q, *p], [*q, *p])
+        fn start(z: &[[R; 2]; 2]) -> ([[R; 2]; 2], [[R; 2]; 2]) {
+            (*z, *z)
         }
         #[inline(always)]
         fn velocity(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {

@@ -75,11 +75,12 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ContactState, ContactSystem, CotangentSpace, Cubic, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Hamiltonian, ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
         ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
-        Separable, Square, State, is_positive_semidefinite, modified_verlet,
-        gradient_kick, slope,
+        Separable, Snapshot, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -122,11 +123,12 @@ const _: () = {
         type Proof = ();
     }
     impl<R: Real> PhaseSpace<R> for Pendulum<R> {
-        type Coordinates = R;
-        type Array = [R; 1];
+        type State = State<R>;
+        type Phase = [[R; 1]; 2];
         type Action = ();
         #[inline]
-        fn hamiltonian(&self, t: R, q: &[R; 1], p: &[R; 1], _: &()) -> R {
+        fn hamiltonian(&self, t: R, z: &[[R; 1]; 2], _: &()) -> R {
+            let [q, p] = z;
             let (p0, a1, a0, k3, q0, a2, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9);
             p0 = p[0];
             a1 = self.l;
@@ -149,10 +151,10 @@ const _: () = {
         fn outside_domain(
             &self,
             t: R,
-            q: &[R; 1],
-            p: &[R; 1],
+            z: &[[R; 1]; 2],
             s: &(),
         ) -> ::core::option::Option<&'static str> {
+            let [q, p] = z;
             let (a1, a0, v0, v1);
             a1 = self.l;
             a0 = self.m;
@@ -164,17 +166,23 @@ const _: () = {
             ::core::option::Option::None
         }
     }
+    impl<R: Real> DifferentialEquation<R> for Pendulum<R> {
+        type Proof = ();
+        #[inline(always)]
+        fn rate(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
+            let [q, p] = z;
+            canonical_rate(self, t, z, slopes);
+        }
+    }
+    impl<R: Real> CotangentSpace<R> for Pendulum<R> {
+        type Coordinates = R;
+        type Array = [R; 1];
+    }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();
         #[inline]
-        fn gradient(
-            &self,
-            t: R,
-            q: &[R; 1],
-            p: &[R; 1],
-            dq: &mut [R; 1],
-            dp: &mut [R; 1],
-        ) {
+        fn gradient(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
+            let [q, p] = z;
             let (q0, a1, a0, a2, p0, v0, v1, v2, v3, v4, v5, v6);
             q0 = q[0];
             a1 = self.l;
@@ -188,8 +196,8 @@ const _: () = {
             v4 = a1 * a1;
             v5 = a0 * v4;
             v6 = p0 / v5;
-            dq[0] = v3;
-            dp[0] = v6;
+            slopes[0][0] = v3;
+            slopes[1][0] = v6;
         }
     }
     impl<R: Real> Separable<R> for Pendulum<R> {
@@ -283,11 +291,11 @@ const _: () = {
             &self,
             h: R,
             t: R,
-            q: &[R; 1],
-            p: &[R; 1],
+            z: &[[R; 1]; 2],
             s: &Self::Action,
         ) -> R {
-            modified_verlet(self, h, t, q, p)
+            let [q, p] = z;
+            modified_verlet(self, h, t, z)
         }
     }
     impl Pendulum {
@@ -481,8 +489,8 @@ const _: () = {
             [v2, v5]
         }
         #[inline(always)]
-        fn start(q: &[R; 1], p: &[R; 1]) -> ([R; 1], [R; 1]) {
-            (*q, *p)
+        fn start(z: &[[R; 1]; 2]) -> ([R; 1], [R; 1]) {
+            (z[0], z[1])
         }
         #[inline(always)]
         fn velocity(&self, prepared: &[R; 2], p: &[R; 1]) -> [R; 1] {
