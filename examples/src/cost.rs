@@ -31,7 +31,7 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     steps: u64,
 ) -> Result<u64, String> {
     let (prepared, mut memory) = (method.prepare(&system, h), M::memory());
-    let mut x = Point::<S::Array, Plain>::new(start.q.into_array(), start.p.into_array());
+    let mut x = Point::<S::Phase, Plain>::new([start.q.into_array(), start.p.into_array()]);
     let mut count = Count(0);
     for n in 0..steps {
         let step = Step { system: &system, t: start.t + n as f64 * h, x: &mut x, probe: &mut count };
@@ -44,7 +44,7 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
 struct Count(u64);
 
 impl<S: Hamiltonian> Probe<S, f64> for Count {
-    fn visit(&mut self, _: f64, _: &S::Array, _: &S::Array, _: &()) {
+    fn visit(&mut self, _: f64, _: &S::Phase, _: &()) {
         self.0 += 1;
     }
 }

@@ -10,8 +10,8 @@ pub use crate::solving::{Inverted, is_positive_semidefinite};
 pub use crate::space::{Array, ContactState, FlowState, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Contact as ContactSystem, Cotangent as CotangentSpace, Cubic, DiscreteField, ForceGradient, Hamiltonian,
-    ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece,
-    Pieces as ContactPieces, Pole, QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
+    Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
+    Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
+    Pole, QuadraticField, QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

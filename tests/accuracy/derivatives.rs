@@ -30,9 +30,9 @@ fn seeded(x: &[f64], seed: usize) -> Vec<Dual> {
 
 /// A kernel of first derivatives: ∂H/∂q, ∂H/∂p.
 pub(crate) fn gradient<S: Hamiltonian<R>, R: Real>(system: &S, t: f64, q: &[R], p: &[R]) -> Vec<R> {
-    let (mut dq, mut dp) = (S::Array::zero(), S::Array::zero());
-    system.gradient(R::from_f64(t), &array(q), &array(p), &mut dq, &mut dp);
-    [dq.as_slice(), dp.as_slice()].concat()
+    let mut slopes = S::Phase::zero();
+    system.gradient(R::from_f64(t), &[array(q), array(p)], &mut slopes);
+    Array::as_slice(&slopes).to_vec()
 }
 
 /// H and ∇H at a point.
@@ -48,12 +48,12 @@ pub(crate) fn check_gradient<S, D>(
     D: Hamiltonian<Dual>,
 {
     let n = q.len();
-    let value = plain.hamiltonian(t, &array(q), &array(p), &());
+    let value = plain.hamiltonian(t, &[array(q), array(p)], &());
     assert_near("H", value, written(q, p), 16.0 * f64::EPSILON);
     let x = [q, p].concat();
     for (i, slope) in gradient(plain, t, q, p).into_iter().enumerate() {
         let y = seeded(&x, i);
-        let kernel = dual.hamiltonian(t.into(), &array(&y[..n]), &array(&y[n..]), &());
+        let kernel = dual.hamiltonian(t.into(), &[array(&y[..n]), array(&y[n..])], &());
         assert_near("∇H and dual numbers", slope, kernel.derivative(), 1e-13);
         // Differences of order 8.
         let h = 1e-3;
@@ -71,7 +71,7 @@ pub(crate) fn check_gradient<S, D>(
 }
 
 /// The field of collocation and its Jacobian at a point.
-pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
+pub(crate) fn check_field<S: Collocation<f64> + Hamiltonian<f64>, D: Collocation<Dual> + Hamiltonian<Dual>>(
     plain: &S,
     dual: &D,
     t: f64,
@@ -80,7 +80,7 @@ pub(crate) fn check_field<S: Collocation<f64>, D: Collocation<Dual>>(
 ) {
     let n = q.len();
     let constants = plain.constants();
-    let (y, changed) = S::start(&array(q), &array(p));
+    let (y, changed) = S::start(&[array(q), array(p)]);
     let velocity = plain.velocity(&constants, &changed);
     let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
     plain.field(&constants, t, &y, &mut f, &mut jacobian);

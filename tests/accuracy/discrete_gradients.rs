@@ -154,8 +154,9 @@ fn kahan_keeps_a_modified_energy() {
     let mut seen = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for _ in 0..2000 {
         let State { q, p, .. } = sim.state();
-        let (mut dq, mut dp) = ([0.0; 2], [0.0; 2]);
-        system.gradient(0.0, &q, &p, &mut dq, &mut dp);
+        let mut slopes = [[0.0; 2]; 2];
+        system.gradient(0.0, &[q, p], &mut slopes);
+        let [dq, dp] = slopes;
         let energy = sim.energy();
         sim.step().unwrap();
         let end = sim.state();

@@ -152,8 +152,8 @@ fn branches(q: [f64; 2], p: [f64; 2], edge: f64) -> f64 {
 
 fn check<S, D>(plain: S, dual: D, n: usize, written: &dyn Fn(&[f64], &[f64]) -> f64)
 where
-    S: Collocation<f64>,
-    D: Collocation<Dual>,
+    S: Collocation<f64> + Hamiltonian<f64>,
+    D: Collocation<Dual> + Hamiltonian<Dual>,
 {
     let mut noise = Noise::new(3);
     for _ in 0..60 {

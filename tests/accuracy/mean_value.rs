@@ -118,8 +118,9 @@ where
         for (part, (node, weight)) in (0..PARTS).flat_map(|part| rule.map(|point| (part, point))) {
             let s = (real(2 * part + 1) + node) / real(2 * PARTS);
             let between = |a: [Double; 2], b: [Double; 2]| [0, 1].map(|i| a[i] + s * (b[i] - a[i]));
-            let (mut dq, mut dp) = ([real(0); 2], [real(0); 2]);
-            system.gradient(real(0), &between(start.q, end.q), &between(start.p, end.p), &mut dq, &mut dp);
+            let mut slopes = [[real(0); 2]; 2];
+            system.gradient(real(0), &[between(start.q, end.q), between(start.p, end.p)], &mut slopes);
+            let [dq, dp] = slopes;
             let rate = [dp[0], dp[1], -dq[0], -dq[1]];
             step = [0, 1, 2, 3].map(|i| step[i] + h * weight / real(18 * PARTS) * rate[i]);
         }

@@ -24,7 +24,7 @@ fn defect<S, D>(system: S, dual: D, h: f64) -> f64
 where
     S: Hamiltonian<Coordinates = [f64; 2], Array = [f64; 2]>,
     StormerVerlet: Method<S>,
-    D: ModifiedEnergy<Dual, Coordinates = [Dual; 2], Action = ()>,
+    D: ModifiedEnergy<Dual, State = State<[Dual; 2]>, Action = ()>,
 {
     let (t, x) = (0.3, [0.7, -0.4, 0.5, 0.8]);
     let mut sim = Integrator::new(system, StormerVerlet, h, State::at(t, [x[0], x[1]], [x[2], x[3]]));

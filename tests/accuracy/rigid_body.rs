@@ -1,7 +1,7 @@
 //! A rigid body with two invariants, against figures of another program.
 //!
-//! Its equations are no Hamiltonian system in (q, p), so that there is no energy to annotate: the traits are implemented by hand,
-//! for three unknowns that are all "positions". f = c ∇I₁ × ∇I₂ with both gradients replaced by discrete ones keeps both
+//! Its equations are no Hamiltonian system in (q, p), so that there is no energy to annotate: the traits are implemented by hand, for a
+//! flow in three coordinates. f = c ∇I₁ × ∇I₂ with both gradients replaced by discrete ones keeps both
 //! invariants; they are quadratic, so that this is the implicit midpoint rule.
 //!
 //! Two rows of that table are left out, both explicit splittings of the field, into planes or along the three terms of the
@@ -9,8 +9,8 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
-use geoint_runtime::{Hamiltonian, Method};
+use geoint_runtime::system::{Collocation, DiscreteField, QuadraticField};
+use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 
 const INERTIA: [f64; 3] = [1.0, 2.0, 3.0];
@@ -39,33 +39,27 @@ fn invariant(w: &[f64; 3], k: i32) -> f64 {
 }
 
 impl PhaseSpace for RigidBody {
-    type Coordinates = [f64; 3];
-    type Array = [f64; 3];
+    type State = FlowState<[f64; 3]>;
+    type Phase = [f64; 3];
     type Action = ();
 
-    fn hamiltonian(&self, _: f64, w: &[f64; 3], _: &[f64; 3], (): &()) -> f64 {
+    fn hamiltonian(&self, _: f64, w: &[f64; 3], (): &()) -> f64 {
         0.5 * invariant(w, 1)
     }
-    fn outside_domain(&self, _: f64, _: &[f64; 3], _: &[f64; 3], (): &()) -> Option<&'static str> {
+    fn outside_domain(&self, _: f64, _: &[f64; 3], (): &()) -> Option<&'static str> {
         None
     }
 }
 
-impl Hamiltonian for RigidBody {
+impl VectorField for RigidBody {
     type Proof = ();
-    fn gradient(&self, _: f64, w: &[f64; 3], _: &[f64; 3], dw: &mut [f64; 3], rest: &mut [f64; 3]) {
-        (*dw, *rest) = ([0, 1, 2].map(|i| INERTIA[i] * w[i]), [0.0; 3]);
-    }
-    fn rate(&self, _: f64, w: &[f64; 3], _: &[f64; 3], dw: &mut [f64; 3], rest: &mut [f64; 3]) {
-        (*dw, *rest) = (field(w), [0.0; 3]);
+    fn rate(&self, _: f64, w: &[f64; 3], dw: &mut [f64; 3]) {
+        *dw = field(w);
     }
 }
 
-impl Conservative for RigidBody {
-    type Proof = ();
-}
-/// What Kahan's method needs of it: the field is quadratic.
-impl Cubic for RigidBody {
+/// What Kahan's method needs of it.
+impl QuadraticField for RigidBody {
     type Proof = ();
 }
 
@@ -76,7 +70,7 @@ impl Collocation for RigidBody {
     const DERIVATIVE: usize = 1;
 
     fn constants(&self) {}
-    fn start(w: &[f64; 3], _: &[f64; 3]) -> ([f64; 3], [f64; 3]) {
+    fn start(w: &[f64; 3]) -> ([f64; 3], [f64; 3]) {
         (*w, *w)
     }
     fn velocity(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
@@ -90,8 +84,8 @@ impl Collocation for RigidBody {
             w[i] += h * f[i];
         }
     }
-    fn increments(change: &[f64; 3], _: &[f64; 3]) -> [[f64; 3]; 2] {
-        [*change, [0.0; 3]]
+    fn increments(change: &[f64; 3], _: &[f64; 3]) -> [f64; 3] {
+        *change
     }
 }
 
@@ -121,13 +115,13 @@ impl DiscreteField for RigidBody {
 
 /// Largest changes of T and |m|² in 1000 steps of 0.1, and errors at t = 10 with three step sizes.
 fn figures<M: Method<RigidBody>>(method: M) -> ([f64; 2], [f64; 3]) {
-    let start = State::new(START, [0.0; 3]);
+    let start = FlowState::new(START);
     let values = |w: &[f64; 3]| [0.5 * invariant(w, 1), invariant(w, 2)];
     let drift = RigidBody.integrator(method, 0.1, start).sampled(1).take(1000).fold([0.0_f64; 2], |largest, state| {
-        let now = values(&state.unwrap().q);
+        let now = values(&state.unwrap().x);
         [0, 1].map(|i| largest[i].max((now[i] - values(&START)[i]).abs()))
     });
-    let error = |h: f64| distance(&RigidBody.integrator(method, h, start).until(10.0).last().unwrap().unwrap().q, &END);
+    let error = |h: f64| distance(&RigidBody.integrator(method, h, start).until(10.0).last().unwrap().unwrap().x, &END);
     (drift, [0.1, 0.05, 0.025].map(error))
 }
 

@@ -2,8 +2,8 @@
 
 use crate::measure;
 pub(super) use crate::measure::flat;
-use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
+use geoint_runtime::{Contact, Cotangent};
 use geoint_tests::measure::{LOOKS, distance, extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -36,7 +36,7 @@ pub(super) trait Case {
     fn field<R: Scalar>(t: R, x: &[R]) -> Vec<R>;
 }
 
-pub(super) type Point<S, R> = geoint_runtime::ContactState<<S as PhaseSpace<R>>::Coordinates>;
+pub(super) type Point<S, R> = geoint_runtime::ContactState<<S as Cotangent<R>>::Coordinates>;
 
 pub(super) fn real<R: Scalar>(x: f64) -> R {
     R::from_f64(x)

@@ -1,10 +1,10 @@
 //! What implicit steps of contact systems keep exactly: the decay of H, that of the form, and of angular momentum.
 
 use super::cases::*;
+use geoint_runtime::Real;
 use geoint_runtime::prelude::*;
-use geoint_runtime::space::Array;
+use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::system::ImplicitStep;
-use geoint_runtime::{Coordinates, Real};
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::scalars::Double;
 
@@ -19,7 +19,7 @@ pub(super) fn decays<S: ImplicitStep<ContactDiscreteGradient>>(system: S, start:
         sim.step().unwrap();
         let after = sim.state();
         let middle = before.t + 0.5 * h;
-        let energy = |x: &Point<S, f64>| system.hamiltonian(middle, &x.q.into_array(), &x.p.into_array(), &x.s);
+        let energy = |x: &Point<S, f64>| system.hamiltonian(middle, &x.parts().1, &x.s);
         let [first, last] = [energy(&before), energy(&after)];
         let (x, y) = (flat(&before), flat(&after));
         let work: f64 = (0..n).map(|i| 0.5 * (x[n + i] + y[n + i]) * (y[i] - x[i])).sum();

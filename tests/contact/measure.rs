@@ -1,7 +1,7 @@
 //! What is measured of steps of contact systems.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::space::Array;
+use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::{Double, Dual, Scalar};
@@ -24,12 +24,11 @@ pub(crate) fn state<Q: Coordinates>(t: Q::Real, x: &[Q::Real]) -> ContactState<Q
 
 /// q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 pub(crate) fn field<R: Scalar, S: Contact<R>>(system: &S, t: R, x: &[R]) -> Vec<R> {
-    let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
-    let (q, p) = (q.into_array(), p.into_array());
-    let energy = system.hamiltonian(t, &q, &p, &s);
-    let (mut dq, mut dp, mut ds) = (S::Array::zero(), S::Array::zero(), R::from_f64(0.0));
-    system.gradient(t, &q, &p, &s, &mut dq, &mut dp, &mut ds);
-    let (p, dq, dp) = (p.as_slice(), dq.as_slice(), dp.as_slice());
+    let (_, z, s) = state::<S::Coordinates>(t, x).parts();
+    let energy = system.hamiltonian(t, &z, &s);
+    let (mut slopes, mut ds) = (S::Phase::zero(), R::from_f64(0.0));
+    system.gradient(t, &z, &s, &mut slopes, &mut ds);
+    let (p, dq, dp) = (z[1].as_slice(), slopes[0].as_slice(), slopes[1].as_slice());
     let power = p.iter().zip(dp).fold(R::from_f64(0.0), |sum, (p, rate)| sum + *p * *rate);
     let forces = p.iter().zip(dq).map(|(p, slope)| -*slope - *p * ds);
     dp.iter().copied().chain(forces).chain([power - energy]).collect()

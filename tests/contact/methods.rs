@@ -2,7 +2,7 @@
 
 use crate::measure::{field, form_defect, run, solution};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
+use geoint_runtime::{Contact, Cotangent, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
 use geoint_tests::measure::{LOOKS, distance, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -304,7 +304,7 @@ fn modified_energies() {
                     *x = Dual::variable(x.value());
                 }
                 let state =
-                    crate::measure::state::<<P::Over<Dual> as PhaseSpace<Dual>>::Coordinates>(Dual::from(now), &x);
+                    crate::measure::state::<<P::Over<Dual> as Cotangent<Dual>>::Coordinates>(Dual::from(now), &x);
                 ModifiedEnergy::modified_energy(&system, Dual::from(h), &state)
             };
             let n = x.len() / 2;

@@ -1,7 +1,7 @@
 //! The list of all methods. Whatever is claimed of methods is tested by walking it.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, Conservative, Cubic, DiscreteField};
+use geoint_runtime::system::{Collocation, Conservative, DiscreteField, QuadraticField};
 use geoint_runtime::{Autonomous, ForceGradient, Hamiltonian, Method, QuadraticKinetic, Real, Separable};
 
 /// What is done with every method.
@@ -76,7 +76,7 @@ where
 /// Methods for H of degree 3.
 pub fn cubic<S, R: Real, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: Cubic<R> + Conservative<R>,
+    S: QuadraticField<R> + Conservative<R>,
 {
     visit!(visitor: Kahan);
     compositions!(visitor: Kahan; Suzuki4);

@@ -1,7 +1,7 @@
 //! Damped systems: the energy falls by exactly what is dissipated, whatever the step size; damping that is none is refused.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Collocation, DiscreteField, Inverse};
+use geoint_runtime::system::{DiscreteField, Inverse};
 use geoint_runtime::{Conservative, Separable};
 use geoint_tests::measure::{distance, extrapolated, observed_order};
 use geoint_tests::problems::{flat, state};
@@ -58,7 +58,7 @@ type ByHand<R> = (Vec<R>, Vec<R>, Vec<Vec<R>>);
 
 /// A damped system, and what it is by hand.
 trait Damped {
-    type Over<R: Scalar>: DiscreteField<R>;
+    type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R>;
     const START: (&'static [f64], &'static [f64]);
     fn system<R: Scalar>() -> Self::Over<R>;
     fn by_hand<R: Scalar>(t: R, q: &[R], p: &[R]) -> ByHand<R>;
@@ -233,7 +233,7 @@ fn linear_systems_are_solved_at_once() {
 
 #[test]
 fn parameters_that_feed_energy_are_refused() {
-    fn check<S: Collocation<f64> + DiscreteField<f64>>(system: S, start: State<S::Coordinates>, reason: &str)
+    fn check<S: DiscreteField<f64> + Hamiltonian<f64>>(system: S, start: State<S::Coordinates>, reason: &str)
     where
         S::Coordinates: PartialEq,
     {
@@ -255,7 +255,7 @@ fn parameters_that_feed_energy_are_refused() {
 /// Where damping turns into its opposite on the way, the last state on the right side is kept.
 #[test]
 fn damping_that_feeds_energy_on_the_way() {
-    fn check<S: Collocation<f64>, M: Method<S, f64>>(start: Integrator<S, M>, reason: &str, good: fn(&[f64]) -> bool)
+    fn check<S: Hamiltonian<f64>, M: Method<S, f64>>(start: Integrator<S, M>, reason: &str, good: fn(&[f64]) -> bool)
     where
         S::Coordinates: PartialEq + std::fmt::Debug,
     {

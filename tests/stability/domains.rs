@@ -55,7 +55,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
     }
 }
 
-fn alike<S: DiscreteField<Coordinates = f64> + Autonomous>(name: &'static str, system: S) -> Alike<S> {
+fn alike<S: DiscreteField + Autonomous<Coordinates = f64>>(name: &'static str, system: S) -> Alike<S> {
     let mut alike = Alike { name, system, refused: 0 };
     alike.visit("RK4", RK4);
     alike.visit("ImplicitMidpoint", ImplicitMidpoint);
@@ -68,7 +68,7 @@ fn alike<S: DiscreteField<Coordinates = f64> + Autonomous>(name: &'static str, s
     alike
 }
 
-fn split<S: DiscreteField<Coordinates = f64> + Autonomous + Separable + QuadraticKinetic>(
+fn split<S: DiscreteField + Autonomous<Coordinates = f64> + Separable + QuadraticKinetic>(
     name: &'static str,
     system: S,
 ) {

@@ -4,7 +4,7 @@ use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::{DynTrajectory, Named};
 use geoint_runtime::system::StateOf;
-use geoint_runtime::{ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
+use geoint_runtime::{Cotangent, ForceGradient, PhaseSpace, QuadraticKinetic, Separable, VectorField};
 use geoint_tests::problems::{HenonHeiles, Problem};
 use std::cell::Cell;
 use std::collections::BTreeSet;
@@ -80,29 +80,42 @@ thread_local! {
 #[derive(Clone, Copy, Debug)]
 struct Counted(HenonHeiles);
 
-type Plane = <HenonHeiles as PhaseSpace>::Array;
+type Plane = <HenonHeiles as Cotangent>::Array;
 
 fn count() {
     COUNT.set(COUNT.get() + 1);
 }
 
 impl PhaseSpace for Counted {
+    type State = State<[f64; 2]>;
+    type Phase = [Plane; 2];
+    type Action = ();
+    fn hamiltonian(&self, t: f64, z: &[Plane; 2], s: &()) -> f64 {
+        self.0.hamiltonian(t, z, s)
+    }
+    fn outside_domain(&self, _: f64, _: &[Plane; 2], _: &()) -> Option<&'static str> {
+        None
+    }
+}
+
+impl Cotangent for Counted {
     type Coordinates = [f64; 2];
     type Array = Plane;
-    type Action = ();
-    fn hamiltonian(&self, t: f64, q: &Plane, p: &Plane, s: &()) -> f64 {
-        self.0.hamiltonian(t, q, p, s)
-    }
-    fn outside_domain(&self, _: f64, _: &Plane, _: &Plane, _: &()) -> Option<&'static str> {
-        None
+}
+
+impl VectorField for Counted {
+    type Proof = ();
+    fn rate(&self, t: f64, z: &[Plane; 2], dz: &mut [Plane; 2]) {
+        count();
+        self.0.rate(t, z, dz);
     }
 }
 
 impl Hamiltonian for Counted {
     type Proof = ();
-    fn gradient(&self, t: f64, q: &Plane, p: &Plane, dq: &mut Plane, dp: &mut Plane) {
+    fn gradient(&self, t: f64, z: &[Plane; 2], slopes: &mut [Plane; 2]) {
         count();
-        self.0.gradient(t, q, p, dq, dp);
+        self.0.gradient(t, z, slopes);
     }
 }
 

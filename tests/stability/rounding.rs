@@ -61,7 +61,7 @@ fn small_steps_do_not_cost_digits() {
 fn energy_in_the_background() {
     struct Count(u64);
     impl Probe<Swing, f64> for Count {
-        fn visit(&mut self, _: f64, _: &[f64; 1], _: &[f64; 1], _: &()) {
+        fn visit(&mut self, _: f64, _: &[[f64; 1]; 2], _: &()) {
             self.0 += 1;
         }
     }
@@ -70,13 +70,13 @@ fn energy_in_the_background() {
     let system = Swing { m: 1.0, g: 1.0, rest };
     let prepared = Method::<Swing>::prepare(&DiscreteGradient, &system, h);
     let mut memory = <DiscreteGradient as Method<Swing>>::memory();
-    let mut x = Point::<[f64; 1], Plain>::new([START.0], [START.1]);
+    let mut x = Point::<[[f64; 1]; 2], Plain>::new([[START.0], [START.1]]);
     let mut count = Count(0);
     let mut drift = 0.0_f64;
     for _ in 0..steps {
         let step = Step { system: &system, t: 0.0, x: &mut x, probe: &mut count };
         <DiscreteGradient as Method<Swing>>::step(&prepared, &mut memory, step).unwrap();
-        drift = drift.max((moving(x.q[0], x.p[0]) - moving(START.0, START.1)).abs());
+        drift = drift.max((moving(x.z[0][0], x.z[1][0]) - moving(START.0, START.1)).abs());
     }
     assert!(drift <= 2e-14, "{drift:.1e}");
     // One evaluation is at the start of the step.

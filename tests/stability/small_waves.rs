@@ -123,15 +123,14 @@ fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {
 
 /// |x₁ − x₀ − hJ∇H((x₀ + x₁)/2)|, relative to x₀, x₁ and their difference.
 fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates>, to: &State<S::Coordinates>) -> f64 {
-    use geoint_runtime::space::Array;
+    use geoint_runtime::space::{Array, Snapshot};
     let [x0, x1] = [from, to].map(flat);
     let n = x0.len() / 2;
     let middle: Vec<f64> = x0.iter().zip(&x1).map(|(a, b)| 0.5 * (a + b)).collect();
     let middle = state::<S, f64>(0.0, &middle[..n], &middle[n..]);
-    let [q, p] = [middle.q, middle.p].map(geoint_runtime::Coordinates::into_array);
-    let (mut by_q, mut by_p) = (S::Array::zero(), S::Array::zero());
-    system.gradient(0.0, &q, &p, &mut by_q, &mut by_p);
-    let rates: Vec<f64> = by_p.as_slice().iter().copied().chain(by_q.as_slice().iter().map(|x| -x)).collect();
+    let mut rates = S::Phase::zero();
+    system.rate(0.0, &middle.parts().1, &mut rates);
+    let rates = Array::as_slice(&rates);
     let change = |i: usize| (x1[i] - x0[i] - h * rates[i]).abs() / (x0[i].abs() + x1[i].abs() + (h * rates[i]).abs());
     (0..2 * n).map(change).fold(0.0, f64::max)
 }
@@ -139,7 +138,12 @@ fn residual<S: Hamiltonian<f64>>(system: &S, h: f64, from: &State<S::Coordinates
 /// Long steps from random starts: refused, or a solution to rounding.
 #[test]
 fn what_is_accepted_is_a_solution() {
-    fn check<S: Collocation<f64>>(name: &str, system: S, reach: f64, refused: core::ops::Range<usize>) {
+    fn check<S: Collocation<f64> + Hamiltonian<f64>>(
+        name: &str,
+        system: S,
+        reach: f64,
+        refused: core::ops::Range<usize>,
+    ) {
         let n = <S::Array as geoint_runtime::space::Array>::LEN;
         let (mut noise, mut refusals) = (Noise::new(11), 0);
         for _ in 0..400 {

@@ -69,7 +69,7 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
     }
 }
 
-fn check<S: DiscreteField<Coordinates = f64> + Autonomous>(system: S, mass: f64, smooth: bool) {
+fn check<S: DiscreteField + Autonomous<Coordinates = f64>>(system: S, mass: f64, smooth: bool) {
     let mut kept = Kept { system, mass, smooth, taken: 0, rounding: 1e-12 };
     kept.visit("DiscreteGradient", DiscreteGradient);
     kept.visit("Gonzalez", Gonzalez);

@@ -140,12 +140,12 @@ fn absolute_errors() {
     let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
     let start = State::new([1.0, 1e-6], [0.0, 0.0]);
     let mut strict = system.adaptive(RK4, 1e-8, start);
-    let mut loose = system.adaptive(RK4, 1e-8, start).absolute([0.0, 1e-3], [0.0, 1e-3]);
+    let mut loose = system.adaptive(RK4, 1e-8, start).absolute(State::new([0.0, 1e-3], [0.0, 1e-3]));
     strict.advance_to(20.0).unwrap();
     loose.advance_to(20.0).unwrap();
     assert!(3 * loose.steps() < strict.steps(), "{} {}", loose.steps(), strict.steps());
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
-        let mut sim = system.adaptive(RK4, 1e-8, start).absolute([0.0, bad], [0.0; 2]);
+        let mut sim = system.adaptive(RK4, 1e-8, start).absolute(State::new([0.0, bad], [0.0; 2]));
         assert!(matches!(sim.step(), Err(StepError::InvalidTolerance { .. })), "{bad}");
     }
 }

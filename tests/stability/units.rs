@@ -44,7 +44,7 @@ trait Measured {
     const STEP: f64;
 }
 
-fn start<P: Measured>(units: Units) -> State<<P::System as geoint_runtime::PhaseSpace>::Coordinates> {
+fn start<P: Measured>(units: Units) -> State<<P::System as geoint_runtime::Cotangent>::Coordinates> {
     let exponents = P::coordinates(units);
     let (by_q, by_p) = exponents.split_at(P::START[0].len());
     let [q, p] = [(0, by_q), (1, by_p)]

@@ -25,7 +25,7 @@ macro_rules! walls {
 trait Walls {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField<Coordinates = f64> + geoint_runtime::Autonomous;
+        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>;
 }
 
 walls! { kinds:
@@ -110,7 +110,7 @@ struct Every;
 impl Walls for Every {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField<Coordinates = f64> + geoint_runtime::Autonomous,
+        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, refused: 0 };
         methods::general(&mut stay);
@@ -133,7 +133,7 @@ struct Families;
 impl Walls for Families {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField<Coordinates = f64> + geoint_runtime::Autonomous,
+        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, refused: 0 };
         stay.visit("DiscreteGradient", DiscreteGradient);

@@ -30,10 +30,12 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Par
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
     let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
+    // Damping that depends on the state makes a field of a higher degree.
+    let steady = structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let proven = [
         (structure.damping.is_none(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
-        (structure.degree.is_some_and(|degree| degree <= 3), "Cubic"),
+        (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
     ];
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),

@@ -19,7 +19,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactState",
     "ContactSystem",
     "CotangentSpace",
-    "Cubic",
+    "QuadraticField",
     "DifferentialEquation",
     "DiscreteField",
     "FirstIntegrals",

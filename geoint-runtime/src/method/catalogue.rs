@@ -48,8 +48,8 @@ use crate::method::splitting::{PositionVerlet, StormerVerlet, SymplecticEuler, S
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, Cubic, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace,
-    Pieces, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace, Pieces,
+    QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -114,7 +114,7 @@ pub fn autonomous<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut im
 }
 
 /// The method for H of degree 3.
-pub fn cubic<S: Cubic<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
 }

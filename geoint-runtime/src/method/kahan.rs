@@ -19,13 +19,13 @@
 //! ```
 
 use crate::method::composition::substeps;
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::Array;
 use crate::space::Summation;
-use crate::system::{Conservative, Cubic};
+use crate::system::QuadraticField;
 
 /// x₁ = x₀ + h (1 − h/2 f'(x₀))⁻¹ f(x₀), which for quadratic f is (x₁ − x₀)/h = 2f(m) − ½f(x₀) − ½f(x₁), m the midpoint.
 ///
@@ -35,8 +35,8 @@ use crate::system::{Conservative, Cubic};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kahan;
 
-impl<S: Cubic<R> + Conservative<R>, R: Real> Method<S, R> for Kahan {
-    type Proof = <<S as Cubic<R>>::Proof as And<<S as Conservative<R>>::Proof>>::Both;
+impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
+    type Proof = <S as QuadraticField<R>>::Proof;
     type Prepared = (S::Constants, R);
     type Memory = ();
 

@@ -5,13 +5,13 @@ use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
 
-/// H is a polynomial of degree 3 at most in (q, p).
+/// The field is a polynomial of degree 2 at most: of an energy, one of degree 3.
 #[diagnostic::on_unimplemented(
-    message = "the energy of `{Self}` was not proven to be a polynomial of degree 3 at most",
-    label = "Kahan's method needs such an energy",
+    message = "the field of `{Self}` was not proven to be a polynomial of degree 2 at most",
+    label = "Kahan's method needs such a field: an energy of degree 3",
     note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
 )]
-pub trait Cubic<R: Real = f64>: Collocation<R> {
+pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

@@ -15,14 +15,12 @@ pub(super) struct Instance {
 }
 
 /// The systems whose flows are tested.
-pub(super) trait Closed<const N: usize>:
-    Pieces<f64, Array = [f64; N]> + Pieces<Double, Array = [Double; N]> + Pieces<Dual, Array = [Dual; N]>
-{
-}
-impl<const N: usize, S> Closed<N> for S where
-    S: Pieces<f64, Array = [f64; N]> + Pieces<Double, Array = [Double; N]> + Pieces<Dual, Array = [Dual; N]>
-{
-}
+pub(super) trait Closed<const N: usize>: Over<f64, N> + Over<Double, N> + Over<Dual, N> {}
+impl<const N: usize, S> Closed<N> for S where S: Over<f64, N> + Over<Double, N> + Over<Dual, N> {}
+
+/// A contact system in pieces, with N positions.
+pub(super) trait Over<R: Real, const N: usize>: Pieces<R> + Contact<R, Array = [R; N]> {}
+impl<R: Real, const N: usize, S: Pieces<R> + Contact<R, Array = [R; N]>> Over<R, N> for S {}
 
 /// The largest error, in units of the condition.
 const BOUND: f64 = 3.0;
@@ -71,7 +69,7 @@ pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S
 /// One step from x = (q, p, s).
 pub(super) fn step<R: Scalar, const N: usize, S>(system: S, x: &[R], t: f64, h: f64) -> Result<Vec<R>, StepError>
 where
-    S: Pieces<R, Array = [R; N]>,
+    S: Over<R, N>,
 {
     let state = ContactState::at(R::from_f64(t), point::<R, N, S>(&x[..N]), point::<R, N, S>(&x[N..2 * N]), x[2 * N]);
     let mut sim = Integrator::new(system, ContactSplitting, R::from_f64(h), state);
@@ -84,7 +82,7 @@ where
     outcome.map(|()| end)
 }
 
-fn point<R: Scalar, const N: usize, S: Pieces<R, Array = [R; N]>>(x: &[R]) -> S::Coordinates {
+fn point<R: Scalar, const N: usize, S: Over<R, N>>(x: &[R]) -> S::Coordinates {
     let mut array = [R::from_f64(0.0); N];
     array.copy_from_slice(x);
     S::Coordinates::from_array(array)
@@ -138,15 +136,14 @@ fn solved<const N: usize, S: Contact<Double, Array = [Double; N]>>(
 
 /// The gradient is that of the energy.
 fn gradient<const N: usize, S: Closed<N>>(name: &str, system: S, x: &[f64]) {
-    let (mut q, mut p, mut dq, mut dp, mut ds) = ([0.0; N], [0.0; N], [0.0; N], [0.0; N], 0.0);
-    q.copy_from_slice(&x[..N]);
-    p.copy_from_slice(&x[N..2 * N]);
-    Contact::<f64>::gradient(&system, START, &q, &p, &x[2 * N], &mut dq, &mut dp, &mut ds);
-    for (j, found) in dq.into_iter().chain(dp).chain([ds]).enumerate() {
+    let (mut z, mut slopes, mut ds) = ([[0.0; N]; 2], [[0.0; N]; 2], 0.0);
+    z.as_flattened_mut().copy_from_slice(&x[..2 * N]);
+    Contact::<f64>::gradient(&system, START, &z, &x[2 * N], &mut slopes, &mut ds);
+    for (j, found) in slopes.as_flattened().iter().copied().chain([ds]).enumerate() {
         let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
         x[j] = Dual::variable(x[j].value());
-        let [q, p] = [0, N].map(|first| std::array::from_fn(|i| x[first + i]));
-        let energy = PhaseSpace::<Dual>::hamiltonian(&system, START.into(), &q, &p, &x[2 * N]);
+        let z = [0, N].map(|first| std::array::from_fn(|i| x[first + i]));
+        let energy = PhaseSpace::<Dual>::hamiltonian(&system, START.into(), &z, &x[2 * N]);
         let error = (energy.derivative() - found).abs();
         assert!(error <= 1e-14 * (1.0 + found.abs()), "{name}: {found} {}", energy.derivative());
     }

@@ -1,9 +1,9 @@
 //! Time where no flow is exact in it: frozen in the middle of the step, so that the order is kept, and never passed over.
 
 use crate::measure::{run, solution};
-use geoint_runtime::StepError;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Clock, Pieces};
+use geoint_runtime::{Contact, StepError};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;
 
@@ -66,7 +66,7 @@ macro_rules! not_passed {
 
 fn stops<S, M>(name: &str, system: S, method: M, h: f64, steps: u64)
 where
-    S: Pieces<Coordinates = f64>,
+    S: Pieces + Contact<Coordinates = f64>,
     M: Method<S, f64>,
 {
     let mut sim = Integrator::new(system, method, h, ContactState::at(0.0, 0.3, 0.2, 0.1));

@@ -1,8 +1,8 @@
 //! Coefficients that go through zero: no flow notices.
 
+use super::check::Over;
 use super::check::step;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::Pieces;
 
 /// An energy with a coefficient c a line.
 macro_rules! limits {
@@ -23,7 +23,7 @@ macro_rules! limits {
     };
 }
 
-fn continuous<const N: usize, S: Pieces<Array = [f64; N]>>(name: &str, of: impl Fn(f64) -> S, x: &[f64], h: f64) {
+fn continuous<const N: usize, S: Over<f64, N>>(name: &str, of: impl Fn(f64) -> S, x: &[f64], h: f64) {
     assert_eq!(S::PIECES.len(), 1, "{name}");
     let end = |c: f64| step(of(c), x, 0.5, h).unwrap_or_else(|error| panic!("{name}, c = {c:e}: {error}"));
     let at_zero = end(0.0);

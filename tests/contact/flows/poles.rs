@@ -1,9 +1,9 @@
 //! Flows that end: a step that would go beyond is refused with the name of the piece, and nothing has moved.
 
+use super::check::Over;
 use super::check::step;
 use geoint_runtime::StepError;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::Pieces;
 
 /// An energy with a start, a time there, and the lengths after which its flow ends, of either sign.
 macro_rules! poles {
@@ -24,7 +24,7 @@ macro_rules! poles {
     };
 }
 
-fn ends<const N: usize, S: Pieces<Array = [f64; N]>>(name: &str, system: S, x: &[f64], t: f64, end: f64) {
+fn ends<const N: usize, S: Over<f64, N>>(name: &str, system: S, x: &[f64], t: f64, end: f64) {
     let [piece] = S::PIECES else { panic!("{name}: {:?}", S::PIECES) };
     for part in [0.3, 0.9, 1.0 - 1e-7] {
         step(system, x, t, part * end).unwrap_or_else(|error| panic!("{name} before {end}: {error}"));

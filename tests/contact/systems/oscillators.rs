@@ -13,7 +13,7 @@ fn exact([q, p]: [f64; 2], gamma: f64, t: f64) -> f64 {
 /// The largest |q − exact| from (−0.25, 0.75) on.
 fn off<S, M: Method<S, f64>>(system: S, method: M, gamma: f64, h: f64) -> f64
 where
-    S: Contact + PhaseSpace<Coordinates = f64>,
+    S: Contact<Coordinates = f64>,
 {
     let mut sim = system.integrator(method, h, ContactState::new(-0.25, 0.75, 0.0));
     let states = sim.until(if gamma > 0.5 { 15.0 } else { 50.0 });
