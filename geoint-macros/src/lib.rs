@@ -177,9 +177,9 @@ use proc_macro::TokenStream;
 ///
 /// let system = LotkaVolterra { a: 2.0, b: 1.0, c: 1.0, d: 1.0 };
 /// let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([1.0, 0.5]));
-/// let energy = system.energy(sim.state());
+/// let energy = system.energy(&sim.state());
 /// sim.advance(1000)?;
-/// assert!((system.energy(sim.state()) - energy).abs() < 1e-13);
+/// assert!((system.energy(&sim.state()) - energy).abs() < 1e-13);
 /// # Ok::<(), StepError>(())
 /// ```
 ///
@@ -219,8 +219,8 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// let start = FlowState::new([0.5, 0.8, -0.4]);
 /// let mut sim = top.integrator(DiscreteGradient, 0.1, start);
 /// sim.advance(1000)?;
-/// assert!((top.energy(sim.state()) - top.energy(&start)).abs() < 1e-14);
-/// assert!((top.momentum(sim.state()) - top.momentum(&start)).abs() < 1e-14);
+/// assert!((top.energy(&sim.state()) - top.energy(&start)).abs() < 1e-14);
+/// assert!((top.momentum(&sim.state()) - top.momentum(&start)).abs() < 1e-14);
 /// # Ok::<(), StepError>(())
 /// ```
 ///

@@ -7,10 +7,10 @@ pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite};
-pub use crate::space::{Array, ContactState, FlowState, Square, State};
+pub use crate::space::{Array, ContactState, FlowState, Snapshot, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
+    Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient, FourthOrderField, Hamiltonian, ImplicitStep,
     Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as ContactPiece, Pieces as ContactPieces,
     Pole, QuadraticField, QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
 };

@@ -127,3 +127,46 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> {
     /// h ∂T/∂p, if T is quadratic.
     fn drift(&self, parameters: &Self::Parameters, p: &Self::Unknown) -> Self::Unknown;
 }
+
+/// Functions that the flow keeps: proven when the system was compiled, or assumed by its author.
+#[diagnostic::on_unimplemented(
+    message = "no first integrals of `{Self}` are known",
+    label = "this is for fields with `keeps(…)`",
+    note = "methods for every field: `RK4`, `DOP853`, `ImplicitMidpoint`, `Gauss`"
+)]
+pub trait FirstIntegrals<R: Real = f64>: VectorField<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// An array with a number an integral.
+    type Values: Array<Real = R>;
+    /// What they are called.
+    const NAMES: &'static [&'static str];
+    /// Their values at a point.
+    fn integrals(&self, t: R, z: &Self::Phase) -> Self::Values;
+    /// Their gradients at a point.
+    fn slopes(&self, t: R, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
+}
+
+/// A mean velocity of order 4 that keeps the integrals of a field.
+pub trait FourthOrderField<R: Real = f64>: DiscreteField<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What depends on parameters and h only.
+    type FourthParameters: Copy + core::fmt::Debug;
+    /// What depends on y and t.
+    type FourthStart: Copy + core::fmt::Debug;
+
+    /// What depends on parameters and h only.
+    fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
+    /// What all evaluations from `y` have in common; `t` is the time of the middle of the step.
+    fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, y: &Self::Unknown) -> Self::FourthStart;
+    /// h·f̄, and 1 − ∂(h·f̄)/∂d.
+    fn fourth_slope(
+        &self,
+        parameters: &Self::FourthParameters,
+        start: &Self::FourthStart,
+        d: &Self::Unknown,
+        image: &mut Self::Unknown,
+        matrix: &mut Square<Self::Unknown>,
+    );
+}
