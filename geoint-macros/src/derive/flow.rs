@@ -123,10 +123,17 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
     let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
+    let mut change = |i: &usize| {
+        let slopes = diff::discrete_gradient(graph, values[*i], n).q;
+        let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
+        flow::times(graph, &[slopes], &increments)[0]
+    };
+    let changes = constant.iter().map(&mut change).collect();
     Some(Integrals {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
         constant,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),
+        changes: Kernel::new(Levels::One, changes),
     })
 }

@@ -113,6 +113,8 @@ pub(crate) struct Integrals<K = Kernel> {
     pub(crate) constant: Vec<usize>,
     /// The gradients of these, one after the other.
     pub(crate) slopes: K,
+    /// What these change by over an increment.
+    pub(crate) changes: K,
 }
 
 /// The field of implicit methods for (q, p), for q alone, or for x.
@@ -208,7 +210,13 @@ impl<K> PieceKernel<K> {
 
 impl<K> Integrals<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
-        Integrals { names: self.names, constant: self.constant, values: of(self.values), slopes: of(self.slopes) }
+        Integrals {
+            names: self.names,
+            constant: self.constant,
+            values: of(self.values),
+            slopes: of(self.slopes),
+            changes: of(self.changes),
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::kernel::{Context, write};
 use super::system::self_type;
 use crate::derive::{Integrals, System};
+use crate::ir::Symbol;
 use crate::parse::Energy;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
@@ -68,6 +69,9 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
         let all = (0..integrals.constant.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
         write("slopes", &all.collect::<Vec<_>>(), &values)
     });
+    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
+    let changes =
+        context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> FirstIntegrals<R> for #name {
             type Proof = ();
@@ -85,6 +89,11 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
                 let mut slopes = [<#phase as Array>::zero(); #count];
                 #slopes
                 slopes
+            }
+            #[inline]
+            fn changes(&self, t: R, z: &#phase, dz: &#phase) -> [R; #count] {
+                #parts
+                #changes
             }
         }
     }
