@@ -1,9 +1,9 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Value, Why, Witness};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
 use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
@@ -158,20 +158,16 @@ pub(crate) fn structure(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    if let (Some((i, j, rest)), Some(form)) = (&structure.flaw, &energy.structure) {
-        let sum = match rest {
-            Some(Remainder { rest, certain: true, .. }) => format!("is {}, not 0", printer.excerpt(*rest)),
-            Some(Remainder { rest, .. }) => format!("was not proven to be 0: {}", printer.excerpt(*rest)),
-            None => "is too long to be compared with 0".into(),
+    if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.structure) {
+        let (sum, equal) = match verdict {
+            Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
+            _ => (open(&printer, verdict), " was not proven to be 0"),
         };
-        let message = if i == j {
-            format!("S is skew, but twice S[{i}][{i}] {sum}")
-        } else {
-            format!("S is skew, but S[{i}][{j}] + S[{j}][{i}] {sum}: give `|i, j| …` for i < j, and the rest follows")
-        };
-        let place = places.get(&structure.matrix[*j][*i]).filter(|_| is_written(graph, structure.matrix[*j][*i]));
-        match place {
-            Some(place) => errors.at_place(*place, message),
+        let what = if i == j { format!("twice S[{i}][{i}]") } else { format!("S[{i}][{j}] + S[{j}][{i}]") };
+        let advice = if i == j { "" } else { "; `|i, j| …` is asked for i < j alone" };
+        let message = format!("S is skew, but {what}{equal}{sum}{advice}");
+        match written(graph, places, structure.matrix[*j][*i]) {
+            Some(place) => errors.at_place(place, message),
             None => errors.at(&form.expr, message),
         }
     }
@@ -181,9 +177,38 @@ pub(crate) fn structure(
     errors.or(())
 }
 
-/// Whether a node is more than a symbol or a number, which may have been written elsewhere first.
-fn is_written(graph: &Graph, id: Id) -> bool {
-    !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_))
+/// Where a node was written, if it is more than a symbol or a number, which may have been written elsewhere first.
+fn written(graph: &Graph, places: &HashMap<Id, Place>, id: Id) -> Option<Place> {
+    let more = !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_));
+    places.get(&id).copied().filter(|_| more)
+}
+
+/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
+fn remains<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, rest: Option<&Remainder>, witness: &Witness) -> String {
+    match rest {
+        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => {
+            let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
+            let state: Vec<String> = witness.state.iter().map(symbol).collect();
+            let value = match witness.value {
+                Value::Exact(value) => ratio(value),
+                Value::Near(value) => format!("{value:.3e}"),
+            };
+            format!(" is {value} where {}", state.join(", "))
+        }
+    }
+}
+
+fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
+    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
+}
+
+/// What remains of what was not decided.
+fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
+    match verdict.rest() {
+        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => String::new(),
+    }
 }
 
 /// Reports functions that are not kept, and those that are functions of others.
@@ -199,19 +224,23 @@ pub(crate) fn integrals(
     for (i, (kept, verdict)) in energy.keeps.iter().zip(&found.kept).enumerate() {
         let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
         let message = match verdict {
-            None | Some(Identity::Zero) => continue,
-            Some(Identity::Left(Remainder { rest, case, certain: true })) => format!(
-                "`{name}` is not constant along the field{but}: what remains of its derivative{} is {}",
-                in_case(&printer, case),
-                printer.excerpt(*rest)
-            ),
-            Some(Identity::Left(Remainder { rest, case, .. })) => format!(
-                "`{name}` was not proven to be constant along the field{but}: what remains of its derivative{} is {}; {ASSUME}",
-                in_case(&printer, case),
-                printer.excerpt(*rest)
-            ),
-            Some(Identity::TooLong) => {
-                format!("`{name}` was not proven to be constant along the field{but}: its derivative is too long; {ASSUME}")
+            None | Some(Identity::Zero(_)) => continue,
+            Some(Identity::Wrong(wrong)) => {
+                let rest = remains(&printer, wrong.rest.as_ref(), &wrong.witness);
+                format!("`{name}` is not constant along the field{but}: what remains of its derivative{rest}")
+            }
+            Some(verdict @ Identity::Open(found)) => {
+                let why = match found.why {
+                    Why::Relation => "it holds to rounding, and rests on a relation between functions that is not known here",
+                    Why::Branch => "it holds to rounding, for one choice of the signs of roots",
+                    Why::TooLong => "it holds to rounding, and is too long to be decided",
+                    Why::Nowhere => "no state was met at which it is defined",
+                };
+                format!(
+                    "`{name}` was not proven to be constant along the field{but}: {why}; if you know that it is, say \
+                     `keeps(assume({name} = …))`{}",
+                    open(&printer, verdict).replacen(": ", "; what remains of its derivative is ", 1)
+                )
             }
         };
         errors.at_place(written[i].place, message);
@@ -222,9 +251,6 @@ pub(crate) fn integrals(
     }
     errors.or(())
 }
-
-const ASSUME: &str = "if that is zero by a relation between functions, write them alike, or say that you know it: \
-                      `keeps(assume(integral = …))`";
 
 const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
                        found";

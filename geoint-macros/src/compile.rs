@@ -1,6 +1,7 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
 use crate::derive::{Flow, proof};
+use crate::emit::report::Source;
 use crate::diagnostics::Result;
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, lower, split};
@@ -53,13 +54,13 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let structure = lowered.structure.as_ref().map(|skew| proof::structure(graph, skew)).unwrap_or_default();
+    let structure = proof::structure(graph, &lowered.structure);
     let damping = analyze::damping(graph, lowered.damping);
     check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref()).scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::flow(&context, graph, (&flow, Some(&structure)), &system);
+    let report = emit::report::flow(&context, graph, (&flow, Source::Structure(&structure)), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -73,6 +74,6 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
     let system = derive::flow(graph, &flow, &lowered.partial, None).scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::flow(&context, graph, (&flow, None), &system);
+    let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }

@@ -12,10 +12,10 @@
 
 use super::field::{Field, middle};
 use super::forward::jacobian;
-use super::gradient::{discrete_gradient, discrete_gradient_and_rate, gradient, partial};
+use super::gradient::{discrete_gradient, discrete_gradient_and_rate, gradient};
 use super::slope::coordinate_increment;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// A function I(x, t) with dI/dt = b·∇I along a field, or 0.
 #[derive(Clone, Debug)]
@@ -29,37 +29,6 @@ pub(crate) struct Conserved {
 pub(crate) enum Order {
     Two,
     Four,
-}
-
-/// (f − b)·∇I + ∂I/∂t: zero if f keeps I but for b. In a form in which 1/x is written as such.
-pub(crate) fn orbital(graph: &mut Graph, f: &[Id], Conserved { value, but }: &Conserved) -> Id {
-    let slopes = gradient(graph, *value, f.len() as u32).q;
-    let mut terms = vec![partial(graph, *value, Symbol::T)];
-    for (i, slope) in slopes.into_iter().enumerate() {
-        let velocity = but.as_ref().map_or(f[i], |b| graph.sub(f[i], b[i]));
-        terms.push(graph.mul(velocity, slope));
-    }
-    let sum = graph.sum(&terms);
-    plain(graph, sum)
-}
-
-/// A node with powers in place of what is not a number outside of the domain of H.
-pub(crate) fn plain(graph: &mut Graph, root: Id) -> Id {
-    let mut form = Substitution::new(|_: &mut Graph, _| None);
-    for id in graph.reachable(&[root]) {
-        let Node::Call(function, args) = graph.node(id).clone() else { continue };
-        let x = form.apply(graph, args[0]);
-        let replacement = match function {
-            Function::RecipPositive => graph.recip(x),
-            Function::Signum => {
-                let size = graph.call(Function::Abs, &[x]);
-                graph.div(x, size)
-            }
-            _ => continue,
-        };
-        form.insert(id, replacement);
-    }
-    form.apply(graph, root)
 }
 
 /// The mean velocity, with its derivative by the increment.

@@ -16,6 +16,13 @@ pub(crate) enum Skew {
     Nambu(Id),
 }
 
+impl Skew {
+    /// That of a form without one.
+    pub(super) fn none() -> Skew {
+        Skew::Matrix(vec![])
+    }
+}
+
 /// A function I of x that a field is said to keep.
 #[derive(Clone, Debug)]
 pub(crate) struct Integral {

@@ -40,7 +40,7 @@ pub(crate) struct Lowered {
     /// All entries of a field.
     pub(crate) field: Vec<Id>,
     /// S of x' = S(x) ∇H.
-    pub(crate) structure: Option<Skew>,
+    pub(crate) structure: Skew,
     /// What a field is said to keep.
     pub(crate) keeps: Vec<Integral>,
     /// The square matrix of damping.
@@ -116,7 +116,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     lowering.scopes = arguments;
     let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, shape));
     let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Q(i))).collect();
-    let structure = energy.structure.as_ref().map(|form| lowering.structure(form, &x, shape));
+    let structure = energy.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
     let keeps = energy.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
     let group = |lowering: &mut Lowering, expr: &syn::Expr| {
         let value = lowering.expr(expr);

@@ -18,7 +18,7 @@ fn field(args: &TokenStream, item: &TokenStream) -> (Graph, Flow) {
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(&mut lowered.graph, &flow);
-    let kept = found.kept.iter().all(|verdict| verdict.as_ref().is_none_or(|v| *v == crate::analyze::Identity::Zero));
+    let kept = found.kept.iter().all(|verdict| verdict.as_ref().is_none_or(crate::analyze::Identity::is_zero));
     assert!(kept && found.dependent.is_none(), "{:?}", found);
     (lowered.graph, flow)
 }

@@ -3,25 +3,38 @@
 use super::super::damping::coefficients;
 use super::super::kernel::Context;
 use super::counted;
-use crate::derive::proof::{Jacobi, Structure};
+use crate::analyze::{Identity, Proof};
+use crate::derive::proof::{Integrals, Structure};
 use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, System};
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use std::fmt::{Result as Written, Write};
 
+/// Why a flow keeps what it keeps.
+#[derive(Clone, Copy)]
+pub(crate) enum Source<'a> {
+    /// S is skew.
+    Structure(&'a Structure),
+    /// It was proven of each function.
+    Field(&'a Integrals),
+}
+
 /// The report.
 pub(crate) fn flow(
     context: &Context<'_>,
     graph: &Graph,
-    (flow, structure): (&Flow, Option<&Structure>),
+    (flow, source): (&Flow, Source<'_>),
     system: &System<Plan>,
 ) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
     let _ = equations(&mut text, context, &printer, flow)
-        .and_then(|()| structure.map_or(Ok(()), |structure| of_structure(&mut text, context, &printer, structure)))
-        .and_then(|()| kept(&mut text, &printer, flow))
+        .and_then(|()| match source {
+            Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
+            Source::Field(_) => Ok(()),
+        })
+        .and_then(|()| kept(&mut text, &printer, flow, source))
         .and_then(|()| operations(&mut text, flow, system));
     text
 }
@@ -55,24 +68,32 @@ fn of_structure<F: Fn(Symbol) -> String>(
             writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(*entry))?;
         }
     }
-    match &structure.jacobi {
-        Jacobi::Holds => writeln!(text, "- a Poisson structure: Jacobi's identity holds"),
-        Jacobi::Fails([i, j, k], rest) => {
-            let rest = printer.excerpt(*rest);
-            writeln!(text, "- not a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}) leave {rest}; the energy is kept all the same")
+    match &structure.poisson {
+        Ok(()) => writeln!(text, "- a Poisson structure: Jacobi's identity holds"),
+        Err(([i, j, k], verdict)) => {
+            let rest = verdict.rest().map_or_else(String::new, |rest| format!(" leave {}", printer.excerpt(rest.rest)));
+            let word = if matches!(verdict, Identity::Wrong(_)) { "not" } else { "not proven to be" };
+            writeln!(text, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
         }
-        Jacobi::Open => writeln!(text, "- it was not decided whether this is a Poisson structure"),
     }
 }
 
-fn kept<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, flow: &Flow) -> Written {
-    writeln!(text, "\nKept by the flow")?;
+fn kept<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    flow: &Flow,
+    source: Source<'_>,
+) -> Written {
+    writeln!(text, "\nIntegrals")?;
     if flow.kept.is_empty() {
         return writeln!(text, "- nothing was listed");
     }
-    for Named { name, conserved, assumed } in &flow.kept {
+    for (i, Named { name, conserved, .. }) in flow.kept.iter().enumerate() {
         let value = printer.excerpt(conserved.value);
-        let word = if *assumed { "assumed, not proven" } else { "proven by multiplying out" };
+        let word = match source {
+            Source::Structure(_) => "kept, because S is skew".into(),
+            Source::Field(found) => how(found.kept[i].as_ref()),
+        };
         match &conserved.but {
             None => writeln!(text, "- {name} = {value}: {word}")?,
             Some(b) => {
@@ -82,6 +103,18 @@ fn kept<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, fl
         }
     }
     Ok(())
+}
+
+/// How it was proven that a function is kept.
+fn how(verdict: Option<&Identity>) -> String {
+    match verdict {
+        Some(Identity::Zero(Proof::Multiplied)) => "kept, proven by multiplying out".into(),
+        Some(Identity::Zero(Proof::Points(bound))) => format!(
+            "kept, proven at {} points of finite fields: what is not kept passes with a probability of at most 2^-{}",
+            bound.points, bound.bits
+        ),
+        _ => "assumed".into(),
+    }
 }
 
 fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written {

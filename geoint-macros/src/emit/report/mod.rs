@@ -7,7 +7,7 @@ mod flow;
 use crate::schedule::Operations;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
-pub(crate) use flow::flow;
+pub(crate) use flow::{Source, flow};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {
