@@ -57,7 +57,8 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let structure = proof::structure(graph, &lowered.structure);
     let damping = analyze::damping(graph, lowered.damping);
     check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
+    let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
+    flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref()).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::flow(&context, graph, (&flow, Source::Structure(&structure)), &system);
@@ -69,9 +70,10 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
+    let mut flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(graph, &flow);
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
+    flow.search(graph, None, |symbol| context.user_name(symbol));
     let system = derive::flow(graph, &flow, &lowered.partial, None).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);

@@ -22,7 +22,7 @@ use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
-pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity};
+pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;

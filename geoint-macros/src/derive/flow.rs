@@ -2,15 +2,17 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::proof;
 use super::system::{FieldKernels, Implicit, Integrals, System};
-use crate::analyze::{self, Damping, MeanValue};
+use crate::analyze::{self, Damping, MeanValue, claims, search};
 use crate::diff::field::{Field, taking};
 use crate::diff::flow::{self, Conserved, Order};
 use crate::diff;
-use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::ir::{Graph, Id, Partial, Symbol, print::Printer};
 use crate::lower::Integral;
 use crate::parse::{Form, Kept};
 use crate::schedule::{Kernel, Levels};
+use std::collections::HashSet;
 
 /// A flow before its methods are derived.
 #[derive(Debug)]
@@ -22,6 +24,8 @@ pub(crate) struct Flow {
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
     /// What steps keep.
     pub(crate) kept: Vec<Named>,
+    /// What is constant as well, and not listed.
+    pub(crate) also: Vec<Id>,
 }
 
 /// A function that is kept, or whose change is known.
@@ -29,8 +33,20 @@ pub(crate) struct Flow {
 pub(crate) struct Named {
     pub(crate) name: String,
     pub(crate) conserved: Conserved,
-    /// Whether that was not to be proven.
-    pub(crate) assumed: bool,
+    pub(crate) origin: Origin,
+}
+
+/// Who says that a function is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// The user, and it was proven.
+    Listed,
+    /// The user alone.
+    Assumed,
+    /// It is the energy.
+    Energy,
+    /// It was found.
+    Found,
 }
 
 impl Flow {
@@ -39,9 +55,9 @@ impl Flow {
         let named = |(kept, integral): (&Kept, &Integral)| Named {
             name: kept.name.to_string(),
             conserved: Conserved { value: integral.value, but: integral.but.clone() },
-            assumed: kept.assumed,
+            origin: if kept.assumed { Origin::Assumed } else { Origin::Listed },
         };
-        Flow { form: Form::Field, field: field.to_vec(), energy: None, kept: keeps.map(named).collect() }
+        Flow { form: Form::Field, field: field.to_vec(), energy: None, kept: keeps.map(named).collect(), also: vec![] }
     }
 
     /// x' = (S − C) ∇H, and what it keeps.
@@ -61,15 +77,41 @@ impl Flow {
         });
         let (matrix, but) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
         let field = flow::times(graph, &matrix, &gradient);
-        let kept = Named { name: "energy".into(), conserved: Conserved { value: energy, but }, assumed: false };
+        let kept = Named { name: "energy".into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
         let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
-        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept }
+        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![] }
+    }
+
+    /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
+    /// Casimirs, which are constant along the rows of S; and all the rest for the report.
+    pub(crate) fn search(&mut self, graph: &mut Graph, rows: Option<&[Vec<Id>]>, name: impl Fn(Symbol) -> String) {
+        let x = proof::coordinates(self.field.len());
+        let casimirs = rows.is_some();
+        let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else { return };
+        let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
+        let found: Vec<_> = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
+        let known: Vec<Id> = self.kept.iter().map(|kept| kept.conserved.value).collect();
+        let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
+        let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
+        let Some(dependent) = claims::dependent(graph, &x, &all) else { return };
+        let new = found.into_iter().enumerate().filter(|(i, _)| !dependent.integrals.contains(&(known.len() + i)));
+        for (_, kept) in new {
+            // A logarithm that nothing else takes would leave steps with fewer states than the flow has.
+            let everywhere = graph.reachable(&[kept.value]).iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
+            if everywhere && (casimirs || kept.linear && !known.is_empty()) {
+                let name = Printer::new(graph, &name).excerpt(kept.value);
+                let conserved = Conserved { value: kept.value, but: None };
+                self.kept.push(Named { name, conserved, origin: Origin::Found });
+            } else {
+                self.also.push(kept.value);
+            }
+        }
     }
 }
 
 /// Derives everything that some method needs.
 pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping: Option<&Damping>) -> System {
-    let Flow { form, field, energy, kept } = found;
+    let Flow { form, field, energy, kept, .. } = found;
     let n = field.len() as u32;
     let coordinates: Vec<Symbol> = (0..n).map(Symbol::Q).collect();
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
@@ -131,6 +173,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     let changes = constant.iter().map(&mut change).collect();
     Some(Integrals {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
+        functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
         constant,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),

@@ -14,7 +14,7 @@ pub(crate) mod proof;
 
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
-pub(crate) use flow::{Flow, Named, flow};
+pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};

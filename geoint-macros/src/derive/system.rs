@@ -106,8 +106,9 @@ pub(crate) enum Implicit<K> {
 /// Functions of x that a flow keeps, or whose change is known.
 #[derive(Debug)]
 pub(crate) struct Integrals<K = Kernel> {
-    /// Their names, under which users call them.
     pub(crate) names: Vec<String>,
+    /// Whether users call each by its name.
+    pub(crate) functions: Vec<bool>,
     pub(crate) values: K,
     /// Those that are kept.
     pub(crate) constant: Vec<usize>,
@@ -212,6 +213,7 @@ impl<K> Integrals<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
         Integrals {
             names: self.names,
+            functions: self.functions,
             constant: self.constant,
             values: of(self.values),
             slopes: of(self.slopes),

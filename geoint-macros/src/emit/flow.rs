@@ -15,7 +15,8 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>) -> TokenStr
     let coordinates = &coordinates.ty;
     let names = system.integrals.iter().flat_map(|integrals| integrals.names.iter().enumerate());
     // The energy has a function already.
-    let names = names.filter(|(_, name)| system.value.is_none() || *name != "energy");
+    let named = |i: usize| system.integrals.as_ref().is_some_and(|integrals| integrals.functions[i]);
+    let names = names.filter(|(i, name)| named(*i) && (system.value.is_none() || *name != "energy"));
     let functions = names.map(|(i, integral)| {
         let (function, i) = (format_ident!("{integral}"), Literal::usize_unsuffixed(i));
         let doc = format!("The integral `{integral}` of a state.");

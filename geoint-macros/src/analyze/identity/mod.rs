@@ -8,6 +8,7 @@ pub(crate) mod claims;
 mod multiplied;
 mod residues;
 mod rounding;
+pub(crate) mod search;
 mod witness;
 
 use crate::ir::{Graph, Id, Node, Symbol};
@@ -92,9 +93,8 @@ impl Identity {
     }
 }
 
-/// So many products of two terms are formed for a proof; points are faster from there on. More for what remains of what is not zero.
-const PROOF: usize = 1_000;
-const REMAINDER: usize = 4_000;
+/// So many products of two terms are formed in each case; from there on points are faster, and what remains is too long to be read.
+const PRODUCTS: usize = 500;
 
 /// Decides whether a node is zero.
 pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
@@ -104,18 +104,14 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
 /// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
 pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     let root = graph.sum(terms);
-    let mut short = multiplied::multiplied(graph, root, PROOF);
-    // What is made of symbols and numbers alone is certainly not zero.
-    let certain = matches!(&short, multiplied::Verdict::Left(rest) if rest.certain);
-    let points = if certain { residues::Verdict::NotZero } else { residues::residues(graph, root) };
-    if short == multiplied::Verdict::TooLong && !matches!(points, residues::Verdict::Zero(_)) {
-        short = multiplied::multiplied(graph, root, REMAINDER);
-    }
-    let rest = match short {
+    let rest = match multiplied::multiplied(graph, root, PRODUCTS) {
         multiplied::Verdict::Zero => return Identity::Zero(Proof::Multiplied),
         multiplied::Verdict::Left(rest) => Some(rest),
         multiplied::Verdict::TooLong => None,
     };
+    // What is made of symbols and numbers alone is certainly not zero.
+    let certain = rest.as_ref().is_some_and(|rest| rest.certain);
+    let points = if certain { residues::Verdict::NotZero } else { residues::residues(graph, root) };
     let why = match points {
         residues::Verdict::Zero(bound) => return Identity::Zero(Proof::Points(bound)),
         residues::Verdict::Branch => Why::Branch,

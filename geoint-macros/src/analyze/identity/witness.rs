@@ -19,8 +19,8 @@ pub(crate) enum Value {
 }
 
 /// So many states are tried: first ones and twos, then integers that look random.
-const IN_ORDER: u64 = 64;
-const RANDOM: u64 = 200;
+const IN_ORDER: u64 = 16;
+const RANDOM: u64 = 100;
 
 /// The first small integers at which the value is an exact ratio that is not zero.
 pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Option<Witness> {
@@ -33,7 +33,7 @@ pub(super) fn exact_witness(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> 
             Some(_) => {}
             None => failures += 1,
         }
-        if failures > 8 {
+        if failures > IN_ORDER {
             return None;
         }
     }

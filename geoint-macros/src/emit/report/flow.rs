@@ -5,7 +5,7 @@ use super::super::kernel::Context;
 use super::counted;
 use crate::analyze::{Identity, Proof};
 use crate::derive::proof::{Integrals, Structure};
-use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, System};
+use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use std::fmt::{Result as Written, Write};
@@ -85,22 +85,29 @@ fn kept<F: Fn(Symbol) -> String>(
     source: Source<'_>,
 ) -> Written {
     writeln!(text, "\nIntegrals")?;
-    if flow.kept.is_empty() {
-        return writeln!(text, "- nothing was listed");
-    }
-    for (i, Named { name, conserved, .. }) in flow.kept.iter().enumerate() {
+    for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
         let value = printer.excerpt(conserved.value);
-        let word = match source {
-            Source::Structure(_) => "kept, because S is skew".into(),
-            Source::Field(found) => how(found.kept[i].as_ref()),
+        let word = match (origin, source) {
+            (Origin::Listed, Source::Field(found)) => how(found.kept[i].as_ref()),
+            (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
+            (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
+            (Origin::Energy, _) => "kept, because S is skew".into(),
+            (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
+        let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
         match &conserved.but {
-            None => writeln!(text, "- {name} = {value}: {word}")?,
+            None => writeln!(text, "- {name}{value}: {word}")?,
             Some(b) => {
                 let change = coefficients(printer, b);
-                writeln!(text, "- {name} = {value}, but for b·∇I with b = {change}: {word}")?;
+                writeln!(text, "- {name}{value}, but for b·∇I with b = {change}: {word}")?;
             }
         }
+    }
+    for value in &flow.also {
+        writeln!(text, "- {}: constant as well, not listed", printer.excerpt(*value))?;
+    }
+    if flow.kept.is_empty() && flow.also.is_empty() {
+        writeln!(text, "- none was listed, and none was found")?;
     }
     Ok(())
 }

@@ -11,8 +11,10 @@ mod powers;
 
 use super::Remainder;
 use crate::ir::{Graph, Id};
+use atoms::{Atoms, Kind};
 use condition::Assumptions;
 use expand::{Expansion, Stop};
+pub(super) use normal::{Atom, Normal, Powers, multiplied as product_of_powers};
 
 /// What multiplying out says.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,6 +23,36 @@ pub(super) enum Verdict {
     Left(Remainder),
     /// It has too many terms, too many conditions, or numbers that are too long.
     TooLong,
+}
+
+/// Several nodes, multiplied out over the same atoms.
+pub(super) struct Sums {
+    pub(super) sums: Vec<Normal>,
+    atoms: Atoms,
+}
+
+impl Sums {
+    /// `None` if that is too long, or depends on conditions.
+    pub(super) fn of(graph: &Graph, roots: &[Id], products: usize) -> Option<Sums> {
+        let assumptions = Assumptions::default();
+        let mut expansion = Expansion::new(graph, &assumptions, products);
+        let sums: Result<Vec<Normal>, Stop> =
+            roots.iter().map(|root| expansion.normal(*root).map(|sum| (*sum).clone())).collect();
+        Some(Sums { sums: sums.ok()?, atoms: expansion.atoms })
+    }
+
+    /// The atom that a symbol is.
+    pub(super) fn symbol(&mut self, id: Id) -> Atom {
+        self.atoms.of(Kind::Symbol(id))
+    }
+
+    /// The symbol that an atom is, if it is one.
+    pub(super) fn as_symbol(&self, atom: Atom) -> Option<Id> {
+        match self.atoms.kind(atom) {
+            Kind::Symbol(id) => Some(*id),
+            _ => None,
+        }
+    }
 }
 
 /// More conditions than this are not combined.

@@ -13,12 +13,14 @@ mod evaluate;
 mod functions;
 mod prime;
 mod rank;
+mod span;
 
 use crate::ir::{Graph, Id};
 use choices::Question;
 use evaluate::{Evaluation, Halt, Plan, mixed};
 use prime::{Element, PRIMES, Prime};
-pub(super) use rank::{Rank, rank};
+pub(super) use rank::rank;
+pub(super) use span::Residues;
 
 /// How sure a proof by points is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

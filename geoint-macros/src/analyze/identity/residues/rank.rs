@@ -1,6 +1,6 @@
 //! How many of several gradients are independent.
 
-use super::evaluate::{Evaluation, Halt, Plan};
+use super::evaluate::{Halt, Plan};
 use super::{Bound, Element, Prime, visit_combinations, visit_points};
 use crate::ir::{Graph, Id};
 

@@ -1,8 +1,10 @@
 //! What is zero is seen, by which proof, and nothing else is taken for zero.
 
+mod branches;
 mod claims;
 mod integrals;
 mod points;
+mod search;
 mod spelling;
 mod systems;
 
