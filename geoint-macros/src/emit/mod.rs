@@ -37,7 +37,13 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
     let mut item = energy.item.clone();
     let used = energy.expressions().map(|expr| match expr {
         // Entries of a structure, by their indices.
-        syn::Expr::Closure(_) => quote!(let entry = #expr; let _ = entry(0_usize, 1_usize);),
+        syn::Expr::Closure(_) => {
+            let float = &energy.float;
+            quote! {
+                fn entries(_: impl ::core::ops::Fn(usize, usize) -> #float) {}
+                entries(#expr);
+            }
+        }
         _ => quote!(let _ = #expr;),
     });
     let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();

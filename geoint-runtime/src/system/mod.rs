@@ -10,7 +10,7 @@ mod poles;
 mod separable;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use implicit::{Collocation, DiscreteField, FirstIntegrals, FourthOrderField, Mean, QuadraticField};
+pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
 mod jumps;
