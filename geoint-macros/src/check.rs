@@ -231,7 +231,9 @@ pub(crate) fn integrals(
             }
             Some(verdict @ Identity::Open(found)) => {
                 let why = match found.why {
-                    Why::Relation => "it holds to rounding, and rests on a relation between functions that is not known here",
+                    Why::Relation => {
+                        "it holds to rounding, and rests on a relation between functions that is not known here"
+                    }
                     Why::Branch => "it holds to rounding, for one choice of the signs of roots",
                     Why::TooLong => "it holds to rounding, and is too long to be decided",
                     Why::Nowhere => "no state was met at which it is defined",

@@ -1,8 +1,8 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
 use crate::derive::{Flow, proof};
-use crate::emit::report::Source;
 use crate::diagnostics::Result;
+use crate::emit::report::Source;
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, lower, split};
 use proc_macro2::TokenStream;
@@ -56,7 +56,9 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let graph = &mut lowered.graph;
     let structure = proof::structure(graph, &lowered.structure);
     let damping = analyze::damping(graph, lowered.damping);
-    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref()).scheduled(graph);

@@ -149,7 +149,7 @@ pub use method::contact::{
     ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, PieceComposition,
 };
 #[doc(inline)]
-pub use method::corrected::{Energy, Invariants, Projection, Relaxation};
+pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
 pub use method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -177,8 +177,8 @@ pub use scalar::Real;
 pub use space::{ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, ForceGradient, Hamiltonian, Mechanical, ModifiedEnergy,
-    PhaseSpace, Pieces, QuadraticKinetic, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
+    ModifiedEnergy, PhaseSpace, Pieces, QuadraticKinetic, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -187,8 +187,8 @@ pub mod prelude {
     pub use crate::{
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
-        Hamiltonian, ImplicitMidpoint, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method,
-        PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue,
+        Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
         SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
         hamiltonian, vector_field,
     };

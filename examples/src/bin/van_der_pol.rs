@@ -33,7 +33,7 @@ fn forced(q: f64, p: f64, s: f64, t: f64, eps: f64, a: f64, omega: f64) -> f64 {
 type Point = (f64, f64, f64);
 
 /// (t, q, s) after every step of the splitting, from (2, 0).
-fn splitting<S: PhaseSpace<Action = f64, Coordinates = f64>>(
+fn splitting<S: PhaseSpace<Action = f64, State = ContactState<f64>>>(
     system: S,
     h: f64,
     end: f64,

@@ -15,7 +15,12 @@ use crate::schedule::{Kernel, Levels};
 const FEW: u32 = 3;
 
 /// Derives everything that some method needs.
-pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Partial], degrees: u32) -> (System, Gradient) {
+pub(crate) fn canonical(
+    graph: &mut Graph,
+    structure: &Structure,
+    partial: &[Partial],
+    degrees: u32,
+) -> (System, Gradient) {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
     let drag = structure
@@ -47,7 +52,13 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Par
         pieces: None,
         implicit: Implicit::Field(fields.kernels(graph, structure)),
         integrals: None,
-        domain: Domain::of(graph, Roots::of_energy(&structure.energy), Form::Hamiltonian, partial, structure.damping.as_ref()),
+        domain: Domain::of(
+            graph,
+            Roots::of_energy(&structure.energy),
+            Form::Hamiltonian,
+            partial,
+            structure.damping.as_ref(),
+        ),
     };
     (system, gradient)
 }

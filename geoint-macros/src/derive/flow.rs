@@ -5,9 +5,9 @@ use super::implicit;
 use super::proof;
 use super::system::{FieldKernels, Implicit, Integrals, System};
 use crate::analyze::{self, Damping, MeanValue, claims, search};
+use crate::diff;
 use crate::diff::field::{Field, taking};
 use crate::diff::flow::{self, Conserved, Order};
-use crate::diff;
 use crate::ir::{Graph, Id, Partial, Symbol, print::Printer};
 use crate::lower::Integral;
 use crate::parse::{Form, Kept};
@@ -87,7 +87,9 @@ impl Flow {
     pub(crate) fn search(&mut self, graph: &mut Graph, rows: Option<&[Vec<Id>]>, name: impl Fn(Symbol) -> String) {
         let x = proof::coordinates(self.field.len());
         let casimirs = rows.is_some();
-        let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else { return };
+        let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else {
+            return;
+        };
         let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
         let found: Vec<_> = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
         let known: Vec<Id> = self.kept.iter().map(|kept| kept.conserved.value).collect();
@@ -97,7 +99,8 @@ impl Flow {
         let new = found.into_iter().enumerate().filter(|(i, _)| !dependent.integrals.contains(&(known.len() + i)));
         for (_, kept) in new {
             // A logarithm that nothing else takes would leave steps with fewer states than the flow has.
-            let everywhere = graph.reachable(&[kept.value]).iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
+            let everywhere =
+                graph.reachable(&[kept.value]).iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
             if everywhere && (casimirs || kept.linear && !known.is_empty()) {
                 let name = Printer::new(graph, &name).excerpt(kept.value);
                 let conserved = Conserved { value: kept.value, but: None };
@@ -115,7 +118,8 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     let n = field.len() as u32;
     let coordinates: Vec<Symbol> = (0..n).map(Symbol::Q).collect();
     let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
-    let collocation = Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates, f: field.clone() };
+    let collocation =
+        Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates, f: field.clone() };
     let discrete = match energy {
         Some((energy, matrix)) => Some(flow::structured(graph, *energy, matrix)),
         None if conserved.is_empty() => None,
@@ -127,7 +131,8 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         let equation = implicit::image(graph, &field, h);
         Kernel::new(Levels::Iterated, equation)
     });
-    let values: Vec<Id> = energy.iter().map(|(energy, _)| *energy).chain(conserved.iter().map(|kept| kept.value)).collect();
+    let values: Vec<Id> =
+        energy.iter().map(|(energy, _)| *energy).chain(conserved.iter().map(|kept| kept.value)).collect();
     let all = [&field[..], &values].concat();
     let quadratic = analyze::is_polynomial(graph, field, 2);
     System {
@@ -147,7 +152,10 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
             folded: false,
             linear: false,
             mean_value: MeanValue::NotClosed(field[0]),
-            collocation: Kernel { levels: Levels::Prepared, routines: vec![implicit::roots(&collocation), vec![], vec![]] },
+            collocation: Kernel {
+                levels: Levels::Prepared,
+                routines: vec![implicit::roots(&collocation), vec![], vec![]],
+            },
             discrete: discrete.map(|field| Kernel {
                 levels: Levels::Iterated,
                 routines: vec![implicit::roots(&field), vec![], vec![]],

@@ -19,7 +19,8 @@ pub(crate) struct Integrals {
 pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
     let x = coordinates(flow.field.len());
     let mut decide = |Named { conserved, origin, .. }: &Named| {
-        (*origin == Origin::Listed).then(|| claims::is_kept(graph, &x, &flow.field, conserved.value, conserved.but.as_deref()))
+        (*origin == Origin::Listed)
+            .then(|| claims::is_kept(graph, &x, &flow.field, conserved.value, conserved.but.as_deref()))
     };
     let kept = flow.kept.iter().map(&mut decide).collect();
     let functions: Vec<Id> = flow.kept.iter().map(|named| named.conserved.value).collect();

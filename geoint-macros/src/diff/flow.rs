@@ -37,7 +37,8 @@ pub(crate) fn mean_velocity(graph: &mut Graph, f: &[Id], kept: &[Conserved], ord
     let unknowns: Vec<Symbol> = (0..f.len() as u32).map(Symbol::Dq).collect();
     let velocity = points.mean(graph, f);
     let slopes: Vec<Vec<Id>> = jacobian(graph, &velocity, &unknowns);
-    let columns: Vec<Column> = kept.iter().map(|conserved| Column::new(graph, conserved, &mut points, &unknowns)).collect();
+    let columns: Vec<Column> =
+        kept.iter().map(|conserved| Column::new(graph, conserved, &mut points, &unknowns)).collect();
     let projector = Projector::new(graph, columns);
     let rates: Vec<Id> = projector.columns.iter().map(|column| column.rate).collect();
     let (f, weights) = projector.apply(graph, &velocity, &rates);
@@ -60,15 +61,14 @@ impl Points {
         let half = graph.scale(Number::HALF, h);
         let (before, after) = (graph.sub(t, half), graph.add(t, half));
         let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::T).then_some(before));
-        let at_end: Replace =
-            Box::new(move |graph, symbol| match symbol {
-                Symbol::T => Some(after),
-                _ => {
-                    let increment = coordinate_increment(graph, symbol)?;
-                    let start = graph.symbol(symbol);
-                    Some(graph.add(start, increment))
-                }
-            });
+        let at_end: Replace = Box::new(move |graph, symbol| match symbol {
+            Symbol::T => Some(after),
+            _ => {
+                let increment = coordinate_increment(graph, symbol)?;
+                let start = graph.symbol(symbol);
+                Some(graph.add(start, increment))
+            }
+        });
         let (mut start, mut end) = (Substitution::new(at_start), Substitution::new(at_end));
         let eighth = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 8 }), h);
         let mut third = vec![];
@@ -82,7 +82,8 @@ impl Points {
             Symbol::Q(i) => third.get(i as usize).copied(),
             _ => None,
         });
-        let [sixth, most] = [1, 4].map(|numerator| Number::Exact(Ratio::integer(numerator).mul(SIXTH).unwrap_or(SIXTH)));
+        let [sixth, most] =
+            [1, 4].map(|numerator| Number::Exact(Ratio::integer(numerator).mul(SIXTH).unwrap_or(SIXTH)));
         Points(vec![(sixth, start), (most, Substitution::new(at_third)), (sixth, end)])
     }
 

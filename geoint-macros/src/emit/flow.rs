@@ -67,12 +67,12 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
     let indices = integrals.constant.iter().map(|i| Literal::usize_unsuffixed(*i));
     let count = Literal::usize_unsuffixed(integrals.constant.len());
     let slopes = context.values(&integrals.slopes, |values| {
-        let all = (0..integrals.constant.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
+        let all =
+            (0..integrals.constant.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
         write("slopes", &all.collect::<Vec<_>>(), &values)
     });
     let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
-    let changes =
-        context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
+    let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> FirstIntegrals<R> for #name {
             type Proof = ();

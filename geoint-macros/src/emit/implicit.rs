@@ -106,6 +106,38 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     }
 }
 
+/// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
+pub(super) fn canonical_fourth_order(context: &Context<'_>) -> TokenStream {
+    let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    quote! {
+        impl<R: Real> FourthOrderField<R> for #name {
+            type Proof = ();
+            type FourthParameters = fourth_order::ParametersOf<Self, R>;
+            type FourthStart = fourth_order::Begun<#array>;
+
+            #[inline]
+            fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+                fourth_order::parameters(self, h)
+            }
+            #[inline(always)]
+            fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &#phase) -> Self::FourthStart {
+                fourth_order::begin(self, parameters, t, z)
+            }
+            #[inline(always)]
+            fn fourth_slope(
+                &self,
+                parameters: &Self::FourthParameters,
+                start: &Self::FourthStart,
+                d: &#phase,
+                image: &mut #phase,
+                matrix: &mut Square<#phase>,
+            ) {
+                fourth_order::slope(self, parameters, start, d, image, matrix);
+            }
+        }
+    }
+}
+
 /// `impl FourthOrderField`.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));

@@ -63,7 +63,10 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let implicit = match &system.implicit {
         Implicit::Field(field) => {
             let discrete = field.discrete.as_ref().map(|plan| implicit::discrete_field(context, field, plan));
-            let fourth = field.fourth.as_ref().map(|plan| implicit::fourth_order(context, field, plan));
+            let fourth = match &field.fourth {
+                Some(plan) => Some(implicit::fourth_order(context, field, plan)),
+                None => system.proven.contains(&"Conservative").then(|| implicit::canonical_fourth_order(context)),
+            };
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #fourth #collocation)
         }

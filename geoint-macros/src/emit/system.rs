@@ -124,7 +124,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     let domain = domain(context, graph, &system.domain);
     let given = if context.energy.form == Form::Contact { quote!(s: &R) } else { quote!(_: &()) };
     let rate = vector_field(context, system);
-    let gradient = system.slopes.as_ref().map(|slopes| gradient(context, slopes));
+    let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -167,13 +167,18 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
 }
 
 /// `impl CotangentSpace`, and the gradient of an energy on it.
-fn gradient(context: &Context<'_>, slopes: &Plan) -> TokenStream {
+fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> TokenStream {
     let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     let (form, receives, returned) = match context.energy.form {
         Form::Contact => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
     };
+    let autonomous = system.proven.contains(&"Autonomous").then(|| {
+        quote!(
+            const AUTONOMOUS: bool = true;
+        )
+    });
     let slopes = context.values(slopes, |values| halves(context, &values));
     quote! {
         impl<R: Real> CotangentSpace<R> for #name {
@@ -182,6 +187,7 @@ fn gradient(context: &Context<'_>, slopes: &Plan) -> TokenStream {
         }
         impl<R: Real> #form<R> for #name {
             type Proof = ();
+            #autonomous
             #[inline]
             fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
                 #parts

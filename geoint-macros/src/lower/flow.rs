@@ -62,26 +62,40 @@ impl Lowering {
         let (n, expr) = (x.len(), &form.expr);
         let innermost = coordinates.extents.last().copied().unwrap_or(1);
         match form.kind {
-            StructureKind::So3 if innermost == 3 => Skew::Matrix(self.blocks(n, 3, |lowering, i, j, at| {
-                lowering.cross(&x[at..at + 3], i, j)
-            })),
+            StructureKind::So3 if innermost == 3 => {
+                Skew::Matrix(self.blocks(n, 3, |lowering, i, j, at| lowering.cross(&x[at..at + 3], i, j)))
+            }
             // m and γ in a row.
-            StructureKind::Se3 if innermost == 6 => Skew::Matrix(self.blocks(n, 6, |lowering, i, j, at| match (i / 3, j / 3) {
-                (0, 0) => lowering.cross(&x[at..at + 3], i, j),
-                (1, 1) => lowering.graph.zero(),
-                _ => lowering.cross(&x[at + 3..at + 6], i % 3, j % 3),
-            })),
+            StructureKind::Se3 if innermost == 6 => {
+                Skew::Matrix(self.blocks(n, 6, |lowering, i, j, at| match (i / 3, j / 3) {
+                    (0, 0) => lowering.cross(&x[at..at + 3], i, j),
+                    (1, 1) => lowering.graph.zero(),
+                    _ => lowering.cross(&x[at + 3..at + 6], i % 3, j % 3),
+                }))
+            }
             StructureKind::Canonical if n.is_multiple_of(2) => Skew::Matrix(self.blocks(n, n, |lowering, i, j, _| {
-                lowering.graph.integer(if j == i + n / 2 { 1 } else if i == j + n / 2 { -1 } else { 0 })
+                lowering.graph.integer(if j == i + n / 2 {
+                    1
+                } else if i == j + n / 2 {
+                    -1
+                } else {
+                    0
+                })
             })),
             StructureKind::Nambu if n == 3 => {
                 let value = self.expr(expr);
                 Skew::Nambu(self.real(expr, value))
             }
             StructureKind::Entries => Skew::Matrix(self.matrix(expr, n)),
-            StructureKind::So3 => self.wrong_length(expr, "`so3` is a structure of 3 coordinates, or of an array of such"),
-            StructureKind::Se3 => self.wrong_length(expr, "`se3` is a structure of 6 coordinates, or of an array of such"),
-            StructureKind::Canonical => self.wrong_length(expr, "`canonical` is a structure of an even number of coordinates"),
+            StructureKind::So3 => {
+                self.wrong_length(expr, "`so3` is a structure of 3 coordinates, or of an array of such")
+            }
+            StructureKind::Se3 => {
+                self.wrong_length(expr, "`se3` is a structure of 6 coordinates, or of an array of such")
+            }
+            StructureKind::Canonical => {
+                self.wrong_length(expr, "`canonical` is a structure of an even number of coordinates")
+            }
             StructureKind::Nambu => self.wrong_length(expr, "`nambu(C)` is a structure of 3 coordinates"),
         }
     }
@@ -92,12 +106,7 @@ impl Lowering {
     }
 
     /// A matrix of equal blocks on the diagonal, the entries of each by where it begins.
-    fn blocks(
-        &mut self,
-        n: usize,
-        block: usize,
-        entry: impl Fn(&mut Self, usize, usize, usize) -> Id,
-    ) -> Vec<Vec<Id>> {
+    fn blocks(&mut self, n: usize, block: usize, entry: impl Fn(&mut Self, usize, usize, usize) -> Id) -> Vec<Vec<Id>> {
         let mut rows = vec![];
         for i in 0..n {
             let mut row = vec![];

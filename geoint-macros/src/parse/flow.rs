@@ -86,7 +86,8 @@ fn entries(input: ParseStream<'_>, assumed: bool, kept: &mut Vec<Kept>) -> syn::
             match kept.last_mut() {
                 Some(last) if name == "but" && last.but.is_none() => last.but = Some(value),
                 _ if name == "but" => {
-                    let message = "`but` stands behind the integral that changes by it: `keeps(integral = …, but = […])`";
+                    let message =
+                        "`but` stands behind the integral that changes by it: `keeps(integral = …, but = […])`";
                     return Err(syn::Error::new_spanned(name, message));
                 }
                 _ => kept.push(Kept { name, value, but: None, assumed }),

@@ -1,7 +1,7 @@
 //! Functions from outside of an energy: what stands under `#[energy_function]`.
 
-use super::{Form, Outside};
 use super::options::Options;
+use super::{Form, Outside};
 use crate::diagnostics::{Diagnostics, Result};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};

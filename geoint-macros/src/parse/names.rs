@@ -44,6 +44,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Square",
     "State",
     "canonical_rate",
+    "fourth_order",
     "is_positive_semidefinite",
     "modified_verlet",
     "gradient_kick",

@@ -90,13 +90,17 @@ pub(super) fn returns_shape_of(
     if !same {
         let (name, shape) = (&x.name, plain(&x.ty));
         let energy = if float_type(&outside.resolve(ty)).is_some() { OF_AN_ENERGY } else { "" };
-        errors.at(ty, format!("a vector field has an entry for every coordinate: it returns `{shape}`, as `{name}` is{energy}"));
+        errors.at(
+            ty,
+            format!("a vector field has an entry for every coordinate: it returns `{shape}`, as `{name}` is{energy}"),
+        );
     }
 }
 
 const FIELD: &str = "a vector field returns an entry for every coordinate, in the type of `x`: `-> [f64; 3]`";
 
-const OF_AN_ENERGY: &str = "; an energy H(x) goes under `#[hamiltonian(structure = …)]`, and H(q, p) under `#[hamiltonian]`";
+const OF_AN_ENERGY: &str =
+    "; an energy H(x) goes under `#[hamiltonian(structure = …)]`, and H(q, p) under `#[hamiltonian]`";
 
 /// Whether a type is one of several numbers.
 fn has_several(ty: &Type) -> bool {

@@ -28,33 +28,37 @@ fn fields() -> Vec<(Graph, Flow)> {
     let all = [
         (
             quote!(keeps(wealth = d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln())),
-            quote!(fn f(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
-                [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
-            }),
+            quote!(
+                fn f(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> [f64; 2] {
+                    [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
+                }
+            ),
         ),
         (
             quote!(keeps(
                 energy = (a * x[0] * x[0] + b * x[1] * x[1] + c * x[2] * x[2]) / 2.0,
                 momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0,
             )),
-            quote!(fn f(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
-                [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
-            }),
+            quote!(
+                fn f(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
+                    [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
+                }
+            ),
         ),
         (
-            quote!(keeps(sum = x.iter().sum::<f64>(), product = (x[0] * x[2] * x[4]).ln(), third = {
-                let squares: f64 = x.iter().map(|x| x * x).sum();
-                squares / 2.0 + (0..4).map(|i| x[i] * x[i + 1]).sum::<f64>()
-            })),
-            quote!(fn f(x: [f64; 5]) -> [f64; 5] {
-                [
-                    x[0] * x[1],
-                    x[1] * (x[2] - x[0]),
-                    x[2] * (x[3] - x[1]),
-                    x[3] * (x[4] - x[2]),
-                    -x[4] * x[3],
-                ]
-            }),
+            quote!(keeps(
+                sum = x.iter().sum::<f64>(),
+                product = (x[0] * x[2] * x[4]).ln(),
+                third = {
+                    let squares: f64 = x.iter().map(|x| x * x).sum();
+                    squares / 2.0 + (0..4).map(|i| x[i] * x[i + 1]).sum::<f64>()
+                }
+            )),
+            quote!(
+                fn f(x: [f64; 5]) -> [f64; 5] {
+                    [x[0] * x[1], x[1] * (x[2] - x[0]), x[2] * (x[3] - x[1]), x[3] * (x[4] - x[2]), -x[4] * x[3]]
+                }
+            ),
         ),
         (
             // Lagrange's top.
@@ -64,18 +68,20 @@ fn fields() -> Vec<(Graph, Flow)> {
                 along = x[0] * x[3] + x[1] * x[4] + x[2] * x[5],
                 spin = x[2],
             )),
-            quote!(fn f(x: [f64; 6], l: f64) -> [f64; 6] {
-                let [m0, m1, m2, g0, g1, g2] = x;
-                let [u, v, w] = [m0 / 2.0, m1 / 2.0, m2];
-                [
-                    m1 * w - m2 * v + g1 * l,
-                    m2 * u - m0 * w - g0 * l,
-                    m0 * v - m1 * u,
-                    g1 * w - g2 * v,
-                    g2 * u - g0 * w,
-                    g0 * v - g1 * u,
-                ]
-            }),
+            quote!(
+                fn f(x: [f64; 6], l: f64) -> [f64; 6] {
+                    let [m0, m1, m2, g0, g1, g2] = x;
+                    let [u, v, w] = [m0 / 2.0, m1 / 2.0, m2];
+                    [
+                        m1 * w - m2 * v + g1 * l,
+                        m2 * u - m0 * w - g0 * l,
+                        m0 * v - m1 * u,
+                        g1 * w - g2 * v,
+                        g2 * u - g0 * w,
+                        g0 * v - g1 * u,
+                    ]
+                }
+            ),
         ),
         (
             // An oscillator that is not autonomous: (x, y) turns with a frequency that rises.
@@ -83,22 +89,26 @@ fn fields() -> Vec<(Graph, Flow)> {
                 radius = x[0] * x[0] + x[1] * x[1],
                 begun = x[0] * (w * t * t).cos() - x[1] * (w * t * t).sin(),
             )),
-            quote!(fn f(x: [f64; 3], t: f64, w: f64) -> [f64; 3] {
-                [2.0 * w * t * x[1], -2.0 * w * t * x[0], x[0] * x[2]]
-            }),
+            quote!(
+                fn f(x: [f64; 3], t: f64, w: f64) -> [f64; 3] {
+                    [2.0 * w * t * x[1], -2.0 * w * t * x[0], x[0] * x[2]]
+                }
+            ),
         ),
         (
             quote!(keeps(
                 half_square = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0,
                 but = [a * (f - x[0]), g - x[1], -x[2]],
             )),
-            quote!(fn h(x: [f64; 3], a: f64, b: f64, f: f64, g: f64) -> [f64; 3] {
-                [
-                    -x[1] * x[1] - x[2] * x[2] + a * (f - x[0]),
-                    x[0] * x[1] - b * x[0] * x[2] + g - x[1],
-                    b * x[0] * x[1] + x[0] * x[2] - x[2],
-                ]
-            }),
+            quote!(
+                fn h(x: [f64; 3], a: f64, b: f64, f: f64, g: f64) -> [f64; 3] {
+                    [
+                        -x[1] * x[1] - x[2] * x[2] + a * (f - x[0]),
+                        x[0] * x[1] - b * x[0] * x[2] + g - x[1],
+                        b * x[0] * x[1] + x[0] * x[2] - x[2],
+                    ]
+                }
+            ),
         ),
     ];
     all.iter().map(|(args, item)| field(args, item)).collect()
@@ -230,7 +240,11 @@ fn messages(args: TokenStream, item: TokenStream) -> String {
 #[test]
 fn a_wrong_integral_is_refused_with_what_remains() {
     let top = |keeps: TokenStream| {
-        let item = quote!(fn f(x: [f64; 3], a: f64) -> [f64; 3] { [a * x[1] * x[2], -x[0] * x[2], 0.0] });
+        let item = quote!(
+            fn f(x: [f64; 3], a: f64) -> [f64; 3] {
+                [a * x[1] * x[2], -x[0] * x[2], 0.0]
+            }
+        );
         messages(quote!(keeps(#keeps)), item)
     };
     assert_eq!(top(quote!(energy = x[0] * x[0] + a * x[1] * x[1])), "");

@@ -48,8 +48,8 @@ use crate::method::splitting::{PositionVerlet, StormerVerlet, SymplecticEuler, S
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace, Pieces,
-    QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
+    PhaseSpace, Pieces, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -102,7 +102,9 @@ pub fn discrete_gradient<S: DiscreteField<R>, R: Real>(visitor: &mut impl Visito
 }
 
 /// Methods that keep the energy of what nothing damps.
-pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(
+    visitor: &mut impl Visitor<S, R>,
+) {
     show!(visitor: Gonzalez, ItohAbe, ItohAbeAdjoint, SymmetrisedItohAbe, ItohAbePair, CoordinateIncrement::default());
     show!(visitor: MeanValue::<1>, MeanValue::<2>, MeanValue::<3>, MeanValue::<4>, MeanValue::<5>, MeanValue::<6>);
     show!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez));

@@ -8,7 +8,7 @@ use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, PhaseSpace, StateOf, VectorField, singular_time};
+use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf, VectorField, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -257,6 +257,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     pub fn energy(&self) -> R {
         let s = if C::ACTION { self.x.s } else { S::Action::unknown() };
         self.system.hamiltonian(self.time(), &self.x.z, &s)
+    }
+
+    /// The first integrals now, in the order in which they were named.
+    pub fn integrals(&self) -> S::Values
+    where
+        S: FirstIntegrals<R>,
+    {
+        self.system.integrals(self.time(), &self.x.z)
     }
 
     /// The number of steps taken.

@@ -79,7 +79,7 @@ impl<A: Array> Tolerance<A> {
     fn cause(&mut self, x: &A, time: f64, field: impl Fn(&A) -> A) {
         let (here, mut sizes) = (field(x), *x);
         // Each round reaches the next neighbours, and raises what was not raised before.
-        for _ in 0..2 * A::LEN {
+        for _ in 0..A::LEN {
             let mut next = sizes;
             // With equal and with alternating signs: errors of neighbours may cancel.
             for alternate in [1.0, -1.0] {
@@ -113,9 +113,9 @@ impl<A: Array> Tolerance<A> {
     /// of magnitude of what it becomes is right.
     pub(crate) fn error(&self, step: &Judged<'_, A>, field: impl Fn(&A) -> A) -> f64 {
         let entry = |x: &A, i: usize| x.as_slice()[i].magnitude();
-        let moving = (0..2 * A::LEN).all(|i| self.sizes.of(i) > 0.0);
+        let moving = (0..A::LEN).all(|i| self.sizes.of(i) > 0.0);
         let rates = if moving { A::zero() } else { field(step.before) };
-        largest((0..2 * A::LEN).map(|i| {
+        largest((0..A::LEN).map(|i| {
             let gap = entry(step.gap, i);
             if gap == 0.0 || (self.sizes.of(i) == 0.0 && entry(&rates, i) == 0.0) {
                 return 0.0;

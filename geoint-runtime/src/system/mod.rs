@@ -5,12 +5,14 @@
 
 mod contact;
 mod implicit;
+mod integrals;
 mod modified;
 mod poles;
 mod separable;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
+pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
 mod jumps;
@@ -125,6 +127,8 @@ pub trait Hamiltonian<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
+    /// Whether H does not depend on time.
+    const AUTONOMOUS: bool = false;
     /// [∂H/∂q, ∂H/∂p] at a point.
     fn gradient(&self, t: R, z: &Self::Phase, slopes: &mut Self::Phase);
 }
@@ -145,7 +149,7 @@ pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase
     label = "this method keeps the energy, and must not be used where damping takes it away",
     note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
 )]
-pub trait Conservative<R: Real = f64>: Hamiltonian<R> {
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

@@ -11,12 +11,7 @@ use crate::split::Clock;
 use std::fmt::{Result as Written, Write};
 
 /// The report.
-pub(crate) fn contact(
-    context: &Context<'_>,
-    graph: &Graph,
-    energy: (Id, &Gradient),
-    system: &System<Plan>,
-) -> String {
+pub(crate) fn contact(context: &Context<'_>, graph: &Graph, energy: (Id, &Gradient), system: &System<Plan>) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.

@@ -142,7 +142,9 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
     let solver = match n {
         1 => "Newton's iteration for one number".into(),
         2..=MOST_UNKNOWNS => "Newton's iteration with elimination".to_string(),
-        _ => format!("the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"),
+        _ => format!(
+            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
+        ),
     };
     writeln!(text, "- unknowns {n}: {solver}")?;
     if flow.kept.is_empty() {

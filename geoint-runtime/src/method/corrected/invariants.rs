@@ -3,7 +3,7 @@
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
-use crate::system::{Autonomous, DiscreteField};
+use crate::system::{Autonomous, DiscreteField, FirstIntegrals};
 
 /// One or more functions of the coordinates that the flow of `S` keeps.
 ///
@@ -68,6 +68,28 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
 }
 
 /// A type that is known where those of all are.
+/// All first integrals that a system was proven to keep.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Integrals;
+
+impl<S: FirstIntegrals<R>, R: Real> Invariants<S, R> for Integrals
+where
+    <S as FirstIntegrals<R>>::Proof: And<S::Values, Both = S::Values>,
+{
+    type Values = S::Values;
+    const KEEP_ENERGY: bool = true;
+
+    #[inline]
+    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> S::Values {
+        system.changes(zero(), x, d)
+    }
+
+    #[inline]
+    fn gradients(&self, system: &S, x: &S::Phase) -> <S::Values as Array>::Map<S::Phase> {
+        system.slopes(zero(), x)
+    }
+}
+
 macro_rules! known {
     ($last:ty;) => { $last };
     ($last:ty; $I:ident $($rest:ident)*) => { <$I::Values as And<known!($last; $($rest)*)>>::Both };

@@ -30,6 +30,6 @@ pub mod invariants;
 pub mod projection;
 pub mod relaxation;
 
-pub use invariants::{Energy, Invariants};
+pub use invariants::{Energy, Integrals, Invariants};
 pub use projection::Projection;
 pub use relaxation::Relaxation;

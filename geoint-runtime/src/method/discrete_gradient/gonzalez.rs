@@ -63,7 +63,7 @@ impl MeanGradient for Gonzalez {
 }
 
 /// The diagonal of W.
-fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
+pub(super) fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
     let n = A::LEN;
     let (change, g) = (scaled(h, &turned(&middle.g)), middle.g);
     let (change, g, rows) = (Array::as_slice(&change), Array::as_slice(&g), middle.derivative.rows());

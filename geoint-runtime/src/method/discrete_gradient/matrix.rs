@@ -20,6 +20,12 @@ impl<A: Array> Matrix<A> {
         <[A; 2]>::entries::<[A; 2]>(&mut self.0)
     }
 
+    /// The rows, to be read.
+    #[inline(always)]
+    pub(super) fn rows_of(&self) -> &[[A; 2]] {
+        <[A; 2]>::entries_of::<[A; 2]>(&self.0)
+    }
+
     /// The product with a vector.
     #[inline(always)]
     pub(super) fn times(&mut self, x: &[A; 2]) -> [A; 2] {

@@ -44,6 +44,13 @@ pub trait MeanGradient: Copy {
     ) -> Result<Slope<S::Array>, Refusal>;
 }
 
+/// A symmetric mean for which a modified structure matrix is needed to have order 4. The tree discrete gradient is projected instead.
+pub trait Corrected: MeanGradient + SymmetricMap {}
+
+impl Corrected for Gonzalez {}
+impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
+impl Corrected for SymmetrisedItohAbe {}
+
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
 pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
@@ -159,5 +166,5 @@ methods! { S,
     [] Gonzalez: 2, true, true;
     [] CoordinateIncrement: 1, false, true;
     [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_exact::<S, R>();
-    [G: MeanGradient + SymmetricMap] FourthOrder<G>: 4, true, G::is_exact::<S, R>();
+    [G: Corrected] FourthOrder<G>: 4, true, G::is_exact::<S, R>();
 }

@@ -22,6 +22,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+#[doc(hidden)]
+pub mod canonical;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;
@@ -30,6 +32,7 @@ mod itoh_abe;
 mod matrix;
 mod mean;
 mod mean_value;
+mod projected;
 mod tree;
 
 pub use coordinate_increment::CoordinateIncrement;

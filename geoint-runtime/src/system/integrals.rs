@@ -1,0 +1,59 @@
+//! What a flow keeps, and the mean velocities that keep it to order 4.
+
+use super::VectorField;
+use crate::scalar::Real;
+use crate::space::{Array, Square};
+
+/// A field with first integrals: functions I(z) with f·∇I = 0.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to keep anything",
+    label = "this method keeps first integrals, and none was named",
+    note = "name what the flow keeps: `#[vector_field(keeps(name = expression))]`"
+)]
+pub trait FirstIntegrals<R: Real = f64>: VectorField<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// One scalar an integral.
+    type Values: Array<Real = R>;
+    /// What they are called.
+    const NAMES: &'static [&'static str];
+    /// Their values.
+    fn integrals(&self, t: R, z: &Self::Phase) -> Self::Values;
+    /// Their gradients.
+    fn slopes(&self, t: R, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
+    /// What they change by from z to z + dz, by divided differences: without cancellation.
+    fn changes(&self, t: R, z: &Self::Phase, dz: &Self::Phase) -> Self::Values;
+}
+
+/// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the
+/// integrals are the columns of G, and F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
+///
+/// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule: the projection leaves it alone, so that
+/// the step has the order of F, whatever the integrals are.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to keep anything",
+    label = "`FourthOrder(DiscreteGradient)` keeps an energy, or first integrals",
+    note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`"
+)]
+pub trait FourthOrderField<R: Real = f64>: VectorField<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What depends on parameters and h.
+    type FourthParameters: Clone + core::fmt::Debug;
+    /// What depends on the start of a step.
+    type FourthStart;
+
+    /// What depends on parameters and h.
+    fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
+    /// What all evaluations of a step from `z` have in common; `t` is the time of its middle.
+    fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &Self::Phase) -> Self::FourthStart;
+    /// h times the mean velocity, and 1 − ∂(that)/∂d.
+    fn fourth_slope(
+        &self,
+        parameters: &Self::FourthParameters,
+        start: &Self::FourthStart,
+        d: &Self::Phase,
+        image: &mut Self::Phase,
+        matrix: &mut Square<Self::Phase>,
+    );
+}
