@@ -27,7 +27,8 @@ fn joint_rim(q: f64, p: f64, m: f64) -> f64 {
 struct BadSteps;
 
 impl Visitor<Pendulum, f64> for BadSteps {
-    fn visit<M: Method<Pendulum, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<Pendulum, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let mut sim = Pendulum::system::<f64>().integrator(method, 0.01, Pendulum::initial(0.2));
         sim.advance(5).unwrap();
         let good = sim.state();
