@@ -145,9 +145,7 @@ pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, vecto
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
-pub use method::contact::{
-    ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, PieceComposition,
-};
+pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
@@ -161,6 +159,8 @@ pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
 pub use method::gauss::{Gauss, ImplicitMidpoint};
 #[doc(inline)]
 pub use method::kahan::Kahan;
+#[doc(inline)]
+pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
 #[doc(inline)]
 pub use method::splitting::{
     Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
@@ -188,7 +188,7 @@ pub mod prelude {
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue,
-        Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
         SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
         hamiltonian, vector_field,
     };

@@ -10,6 +10,7 @@ mod implicit;
 mod canonical;
 mod contact;
 mod flow;
+mod parts;
 pub(crate) mod proof;
 
 pub(crate) use canonical::canonical;
@@ -17,8 +18,10 @@ pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
+pub(crate) use parts::parts;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
+    StepKernel,
     System, Undamped,
 };

@@ -2,6 +2,7 @@
 
 mod canonical;
 mod contact;
+mod pieces;
 mod flow;
 
 use crate::schedule::Operations;
