@@ -23,9 +23,9 @@ struct Group {
 }
 
 impl Group {
-    /// What a step goes through first: more coordinates that stand still, then those of smaller index; last what moves what it reads.
-    fn rank(&self) -> (bool, Reverse<usize>, BTreeSet<u32>) {
-        (!self.involutive, Reverse(self.reads.len()), self.reads.clone())
+    /// What a step goes through first: more coordinates that stand still; last what moves what it reads.
+    fn rank(&self) -> (bool, Reverse<usize>) {
+        (!self.involutive, Reverse(if self.involutive { self.reads.len() } else { 0 }))
     }
 }
 
@@ -47,7 +47,7 @@ pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Res
             },
         }
     }
-    groups.sort_by_key(Group::rank);
+    groups.sort_by(|a, b| a.rank().cmp(&b.rank()).then_with(|| a.reads.cmp(&b.reads)));
     let mut merged: Vec<Group> = vec![];
     for group in groups {
         let all = merged.len();
@@ -57,6 +57,7 @@ pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Res
             None => merged.push(group),
         }
     }
+    merged.sort_by_key(Group::rank);
     let part = |graph: &mut Graph, Group { energy, ends: (ends, rules), .. }: Group| {
         let rates = system.rates(graph, energy);
         Part { formula: energy, rules, clock: clock(graph, &rates), motion: Motion::Closed(ends) }
