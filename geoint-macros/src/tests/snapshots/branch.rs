@@ -68,9 +68,9 @@ const _: () = {
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
         DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
         Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        PerCoordinate, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;

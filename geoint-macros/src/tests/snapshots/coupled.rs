@@ -65,9 +65,9 @@ const _: () = {
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
         DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
         Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        PerCoordinate, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -153,6 +153,7 @@ const _: () = {
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Proof = ();
+        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 2]; 2], slopes: &mut [[R; 2]; 2]) {
             let [q, p] = z;

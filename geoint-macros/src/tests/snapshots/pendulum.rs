@@ -78,9 +78,9 @@ const _: () = {
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
         DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
         Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        PerCoordinate, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -180,6 +180,7 @@ const _: () = {
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();
+        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
             let [q, p] = z;
