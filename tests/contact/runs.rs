@@ -51,7 +51,7 @@ fn adapted<S, M>(
     duration: f64,
 ) -> (f64, u64)
 where
-    S: PhaseSpace<Action = f64> + Rates,
+    S: Contact,
     M: Method<S>,
 {
     let mut sim = Adaptive::new(system, method, tolerance, state::<S::Coordinates>(t, x));
@@ -143,7 +143,7 @@ fn a_lift_adapts() {
 /// q', p' and s' follow from the gradient.
 #[test]
 fn rates_are_those_of_the_equation() {
-    fn check<S: Contact + PhaseSpace<Action = f64> + Rates>(system: S, t: f64, x: &[f64]) {
+    fn check<S: Contact>(system: S, t: f64, x: &[f64]) {
         let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
         let rates = system.rates(t, &PerCoordinate { z: [q.into_array(), p.into_array()], s });
         let rates = [rates.z[0].as_slice(), rates.z[1].as_slice(), &[rates.s]].concat();
