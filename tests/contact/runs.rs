@@ -84,7 +84,8 @@ fn steps_adapt_to_a_tolerance() {
         all.push(adapted(own, double, BlanesMoan6X, tolerance, (0.2, &[0.6, 0.4, 0.3]), 3.0));
         for (i, (error, steps)) in all.iter().enumerate() {
             println!("{i}: tolerance {tolerance:.0e}, {steps} steps: {error:.1e}");
-            assert!(*error <= 4.0 * tolerance, "{i}: {error:.1e} of {tolerance:.0e}");
+            // A step may have the tolerance for error; over all steps errors add up.
+            assert!(*error <= (1.0 + 0.1 * *steps as f64) * tolerance, "{i}: {error:.1e} of {tolerance:.0e}");
         }
         all
     });
