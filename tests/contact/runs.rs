@@ -51,7 +51,7 @@ fn adapted<S, M>(
     duration: f64,
 ) -> (f64, u64)
 where
-    S: PhaseSpace<Action = f64> + Rates,
+    S: Contact + Rates,
     M: Method<S>,
 {
     let mut sim = Adaptive::new(system, method, tolerance, state::<S::Coordinates>(t, x));

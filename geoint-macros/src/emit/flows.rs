@@ -74,7 +74,7 @@ fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (T
     let (slots, prepare, body) =
         (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
-        Form::Hamiltonian => quote!(_: &mut ()),
+        Form::Hamiltonian | Form::Structured | Form::Field => quote!(_: &mut ()),
         Form::Contact => quote!(s: &mut R),
     };
     let prepare = quote! {

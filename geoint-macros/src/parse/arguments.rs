@@ -28,7 +28,7 @@ pub(super) fn arguments(
         let name = &pattern.ident;
         attributes_of_argument(&typed.attrs, errors);
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
-        let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
+        let by_name = defaults(form).iter().find(|(_, default, _)| is_called(name, default));
         if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
             errors.at(name, ACTION);
             continue;
@@ -94,7 +94,7 @@ pub(super) fn arguments(
             errors.at(name, message);
         } else if !exists(item, name) {
             errors.at(name, format!("the function has no argument `{name}`"));
-        } else if let Some((_, letter, what)) = DEFAULTS.iter().find(|(r, letter, _)| {
+        } else if let Some((_, letter, what)) = defaults(form).iter().find(|(r, letter, _)| {
             // The name says one thing and the attribute another.
             r != role && name == letter && renamed(*r).is_none()
         }) {
@@ -142,13 +142,21 @@ fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
     }
 }
 
-/// Who an argument is by its name alone.
-const DEFAULTS: [(Role, &str, &str); 4] = [
+/// Who an argument is by its name alone, its name, and what that is.
+type Default = (Role, &'static str, &'static str);
+
+fn defaults(form: Form) -> &'static [Default] {
+    if form.is_flow() { &OF_FLOWS } else { &OF_ENERGIES }
+}
+
+const OF_ENERGIES: [Default; 4] = [
     (Role::Position, "q", "the positions"),
     (Role::Momentum, "p", "the momenta"),
     (Role::Action, "s", "the action"),
     (Role::Time, "t", "time"),
 ];
+
+const OF_FLOWS: [Default; 2] = [(Role::Position, "x", "the coordinates"), (Role::Time, "t", "time")];
 
 const ACTION: &str = "`s` is the action of a contact system: for a system that dissipates by it use `#[contact_hamiltonian]`; a \
                       parameter needs another name";
@@ -172,6 +180,16 @@ fn is_velocity(name: &Ident) -> bool {
     let name = name.trim_start_matches('_');
     ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
 }
+
+const FIELD_COORDINATES: &str = "the coordinates are missing: call an argument `x`, or name one with `x = …`; an energy H(q, p) goes under \
+                                 `#[hamiltonian]`";
+
+const STRUCTURED_COORDINATES: &str = "with `structure` the coordinates are one argument: call it `x`, or name one with `x = …`; an energy of \
+                                      positions `q` and momenta `p` goes without `structure`";
+
+const WITHOUT_STRUCTURE: &str = "an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H, `structure = so3` (also `se3`, \
+                                 `canonical`, `nambu(C)`, `|i, j| …` for i < j, or an array of arrays); positions and momenta are \
+                                 called `q` and `p`";
 
 const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
 
@@ -204,6 +222,22 @@ pub(super) fn coordinates(
         }
         found
     };
+    if form.is_flow() {
+        return find(Role::Position, "x", &|errors| {
+            let message = match form {
+                Form::Field => FIELD_COORDINATES,
+                _ => STRUCTURED_COORDINATES,
+            };
+            errors.at(&item.sig.ident, message);
+        });
+    }
+    let unstructured = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
+    if let (Form::Hamiltonian, None, Some(x)) =
+        (form, arguments.iter().find(|(role, _)| [Role::Position, Role::Momentum].contains(role)), unstructured())
+    {
+        errors.at(x, WITHOUT_STRUCTURE);
+        return None;
+    }
     let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
     let p = find(Role::Momentum, "p", &|errors| {
         let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));

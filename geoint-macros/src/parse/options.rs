@@ -1,5 +1,6 @@
 //! The arguments of the attribute.
 
+use super::flow::{self, Kept, StructureForm};
 use super::outside::Outside;
 use super::{Form, Role};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
@@ -16,6 +17,8 @@ pub(super) struct Options {
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
+    pub(super) structure: Option<StructureForm>,
+    pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
     pub(super) lift: Option<Span>,
     pub(super) outside: Outside,
@@ -23,11 +26,14 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `structure = S` with `x = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
                        `t = argument`, `split = \"terms | terms\"`, `lift`, `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
+
+const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = argument`, `t = argument`, `keeps(integral = …, but = […])`, \
+                     `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -46,7 +52,8 @@ impl Options {
                 return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
             }
             given.push(key.clone());
-            let (energy, contact) = (form.is_some(), form == Some(Form::Contact));
+            let (system, contact, field) = (form.is_some(), form == Some(Form::Contact), form == Some(Form::Field));
+            let energy = system && !field;
             match key.to_string().as_str() {
                 "with" => options.with = super::function::with(input)?,
                 "require" if energy && !contact => {
@@ -86,12 +93,21 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                name @ ("name" | "q" | "p" | "s" | "t") if energy && (contact || name != "s") => {
+                "structure" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    options.structure = Some(StructureForm::new(input.parse()?));
+                }
+                "structure" if field => {
+                    let message = "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`";
+                    return Err(syn::Error::new_spanned(key, message));
+                }
+                "keeps" if field => options.keeps = flow::keeps(input)?,
+                name @ ("name" | "q" | "p" | "s" | "t" | "x") if system && takes(form, name) => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
                         "name" => options.name = Some(value),
-                        "q" => options.roles.push((Role::Position, value)),
+                        "q" | "x" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
                         "s" => options.roles.push((Role::Action, value)),
                         _ => options.roles.push((Role::Time, value)),
@@ -99,8 +115,9 @@ impl Options {
                 }
                 _ => {
                     let message = match form {
-                        Some(Form::Hamiltonian) => HAMILTONIAN,
+                        Some(Form::Hamiltonian | Form::Structured) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
+                        Some(Form::Field) => FIELD,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));
@@ -110,7 +127,29 @@ impl Options {
                 input.parse::<Token![,]>()?;
             }
         }
-        Ok(options)
+        options.consistent()
+    }
+
+    /// With a structure there are neither momenta nor a kinetic part.
+    fn consistent(self) -> syn::Result<Self> {
+        if self.structure.is_none() {
+            return Ok(self);
+        }
+        let momenta = self.roles.iter().find(|(role, _)| *role == Role::Momentum).map(|(_, name)| name.span());
+        match momenta.or_else(|| self.requirements.first().map(|(_, span)| *span)) {
+            Some(span) => Err(syn::Error::new(span, "with `structure` there are no momenta: the state is `x` alone")),
+            None => Ok(self),
+        }
+    }
+}
+
+/// Whether an attribute has a name for the struct or for an argument.
+fn takes(form: Option<Form>, name: &str) -> bool {
+    match name {
+        "q" | "p" => form != Some(Form::Field),
+        "s" => form == Some(Form::Contact),
+        "x" => form != Some(Form::Contact),
+        _ => true,
     }
 }
 

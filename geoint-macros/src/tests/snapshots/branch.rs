@@ -65,12 +65,12 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-        Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        ContactState, ContactSystem, CotangentSpace, Cubic, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Hamiltonian, ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -203,10 +203,6 @@ const _: () = {
             values(index, &[], t, z, s)
         }
     }
-    impl<R: Real> CotangentSpace<R> for Spring {
-        type Coordinates = R;
-        type Array = [R; 1];
-    }
     impl<R: Real> DifferentialEquation<R> for Spring {
         type Proof = ();
         #[inline(always)]
@@ -214,6 +210,10 @@ const _: () = {
             let [q, p] = z;
             canonical_rate(self, t, z, slopes);
         }
+    }
+    impl<R: Real> CotangentSpace<R> for Spring {
+        type Coordinates = R;
+        type Array = [R; 1];
     }
     impl<R: Real> Hamiltonian<R> for Spring {
         type Proof = ();

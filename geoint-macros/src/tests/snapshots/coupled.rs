@@ -62,12 +62,12 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
-        ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-        Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        ContactState, ContactSystem, CotangentSpace, Cubic, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Hamiltonian, ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, canonical_rate, is_positive_semidefinite,
+        modified_verlet, gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -139,10 +139,6 @@ const _: () = {
             ::core::option::Option::None
         }
     }
-    impl<R: Real> CotangentSpace<R> for Coupled {
-        type Coordinates = [R; 2];
-        type Array = [R; 2];
-    }
     impl<R: Real> DifferentialEquation<R> for Coupled {
         type Proof = ();
         #[inline(always)]
@@ -150,6 +146,10 @@ const _: () = {
             let [q, p] = z;
             canonical_rate(self, t, z, slopes);
         }
+    }
+    impl<R: Real> CotangentSpace<R> for Coupled {
+        type Coordinates = [R; 2];
+        type Array = [R; 2];
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Proof = ();
