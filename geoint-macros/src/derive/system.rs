@@ -4,7 +4,7 @@ use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{Clock, Family};
+use crate::split::{self, Clock, Family};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -15,7 +15,7 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) value: Option<K>,
     /// ∇H; nothing where the state is not moved by H in q and p.
     pub(crate) slopes: Option<K>,
-    /// q' and p', where they are not those of H alone; x'.
+    /// q', p' and s', where they are not those of H alone; x'.
     pub(crate) rate: Option<K>,
     /// Kick and drift; of energies in q and p.
     pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
@@ -40,7 +40,7 @@ pub(crate) struct Missing {
     pub(crate) why: &'static str,
 }
 
-/// The end of a flow: what it changes, in order, and the values.
+/// The end of a flow: what it changes, in order, and the values; of flows that do not only add, with what they add as a second routine.
 #[derive(Clone, Debug)]
 pub(crate) struct FlowKernel<K = Kernel> {
     pub(crate) changes: Vec<Symbol>,
@@ -152,6 +152,14 @@ impl FlowKernel {
     pub(super) fn new(levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
         let (changes, roots) = ends.into_iter().unzip();
         FlowKernel { changes, kernel: Kernel::new(levels, roots) }
+    }
+
+    /// The same with what it adds, as a second routine.
+    pub(super) fn with_increments(graph: &mut Graph, levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
+        let increments = split::increments(graph, &ends);
+        let mut flow = FlowKernel::new(levels, ends);
+        flow.kernel.routines.push(increments);
+        flow
     }
 }
 

@@ -45,21 +45,6 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>, report: &st
     let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let state = state(*form);
-    let adaptive = (*form != Form::Contact).then(|| {
-        quote! {
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: #state<#coordinates>,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
-                Adaptive::new(self, method, tolerance, state)
-            }
-        }
-    });
     let energy = system.value.is_some() || *form == Form::Contact;
     let energy = energy.then(|| {
         quote! {
@@ -91,7 +76,17 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>, report: &st
                 Integrator::new(self, method, h, state)
             }
 
-            #adaptive
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: #state<#coordinates>,
+            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
+                Adaptive::new(self, method, tolerance, state)
+            }
         }
     }
 }
@@ -179,6 +174,16 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
             const AUTONOMOUS: bool = true;
         )
     });
+    let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
+        let body = context.values(rate, |values| halves(context, &values));
+        quote! {
+            #[inline]
+            fn rate(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                #parts
+                #body
+            }
+        }
+    });
     let slopes = context.values(slopes, |values| halves(context, &values));
     quote! {
         impl<R: Real> CotangentSpace<R> for #name {
@@ -193,6 +198,7 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
                 #parts
                 #slopes
             }
+            #rate
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Cotangent;
 use crate::scalar::Real;
+use crate::space::PerCoordinate;
 
 /// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
 /// quadratic, and T and V + g·s where it is not.
@@ -30,6 +31,31 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+
+    /// What a kick from `x` adds, for sums that compensate. A kick that does nothing but add is given zeros to add to.
+    #[inline(always)]
+    fn kick_increments(
+        &self,
+        kick: &Self::Kick,
+        t: R,
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
+        d
+    }
+    /// What a drift from `x` adds, in the same way.
+    #[inline(always)]
+    fn drift_increments(
+        &self,
+        drift: &Self::Drift,
+        t: R,
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.drift(drift, t, &mut d.z[0], &mut x.z[1].clone(), &mut d.s);
+        d
+    }
 }
 
 /// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.

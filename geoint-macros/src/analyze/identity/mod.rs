@@ -3,8 +3,19 @@
 //! It is multiplied out; what is too long for that, or rests on relations between functions, is evaluated at points of a finite field.
 //! "Zero" is proven by one of the two: it holds wherever the node is defined, and the answer says by which. What is not proven is
 //! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
+//!
+//! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
+#![cfg_attr(
+    not(test),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "claims, search and liouville are for the attributes of fields, which come next"
+    )
+)]
 
 pub(crate) mod claims;
+pub(crate) mod liouville;
 mod multiplied;
 mod residues;
 mod rounding;
@@ -22,7 +33,7 @@ pub(crate) enum Identity {
     /// It is zero wherever it is defined.
     Zero(Proof),
     /// It is not zero.
-    Wrong(Wrong),
+    Wrong(Box<Wrong>),
     /// It was not proven, and no state was met at which it is certainly not zero.
     Open(Open),
 }
@@ -129,7 +140,7 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
     let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols)).flatten();
     match witness.or_else(|| witness::near_witness(graph, terms, &symbols)).or(drawn) {
-        Some(witness) => Identity::Wrong(Wrong { rest, witness, branch }),
+        Some(witness) => Identity::Wrong(Box::new(Wrong { rest, witness, branch })),
         None => Identity::Open(Open { rest, why }),
     }
 }

@@ -10,8 +10,8 @@ mod normal;
 mod powers;
 
 use super::Remainder;
-use crate::ir::{Graph, Id};
-use atoms::{Atoms, Kind};
+use crate::ir::{Graph, Id, Ratio};
+use atoms::{Atoms, Formula, Kind};
 use condition::Assumptions;
 use expand::{Expansion, Stop};
 pub(super) use normal::{Atom, Normal, Powers, multiplied as product_of_powers};
@@ -44,6 +44,16 @@ impl Sums {
     /// The atom that a symbol is.
     pub(super) fn symbol(&mut self, id: Id) -> Atom {
         self.atoms.of(Kind::Symbol(id))
+    }
+
+    /// The terms of one of the sums, as nodes.
+    pub(super) fn terms(&self, graph: &mut Graph, sum: usize) -> Vec<Id> {
+        let term = |(powers, coefficient): (&Powers, Ratio)| Formula {
+            atoms: self.atoms.clone(),
+            normal: Normal::term(powers.clone(), coefficient),
+        };
+        let terms: Vec<Formula> = self.sums[sum].terms().map(term).collect();
+        terms.into_iter().map(|term| term.build(graph)).collect()
     }
 
     /// The symbol that an atom is, if it is one.

@@ -3,20 +3,52 @@
 
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio};
 
-/// coefficient·Π factors.
+/// coefficient·scale·Π factors.
 #[derive(Clone, Debug)]
 pub(super) struct Term {
     pub(super) coefficient: Ratio,
+    /// Not 1 if the coefficient would have a long denominator, as 2π has.
+    pub(super) scale: Ratio,
     pub(super) factors: Vec<Id>,
+}
+
+impl Term {
+    fn new(coefficient: Ratio, factors: Vec<Id>) -> Term {
+        Term { coefficient, scale: Ratio::ONE, factors }
+    }
+
+    /// The coefficient, if it is an integer and all that is before the factors.
+    pub(super) fn whole(&self) -> Option<i64> {
+        self.coefficient.to_integer().filter(|_| self.scale == Ratio::ONE)
+    }
+
+    /// With a scale between 1 and 2 for the coefficient, and what power of two is left of it.
+    fn scaled(self) -> Option<Term> {
+        let (mut scale, mut coefficient) = (self.coefficient, Ratio::ONE);
+        if scale < Ratio::ZERO {
+            (scale, coefficient) = (scale.neg(), coefficient.neg());
+        }
+        for _ in 0..SHIFTS {
+            if scale < Ratio::ONE {
+                (scale, coefficient) = (scale.mul(Ratio::integer(2))?, coefficient.mul(Ratio::HALF)?);
+            } else if scale >= Ratio::integer(2) {
+                (scale, coefficient) = (scale.mul(Ratio::HALF)?, coefficient.mul(Ratio::integer(2))?);
+            }
+        }
+        Some(Term { coefficient, scale, ..self })
+    }
 }
 
 /// A product of sums with more terms than this stays one factor.
 const MOST_TERMS: usize = 16;
 
+/// So many nodes of an argument are taken apart; shared ones would be again and again.
+const MOST_NODES: u32 = 100;
+
 /// The terms of a node; equal ones are one.
 fn terms(graph: &Graph, id: Id) -> Vec<Term> {
-    let mut merged: Vec<Term> = vec![];
-    for term in collect(graph, id) {
+    let (mut merged, mut nodes): (Vec<Term>, u32) = (vec![], MOST_NODES);
+    for term in collect(graph, id, &mut nodes) {
         match merged.iter_mut().find(|other| other.factors == term.factors) {
             Some(other) => match other.coefficient.add(term.coefficient) {
                 Some(sum) => other.coefficient = sum,
@@ -29,15 +61,17 @@ fn terms(graph: &Graph, id: Id) -> Vec<Term> {
     merged
 }
 
-fn collect(graph: &Graph, id: Id) -> Vec<Term> {
-    let whole = || vec![Term { coefficient: Ratio::ONE, factors: vec![id] }];
+fn collect(graph: &Graph, id: Id, nodes: &mut u32) -> Vec<Term> {
+    let whole = || vec![Term::new(Ratio::ONE, vec![id])];
+    let Some(left) = nodes.checked_sub(1) else { return whole() };
+    *nodes = left;
     match graph.node(id) {
-        Node::Number(Number::Exact(value)) => vec![Term { coefficient: *value, factors: vec![] }],
+        Node::Number(Number::Exact(value)) => vec![Term::new(*value, vec![])],
         Node::Linear(Number::Exact(constant), terms) => {
-            let mut all = vec![Term { coefficient: *constant, factors: vec![] }];
+            let mut all = vec![Term::new(*constant, vec![])];
             for (c, term) in terms {
                 let Number::Exact(c) = c else { return whole() };
-                for inner in collect(graph, *term) {
+                for inner in collect(graph, *term, nodes) {
                     let Some(coefficient) = inner.coefficient.mul(*c) else { return whole() };
                     all.push(Term { coefficient, ..inner });
                 }
@@ -45,9 +79,9 @@ fn collect(graph: &Graph, id: Id) -> Vec<Term> {
             all
         }
         Node::Product(ids) => {
-            let mut product = vec![Term { coefficient: Ratio::ONE, factors: vec![] }];
+            let mut product = vec![Term::new(Ratio::ONE, vec![])];
             for factor in ids {
-                let factor = collect(graph, *factor);
+                let factor = collect(graph, *factor, nodes);
                 if product.len() * factor.len() > MOST_TERMS {
                     return whole();
                 }
@@ -55,7 +89,7 @@ fn collect(graph: &Graph, id: Id) -> Vec<Term> {
                 let times = |(a, b): (&Term, &Term)| {
                     let mut factors = [&a.factors[..], &b.factors].concat();
                     factors.sort();
-                    Some(Term { coefficient: a.coefficient.mul(b.coefficient)?, factors })
+                    Some(Term::new(a.coefficient.mul(b.coefficient)?, factors))
                 };
                 let Some(next) = pairs.map(times).collect::<Option<Vec<Term>>>() else { return whole() };
                 product = next;
@@ -77,8 +111,11 @@ pub(super) struct Arguments {
     powers: HashMap<Id, i64>,
 }
 
-/// Larger denominators make degrees that prove nothing.
-const LARGEST: i64 = 1 << 30;
+/// Larger denominators make degrees that prove little.
+const LARGEST: i64 = 1 << 20;
+
+/// Scales are within so many powers of two.
+const SHIFTS: u32 = 16;
 
 /// A symbol is a power up to this one.
 const LARGEST_POWER: i64 = 720;
@@ -115,14 +152,21 @@ impl Arguments {
     }
 
     fn exponent(&mut self, graph: &Graph, argument: Id) -> Option<()> {
-        let terms = terms(graph, argument);
-        for term in &terms {
-            let denominator = i64::try_from(term.coefficient.denominator).ok()?;
-            let common = common_multiple(self.denominator, denominator)?;
-            self.denominator = Some(common).filter(|common| *common <= LARGEST)?;
+        let mut terms = terms(graph, argument);
+        for term in &mut terms {
+            if self.common(term.coefficient).is_none() {
+                *term = term.clone().scaled()?;
+            }
+            self.denominator = self.common(term.coefficient)?;
         }
         self.terms.insert(argument, terms);
         Some(())
+    }
+
+    /// The common denominator with one more coefficient, unless it is too large.
+    fn common(&self, coefficient: Ratio) -> Option<i64> {
+        let denominator = i64::try_from(coefficient.denominator).ok()?;
+        common_multiple(self.denominator, denominator).filter(|common| *common <= LARGEST)
     }
 
     pub(super) fn terms(&self, argument: Id) -> &[Term] {

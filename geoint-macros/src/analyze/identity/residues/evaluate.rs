@@ -143,8 +143,7 @@ impl<'a> Evaluation<'a> {
         if a == Ok(settles) || b == Ok(settles) {
             return Ok(Value::Truth(settles));
         }
-        (a?, b?);
-        Ok(Value::Truth(!settles))
+        a.and(b).map(|_| Value::Truth(!settles))
     }
 
     pub(super) fn constant(&self, value: Number) -> Result<Element, Halt> {

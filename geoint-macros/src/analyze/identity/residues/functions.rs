@@ -70,10 +70,11 @@ impl Evaluation<'_> {
 
     // ----------------------------------------------------------------------------------------------- exponentials
 
-    /// The product of the factors of a term.
+    /// The product of the factors of a term, and its scale.
     fn factors(&self, term: &Term) -> Result<Element, Halt> {
         let product = |product, id: &Id| Ok(self.prime.product(product, self.number(*id)?));
-        term.factors.iter().try_fold(Element::ONE, product)
+        let scale = self.constant(Number::Exact(term.scale))?;
+        term.factors.iter().try_fold(scale, product)
     }
 
     /// An unknown for each value, to the power of the coefficient; that of −u is the reciprocal of that of u.
@@ -91,7 +92,7 @@ impl Evaluation<'_> {
         let plan = self.plan;
         let mut product = Element::ONE;
         for term in plan.arguments.terms(argument) {
-            let factor = match (&term.factors[..], term.coefficient.to_integer()) {
+            let factor = match (&term.factors[..], term.whole()) {
                 ([], Some(n)) if function == Function::Exp2 => self.power(self.constant(Number::integer(2))?, n)?,
                 // e^(n ln x) = xⁿ.
                 ([ln], Some(n)) if function == Function::Exp && logarithm_of(plan.graph.node(*ln)).is_some() => {
@@ -135,7 +136,7 @@ impl Evaluation<'_> {
         let (plan, base) = (self.plan, self.number(x)?);
         let mut product = Element::ONE;
         for term in plan.arguments.terms(exponent) {
-            let factor = match (&term.factors[..], term.coefficient.to_integer()) {
+            let factor = match (&term.factors[..], term.whole()) {
                 ([], Some(n)) => self.power(base, n)?,
                 _ => self.factor(FUNCTION + Function::Powf as u64, &[base], term)?,
             };

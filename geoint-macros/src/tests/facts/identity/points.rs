@@ -86,6 +86,10 @@ fn relations_between_functions() {
         (3.0 * q).sin() - 3.0 * q.sin() + 4.0 * q.sin().powi(3), "points";
         (a * (q + p)).sin() - (a * q).sin() * (a * p).cos() - (a * q).cos() * (a * p).sin(), "points";
         (0.1 * q).cos().powi(2) - (1.0 + (0.2 * q).cos()) / 2.0, "points";
+        // Coefficients with long denominators.
+        (std::f64::consts::TAU * q).sin() - 2.0 * (std::f64::consts::PI * q).sin() * (std::f64::consts::PI * q).cos(), "points";
+        (std::f64::consts::PI * (q + p)).exp() - (std::f64::consts::PI * q).exp() * (p * std::f64::consts::PI).exp(), "zero";
+        (std::f64::consts::TAU * q).sin() - 2.0 * (std::f64::consts::PI * q).sin() * (std::f64::consts::E * q).cos(), "wrong";
         q.tan() - q.sin() / q.cos(), "zero";
         (2.0 * q).tan() * (1.0 - q.tan().powi(2)) - 2.0 * q.tan(), "points";
         q.tanh() - q.sinh() / q.cosh(), "zero";
