@@ -236,6 +236,8 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// constant is an error, which shows what remains of that. So is one that was not proven to be constant; `keeps(assume(name = I))`
 /// accepts it, and `REPORT` then says that it is assumed.
 ///
+/// What is kept under the name `energy` is the energy of runs as well: `sim.energy()`; of other fields that is not a number.
+///
 /// `keeps(name = I, but = b)` is for what a loss or a force b(x) changes alone: (f − b)·∇I = 0 is proven, and a step of
 /// `DiscreteGradient` changes I by h b(m)·∇̄I exactly, m the middle of the step.
 ///

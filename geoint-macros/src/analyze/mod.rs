@@ -22,7 +22,10 @@ use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};
-#[cfg_attr(not(test), allow(unused_imports, reason = "liouville is for fields that are Hamiltonian, which come next"))]
+#[cfg_attr(
+    not(test),
+    allow(unused_imports, reason = "liouville is for fields that are Hamiltonian, which come next")
+)]
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;

@@ -131,13 +131,17 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         let equation = implicit::image(graph, &field, h);
         Kernel::new(Levels::Iterated, equation)
     });
-    let values: Vec<Id> =
-        energy.iter().map(|(energy, _)| *energy).chain(conserved.iter().map(|kept| kept.value)).collect();
+    // Of a field, what it keeps under that name.
+    let named = kept.iter().find(|kept| kept.name == "energy").map(|kept| kept.conserved.value);
+    let value = energy.as_ref().map(|(energy, _)| *energy).or(named);
+    let mut values: Vec<Id> = value.into_iter().chain(conserved.iter().map(|kept| kept.value)).collect();
+    values.sort();
+    values.dedup();
     let all = [&field[..], &values].concat();
     let quadratic = analyze::is_polynomial(graph, field, 2);
     System {
         proven: if quadratic { vec!["QuadraticField"] } else { vec![] },
-        value: energy.as_ref().map(|(energy, _)| Kernel::new(Levels::One, vec![*energy])),
+        value: value.map(|value| Kernel::new(Levels::One, vec![value])),
         slopes: None,
         rate: Some(Kernel::new(Levels::One, field.clone())),
         splitting: None,

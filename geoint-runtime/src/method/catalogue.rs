@@ -49,8 +49,8 @@ use crate::method::splitting::{PositionVerlet, StormerVerlet, SymplecticEuler, S
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
-    PhaseSpace, Pieces, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace, Pieces,
+    QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.

@@ -57,5 +57,5 @@ pub fn recip_above<R: Real>(x: R, y: R) -> R {
     let rounding = 45.0 * R::epsilon();
     let bound = R::from_f64(rounding * rounding) * y + R::from_f64(R::smallest());
     let [value] = R::choose(x.less_equal(bound), || [R::from_f64(0.0)], || [R::from_f64(1.0) / x]);
-    value + (x - x)
+    value + R::from_f64(0.0) * x
 }

@@ -175,3 +175,124 @@ rows! {
         HenonHeiles => Second [3.159e-3, 7.921e-4, 1.982e-4], Fourth [3.890e-6, 2.439e-7, 1.525e-8];
     }
 }
+
+/// The state after a run from t = 0.
+fn end<S, M, const N: usize>(system: S, method: M, start: [f64; N], time: f64, steps: u64) -> FlowState<[f64; N]>
+where
+    S: PhaseSpace<State = FlowState<[f64; N]>>,
+    M: Method<S>,
+{
+    let mut sim = Integrator::new(system, method, time / steps as f64, FlowState::new(start));
+    sim.advance(steps).unwrap_or_else(|error| panic!("{error}"));
+    sim.state()
+}
+
+/// Methods that keep none of what is looked at, or not all of it.
+#[test]
+fn controls_fail() {
+    let moves = |name: &str, function: &dyn Fn(f64) -> f64, expected: f64| {
+        let change = (function(1.0) - function(0.0)).abs();
+        assert!((change / expected - 1.0).abs() < 0.05, "{name} moves by {change:.3e}, not {expected:.1e}");
+    };
+    /// A function at the start, or at the end.
+    macro_rules! along {
+        ($system:expr, $start:expr, $end:expr, $function:ident) => {{
+            let (system, ends) = ($system, [FlowState::new($start), $end]);
+            move |side: f64| system.$function(&ends[side as usize])
+        }};
+    }
+    let start = [1.0, 0.5];
+    let predators = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    let midpoint = end(predators, ImplicitMidpoint, start, 5.0, 50);
+    moves("midpoint, wealth", &along!(predators, start, midpoint, wealth), 5.6e-4);
+
+    let start = [0.3, -0.2, 2.0, VERTICAL[0], VERTICAL[1], VERTICAL[2]];
+    let top = LagrangeTop { a: 2.0, c: 1.0, l: 1.0 };
+    let runge_kutta = end(top, RK4, start, 5.0, 50);
+    moves("RK4, energy", &along!(top, start, runge_kutta, energy), 1.5e-5);
+    moves("RK4, length", &along!(top, start, runge_kutta, length), 1.8e-5);
+
+    let start = [1.0, 0.5, 0.8, 1.2, 0.6];
+    moves("Kahan, odd", &along!(VolterraField, start, end(VolterraField, Kahan, start, 3.0, 30), odd), 2.2e-3);
+    moves("S(m), odd", &along!(VolterraField, start, end(Volterra, DiscreteGradient, start, 3.0, 30), odd), 5.6e-4);
+
+    let start = [1.0, 0.5, 0.8];
+    moves("S(m), product", &along!(RingField, start, end(Ring, DiscreteGradient, start, 5.0, 50), product), 3.3e-6);
+
+    let start = [0.5, 0.1, -0.2, 0.3, 0.0, 0.4, 0.2, -0.1];
+    let sites = end(AblowitzLadik, DiscreteGradient, start, 2.0, 40);
+    moves("S(m), norm", &along!(AblowitzField, start, sites, norm), 1.0e-4);
+}
+
+/// What is found of a field or of a structure, without being listed.
+#[test]
+fn what_is_found_is_reported() {
+    let reports = |report: &str, line: &str| assert!(report.contains(line), "{line} is missing in\n{report}");
+    reports(HeavyTop::<f64>::REPORT, "a Casimir");
+    reports(HeavyTop::<f64>::REPORT, "a Poisson structure: Jacobi's identity holds");
+    reports(LorenzCore::<f64>::REPORT, "not a Poisson structure: in Jacobi's identity indices (0, 1, 2) leave");
+    reports(EulerTop::<f64>::REPORT, "kept, proven by multiplying out");
+    reports(KovalevskayaTop::REPORT, "kovalevskaya = ");
+    // Both Casimirs of a heavy top are kept by steps of order 4.
+    assert_eq!(<HeavyTop as FirstIntegrals>::NAMES.len(), 3);
+    assert_eq!(<Volterra as FirstIntegrals>::NAMES, ["energy"]);
+    // The sum of all species is linear.
+    reports(Volterra::REPORT, "constant as well, not listed");
+}
+
+/// A sleeping top, near it and at it: all four gradients depend on each other there.
+#[test]
+fn sleeping_tops_are_followed() {
+    let top = LagrangeTop { a: 2.0, c: 1.0, l: 1.0 };
+    for distance in [1e-3, 1e-5, 1e-7, 1e-9, 0.0] {
+        let start = FlowState::new([distance, 0.0, 4.0, 0.0, distance, 1.0]);
+        let before = top.integrals(0.0, &start.x);
+        let mut sim = top.integrator(FourthOrder(DiscreteGradient), 0.05, start);
+        for _ in 0..100 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let after = top.integrals(0.0, &sim.state().x);
+            for (a, b) in after.iter().zip(before) {
+                assert!((a - b).abs() < 2e-14, "at {distance:e}: {:e}", a - b);
+            }
+        }
+    }
+    // A permanent rotation of a free body.
+    let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+    let start = FlowState::new([0.0, 0.0, 1.3]);
+    let mut sim = body.integrator(DiscreteGradient, 0.1, start);
+    sim.advance(100).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(sim.state().x, start.x);
+}
+
+/// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
+#[test]
+fn gradients_that_vanish_are_no_failure() {
+    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    for distance in [1e-3, 1e-8, 0.0] {
+        let start = FlowState::new([1.0 + distance, 2.0]);
+        let mut sim = system.integrator(DiscreteGradient, 0.05, start);
+        let mut furthest = 0.0_f64;
+        for _ in 0..1000 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let [x, y] = sim.state().x;
+            furthest = furthest.max((x - 1.0).abs());
+            assert!((x - 1.0).hypot(y - 2.0) <= 1.5 * distance, "at {distance:e}: {x} {y}");
+        }
+        assert!((furthest - distance).abs() <= 2e-3 * distance + 1e-15, "at {distance:e}: {furthest:e}");
+    }
+}
+
+/// Where a logarithm is left, a step is refused, and the last state stays.
+#[test]
+fn edges_of_integrals_are_refused() {
+    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([-1.0, 0.5]));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "outside");
+    let start = FlowState::new([1.0, 0.5]);
+    let mut sim = system.integrator(DiscreteGradient, 100.0, start);
+    if sim.step().is_err() {
+        assert_eq!(sim.state(), start);
+    } else {
+        assert!(sim.state().x.iter().all(|x| *x > 0.0));
+    }
+}

@@ -27,7 +27,7 @@ fn two(x: [[f64; 2]; 2], t: f64) -> [[f64; 2]; 2] {
 }
 
 /// A loss; what is known but not proven.
-#[vector_field(keeps(energy = (x[0] * x[0] + x[1] * x[1]) / 2.0, but = [0.0, -c * x[1]], assume(strange = x[2])))]
+#[vector_field(keeps(energy = (x[0] * x[0] + x[1] * x[1]) / 2.0, but = [0.0, -c * x[1], 0.0], assume(strange = x[2])))]
 fn damped(x: [f64; 3], c: f64) -> [f64; 3] {
     [x[1], -x[0] - c * x[1], 0.0 * x[0]]
 }
