@@ -188,9 +188,9 @@ pub mod prelude {
         Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
         Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue,
-        Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
-        hamiltonian, vector_field,
+        Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State,
+        StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory,
+        contact_hamiltonian, energy_function, hamiltonian, vector_field,
     };
 }
 

@@ -8,7 +8,7 @@ pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
-pub use crate::solving::{Inverted, planar_step, is_positive_semidefinite};
+pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
 pub use crate::space::{Array, ContactState, FlowState, PerCoordinate, Snapshot, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,

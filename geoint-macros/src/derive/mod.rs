@@ -22,6 +22,5 @@ pub(crate) use parts::parts;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
-    StepKernel,
-    System, Undamped,
+    StepKernel, System, Undamped,
 };

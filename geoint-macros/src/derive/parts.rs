@@ -16,7 +16,8 @@ pub(crate) fn parts(
     structure: Option<(&[Vec<crate::ir::Id>], bool)>,
     damped: bool,
 ) -> Vec<PiecesOf<Kernel>> {
-    let pieces = |splitting, pieces, symplectic, conserves_energy| PiecesOf { splitting, pieces, symplectic, conserves_energy };
+    let pieces =
+        |splitting, pieces, symplectic, conserves_energy| PiecesOf { splitting, pieces, symplectic, conserves_energy };
     let Some((structure, poisson)) = structure else {
         let Some(first) = flow.kept.first() else { return vec![] };
         let term = first.conserved.value;
@@ -44,8 +45,12 @@ fn kernels(
     found: Result<Vec<Part>, NoPart>,
     (marker, why, word): (&'static str, &'static str, &'static str),
 ) -> Result<Vec<PieceKernel<Kernel>>, Missing> {
-    let missing =
-        |NoPart { formula, pair }| Missing { marker, term: formula, why, pair: pair.map(|pair: [Symbol; 2]| (pair, word)) };
+    let missing = |NoPart { formula, pair }| Missing {
+        marker,
+        term: formula,
+        why,
+        pair: pair.map(|pair: [Symbol; 2]| (pair, word)),
+    };
     Ok(found.map_err(missing)?.into_iter().map(|part| kernel(graph, part)).collect())
 }
 

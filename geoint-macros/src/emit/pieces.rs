@@ -13,11 +13,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Pieces`.
-pub(super) fn pieces(
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &PiecesOf<Plan>,
-) -> TokenStream {
+pub(super) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
     match &found.pieces {
         Ok(pieces) => splitting(context, graph, (&name, found), pieces),
@@ -119,7 +115,8 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
         quote!(#place = #place + step[#i];)
     });
     let unknown = |symbol: Symbol| {
-        let moved = piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
+        let moved =
+            piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
         moved.map_or_else(|| context.input(symbol), |i| element(quote!(increment), &[i]))
     };
     let equation = straight_line::routine(&piece.flow.kernel.last[0], &unknown, |values| {

@@ -15,6 +15,6 @@ mod semidefinite;
 pub(crate) mod size;
 
 pub use inverse::{Inverse, Inverted};
+pub use planar::planar_step;
 pub use refusal::Refusal;
 pub use semidefinite::is_positive_semidefinite;
-pub use planar::planar_step;

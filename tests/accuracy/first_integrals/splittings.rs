@@ -195,12 +195,9 @@ macro_rules! four {
 
 #[test]
 fn euler_by_terms() {
-    let (energy, momentum) = (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
-    EULER.splits(
-        PoissonSplitting,
-        &[7.494e-4, 1.874e-4, 4.685e-5],
-        &[(&momentum, None), (&energy, Some(4.0e-5))],
-    );
+    let (energy, momentum) =
+        (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
+    EULER.splits(PoissonSplitting, &[7.494e-4, 1.874e-4, 4.685e-5], &[(&momentum, None), (&energy, Some(4.0e-5))]);
     EULER.splits(
         four!(PoissonSplitting),
         &[7.448e-8, 4.665e-9, 2.917e-10],
@@ -247,11 +244,7 @@ fn species_by_terms() {
 fn sites_by_terms() {
     let (energy, norm) =
         (WAVES.energy(), |x: &[f64; 8]| (0..4).map(|i| (1.0 + x[i] * x[i] + x[4 + i] * x[4 + i]).ln()).sum::<f64>());
-    WAVES.splits(
-        PoissonSplitting,
-        &[1.456e-3, 3.641e-4, 9.102e-5],
-        &[(&energy, Some(2.7e-4)), (&norm, Some(1.7e-3))],
-    );
+    WAVES.splits(PoissonSplitting, &[1.456e-3, 3.641e-4, 9.102e-5], &[(&energy, Some(2.7e-4)), (&norm, Some(1.7e-3))]);
     WAVES.splits(four!(PoissonSplitting), &[2.643e-7, 1.657e-8, 1.037e-9], &[(&energy, Some(3.7e-8))]);
 }
 
@@ -271,12 +264,9 @@ fn vortices_by_pairs() {
 
 #[test]
 fn euler_by_planes() {
-    let (energy, momentum) = (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
-    EULER.splits(
-        PlanarSplitting,
-        &[2.193e-3, 5.492e-4, 1.373e-4],
-        &[(&energy, None), (&momentum, Some(5.2e-4))],
-    );
+    let (energy, momentum) =
+        (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
+    EULER.splits(PlanarSplitting, &[2.193e-3, 5.492e-4, 1.373e-4], &[(&energy, None), (&momentum, Some(5.2e-4))]);
     EULER.splits(
         four!(PlanarSplitting),
         &[5.214e-8, 3.260e-9, 2.038e-10],

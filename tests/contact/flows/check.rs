@@ -19,7 +19,10 @@ pub(super) trait Closed<const N: usize>: Over<f64, N> + Over<Double, N> + Over<D
 impl<const N: usize, S> Closed<N> for S where S: Over<f64, N> + Over<Double, N> + Over<Dual, N> {}
 
 /// A contact system in pieces, with N positions.
-pub(super) trait Over<R: Real, const N: usize>: Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]> {}
+pub(super) trait Over<R: Real, const N: usize>:
+    Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>
+{
+}
 impl<R: Real, const N: usize, S: Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>> Over<R, N> for S {}
 
 /// The largest error, in units of the condition.

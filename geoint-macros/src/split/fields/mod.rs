@@ -25,7 +25,7 @@ pub(crate) struct Rule {
 /// A part of a field.
 #[derive(Debug)]
 pub(crate) struct Part {
-    /// The term of H; of a plane, the velocity of its first coordinate that moves.
+    /// The term of H; of a plane, a velocity in it.
     pub(crate) formula: Id,
     pub(crate) rules: Vec<Rule>,
     pub(crate) clock: Clock,

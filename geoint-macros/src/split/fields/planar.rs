@@ -34,8 +34,11 @@ pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> 
             let pair = [i as u32, j as u32].map(Symbol::Q);
             let back = graph.neg(slopes[i]);
             let directions = [slopes[j], back];
-            let rates: Vec<(Symbol, Id)> =
-                pair.into_iter().zip(directions.map(|d| graph.mul(s, d))).filter(|(_, rate)| !graph.is_zero(*rate)).collect();
+            let rates: Vec<(Symbol, Id)> = pair
+                .into_iter()
+                .zip(directions.map(|d| graph.mul(s, d)))
+                .filter(|(_, rate)| !graph.is_zero(*rate))
+                .collect();
             let Some((_, formula)) = rates.first().copied() else { continue };
             let clock = clock(graph, &rates);
             let closed = solve(graph, &rates, clock).or_else(|| line(graph, pair, directions, (s, clock)));
@@ -44,7 +47,12 @@ pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> 
                 None if n <= MOST_COORDINATES => {
                     (Motion::Solved(pair, discrete(graph, integral, s, (pair, n))), vec![DISCRETE])
                 }
-                None => return Err(NoPart { formula, pair: Some(pair) }),
+                None => {
+                    let slopes = diff::jacobian(graph, &rates.iter().map(|(_, rate)| *rate).collect::<Vec<_>>(), &pair);
+                    let moves = |symbol: Symbol| pair.contains(&symbol);
+                    let bent = slopes.iter().position(|row| row.iter().any(|slope| !is_free(graph, *slope, &moves)));
+                    return Err(NoPart { formula: bent.map_or(formula, |i| rates[i].1), pair: Some(pair) });
+                }
             };
             parts.push(([i, j], Part { formula, rules, clock, motion }));
         }
@@ -71,7 +79,8 @@ fn line(graph: &mut Graph, pair: [Symbol; 2], directions: [Id; 2], (s, clock): (
     };
     let rate = Substitution::new(on_line).apply(graph, s);
     let solution = scalar::solve(graph, &Equation { x: way, rate, clock })?;
-    let way = Substitution::new(|graph: &mut Graph, symbol| (symbol == way).then(|| graph.zero())).apply(graph, solution.end);
+    let way =
+        Substitution::new(|graph: &mut Graph, symbol| (symbol == way).then(|| graph.zero())).apply(graph, solution.end);
     let mut ends = vec![];
     for (symbol, d) in pair.into_iter().zip(directions).filter(|(_, d)| !graph.is_zero(*d)).collect::<Vec<_>>() {
         let (x, moved) = (graph.symbol(symbol), graph.mul(way, d));

@@ -43,7 +43,9 @@ pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Res
             Some(group) => groups.push(group),
             None => match distributed(graph, term) {
                 Some(products) => open.extend(products.into_iter().rev()),
-                None => return Err(NoPart { formula: term, pair: system.not_in_involution(graph, &read(graph, term)) }),
+                None => {
+                    return Err(NoPart { formula: term, pair: system.not_in_involution(graph, &read(graph, term)) });
+                }
             },
         }
     }
@@ -143,7 +145,8 @@ fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
     }
     let mut products = vec![others];
     for _ in 0..exponent.numerator {
-        let pairs: Vec<_> = products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term))).collect();
+        let pairs: Vec<_> =
+            products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term))).collect();
         products = pairs.into_iter().map(|(product, term)| graph.mul(product, term)).collect();
     }
     Some(products)

@@ -1,7 +1,7 @@
 //! Tables for any number of pieces.
 
-use super::splittings::ContactSplitting;
 use super::driver::{self, Splitting, pass};
+use super::splittings::ContactSplitting;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
