@@ -1,6 +1,7 @@
 //! Points of phase space: as users write them, as kernels see them, and while they move.
 
 mod array;
+mod body;
 mod double_word;
 mod point;
 mod state;

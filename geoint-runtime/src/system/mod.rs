@@ -73,6 +73,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         true
     }
 
+    /// The unit quaternions among the coordinates: their length is 1 at the start of a run, and is made so again once in 1024 steps.
+    #[inline(always)]
+    fn attitudes(_z: &mut Self::Phase) -> &mut [[R; 4]] {
+        &mut []
+    }
+
     /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
     fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]

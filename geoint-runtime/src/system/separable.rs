@@ -2,6 +2,7 @@
 
 use super::Cotangent;
 use crate::scalar::Real;
+use crate::space::Array;
 
 /// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
 /// quadratic, and T and V + g·s where it is not.
@@ -21,6 +22,9 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
     /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
     const KICKS_REPEAT: bool = false;
+    /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not, [`drifted`](Separable::drifted) says
+    /// what it adds.
+    const DRIFTS_SHIFT: bool = true;
 
     /// Coefficients of a kick of length `h`.
     fn prepare_kick(&self, h: R) -> Self::Kick;
@@ -30,6 +34,11 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+    /// What a drift that does not only shift positions adds to them and to momenta, so that sums of it can be compensated.
+    #[inline(always)]
+    fn drifted(&self, _drift: &Self::Drift, _t: R, _q: &Self::Array, _p: &Self::Array) -> Self::Phase {
+        Self::Phase::zero()
+    }
 }
 
 /// T is a quadratic polynomial in p with constant coefficients: \[V, \[V, \[V, T\]\]\] = 0.

@@ -197,6 +197,10 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
         let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
         if C::PLAIN {
             system.drift(flow, t, q, p, s);
+        } else if !S::DRIFTS_SHIFT {
+            let [dq, dp] = system.drifted(flow, t, q, p);
+            sums.add_part(0, q, |q| q.add_scaled(R::from_f64(1.0), &dq));
+            sums.add_part(S::Array::LEN, p, |p| p.add_scaled(R::from_f64(1.0), &dp));
         } else {
             sums.add_part(0, q, |q| system.drift(flow, t, q, p, s));
         }
