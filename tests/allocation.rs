@@ -54,7 +54,8 @@ fn allocations_during(run: impl FnOnce()) -> u64 {
 struct Steps<P>(usize, PhantomData<P>);
 
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
-    fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<f64>, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         self.0 += 1;
         let count = allocations_during(|| {
             let mut sim = P::system::<f64>().integrator(method, 0.01, P::initial(0.0));

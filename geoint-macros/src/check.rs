@@ -78,18 +78,16 @@ pub(crate) fn pieces(
         let missing = difference(graph, root, sum);
         let verdict = analyze::identity(graph, missing);
         let printer = Printer::new(graph, &name);
-        let message = match verdict {
-            Identity::Zero => None,
-            Identity::Left(Remainder { rest, certain, case }) if certain || is_term(graph, missing) => Some(format!(
-                "{NOT_THE_SUM}{} is: {}",
-                in_case(&printer, &case),
-                shorter(&printer, missing, rest, &case)
-            )),
-            Identity::Left(Remainder { rest, case, .. }) => {
-                let (case, rest) = (in_case(&printer, &case), shorter(&printer, missing, rest, &case));
-                Some(format!("{NOT_THE_SUM}{case} is: {rest}; {SAME_SPELLING}"))
+        let wrong = matches!(verdict, Identity::Wrong(_));
+        let message = match verdict.rest() {
+            _ if verdict.is_zero() => None,
+            Some(Remainder { rest, certain, case }) => {
+                let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+                let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+                Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
             }
-            Identity::TooLong => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+            None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+            None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
         };
         if let Some(message) = message {
             errors.at_place(whole(groups), message);
@@ -143,7 +141,7 @@ const NO_FLOW: &str = "no flow in closed form is known for this piece: take it a
 const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing";
 
 const SAME_SPELLING: &str =
-    "if that is zero by a relation between functions, write them in the pieces as they are in the energy";
+    "; if that is zero by a relation between functions, write them in the pieces as they are in the energy";
 
 const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to the energy, because their difference is too long: write \
                             their terms as they are in the energy; what remains is";

@@ -178,7 +178,7 @@ pub use space::{ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
-    ModifiedEnergy, PhaseSpace, Pieces, QuadraticKinetic, Separable, VectorField,
+    ModifiedEnergy, PhaseSpace, Pieces, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.

@@ -7,7 +7,7 @@ pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite};
-pub use crate::space::{Array, ContactState, FlowState, Square, State};
+pub use crate::space::{Array, ContactState, FlowState, PerCoordinate, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,

@@ -9,7 +9,8 @@ use geoint_tests::problems::*;
 struct Clock;
 
 impl Visitor<DrivenPendulum, f64> for Clock {
-    fn visit<M: Method<DrivenPendulum, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<DrivenPendulum, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let (t0, h) = (0.3, 0.01);
         let mut sim = DrivenPendulum::system::<f64>().integrator(method, h, DrivenPendulum::initial(t0));
         let mut n = 0_u64;
@@ -63,7 +64,8 @@ fn a_new_step_size_goes_on_from_here() {
 fn short_numbers() {
     struct Short;
     impl Visitor<ShortPendulum, f32> for Short {
-        fn visit<M: Method<ShortPendulum, f32>>(&mut self, name: &'static str, method: M) {
+        fn visit<M: Method<ShortPendulum, f32> + 'static>(&mut self, method: M) {
+            let name = method.name().to_string();
             let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
             let mut sim = system.integrator(method, 0.01, State::new(1.1, 0.4));
             sim.advance(50).unwrap();

@@ -119,7 +119,8 @@ fn coordinate_increments_keep_the_energy_of_a_saddle() {
 struct RandomSteps;
 
 impl Visitor<HenonHeiles, f64> for RandomSteps {
-    fn visit<M: Method<HenonHeiles>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<HenonHeiles> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let (system, start) = (HenonHeiles::system::<f64>(), HenonHeiles::initial::<f64>(0.0));
         let mut sim = system.integrator(method, 0.1, start);
         let mut noise = Noise::new(7);
@@ -131,7 +132,7 @@ impl Visitor<HenonHeiles, f64> for RandomSteps {
         });
         println!("{name:36} {largest:.1e}");
         // Of degree 3, H has an exact mean value with two points.
-        let keeps = method.claims().conserves_energy || name.contains("MeanValue");
+        let keeps = method.claims().conserves_energy || (name.contains("MeanValue") && name != "MeanValue<1>");
         assert!(if keeps { largest <= 1e-14 } else { largest > 1e-5 }, "{name}: {largest:.1e}");
     }
 }
@@ -142,8 +143,8 @@ fn energy_is_kept_in_random_steps() {
     methods::itoh_abe(&mut RandomSteps);
     methods::itoh_abe_one_way(&mut RandomSteps);
     // Controls.
-    methods::cubic(&mut RandomSteps);
-    RandomSteps.visit("ImplicitMidpoint", ImplicitMidpoint);
+    RandomSteps.visit(Kahan);
+    RandomSteps.visit(ImplicitMidpoint);
 }
 
 /// H + ⅓∇H(x₀)·(x₁ − x₀).
@@ -190,7 +191,8 @@ fn itoh_abe_has_an_adjoint() {
 fn at_rest_nothing_moves() {
     struct Rest;
     impl Visitor<HenonHeiles, f64> for Rest {
-        fn visit<M: Method<HenonHeiles>>(&mut self, name: &'static str, method: M) {
+        fn visit<M: Method<HenonHeiles> + 'static>(&mut self, method: M) {
+            let name = method.name().to_string();
             let rest = State::new([0.0; 2], [0.0; 2]);
             let mut sim = HenonHeiles::system::<f64>().integrator(method, 0.1, rest);
             assert_eq!(sim.advance(3), Ok(()), "{name}");

@@ -43,9 +43,10 @@ impl<P: Problem> Geometry<P> {
 }
 
 impl<P: Problem> Visitor<P::Over<Dual>, Dual> for Geometry<P> {
-    fn visit<M: Method<P::Over<Dual>, Dual>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<Dual>, Dual> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let defect = symplecticity_defect::<P, M>(method, FROM, self.h, 3);
-        self.judge(name, method.claims().order, method.claims().symplectic, defect, 1e-12);
+        self.judge(&name, method.claims().order, method.claims().symplectic, defect, 1e-12);
     }
 }
 
@@ -53,9 +54,10 @@ impl<P: Problem> Visitor<P::Over<Dual>, Dual> for Geometry<P> {
 struct Symmetry<P>(Geometry<P>);
 
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Symmetry<P> {
-    fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<f64>, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let defect = symmetry_defect::<P, M>(method, FROM, self.0.h, 3);
-        self.0.judge(name, method.claims().order, method.claims().symmetric, defect, 1e-13);
+        self.0.judge(&name, method.claims().order, method.claims().symmetric, defect, 1e-13);
     }
 }
 

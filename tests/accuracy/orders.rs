@@ -51,7 +51,8 @@ fn is_asymptotic<P: Problem>(order: u32) -> bool {
 }
 
 impl<P: Problem> Visitor<P::Over<Double>, Double> for Orders<P> {
-    fn visit<M: Method<P::Over<Double>, Double>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<Double>, Double> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let Claims { order, .. } = method.claims();
         let observed = self.observe(method);
         self.visited += 1;
@@ -65,13 +66,13 @@ impl<P: Problem> Visitor<P::Over<Double>, Double> for Orders<P> {
 
 /// Methods of each list.
 const GENERAL: usize = 17;
-const DISCRETE_GRADIENT: usize = 15;
+const DISCRETE_GRADIENT: usize = 20;
 const PROJECTED: usize = 2;
 const RELAXED: usize = 2;
 const ITOH_ABE: usize = 5;
 const ITOH_ABE_ONE_WAY: usize = 2;
 const COORDINATE_INCREMENT: usize = 2;
-const CUBIC: usize = 2;
+const CUBIC: usize = 8;
 const SEPARABLE: usize = 22;
 const NYSTROM: usize = 4;
 const FORCE_GRADIENT: usize = 9;

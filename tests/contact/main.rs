@@ -6,4 +6,5 @@ mod implicit;
 mod laws;
 mod measure;
 mod methods;
+mod runs;
 mod systems;

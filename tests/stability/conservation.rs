@@ -91,7 +91,8 @@ fn verlet_keeps_energy_within_bounds_and_euler_does_not() {
 fn energy_is_kept_by_those_that_claim_it() {
     struct Energy(usize);
     impl Visitor<DoublePendulum, f64> for Energy {
-        fn visit<M: Method<DoublePendulum, f64>>(&mut self, name: &'static str, method: M) {
+        fn visit<M: Method<DoublePendulum, f64> + 'static>(&mut self, method: M) {
+            let name = method.name().to_string();
             let error = largest(&errors::<DoublePendulum, _>(method, 0.1, 1, 200));
             let claims = method.claims();
             self.0 += usize::from(claims.conserves_energy);
@@ -116,7 +117,8 @@ fn energy_is_kept_by_those_that_claim_it() {
 fn cyclic_momentum_is_kept_bitwise() {
     struct Cyclic;
     impl Visitor<Spherical, f64> for Cyclic {
-        fn visit<M: Method<Spherical, f64>>(&mut self, name: &'static str, method: M) {
+        fn visit<M: Method<Spherical, f64> + 'static>(&mut self, method: M) {
+            let name = method.name().to_string();
             let start = Spherical::initial::<f64>(0.0);
             let mut sim = Spherical::system::<f64>().integrator(method, 0.02, start);
             sim.advance(300).unwrap();

@@ -39,7 +39,8 @@ struct Alike<S> {
 }
 
 impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
-    fn visit<M: Method<S>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<S> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         // From 0.05 with −0.5 the force turns the first back inside of q < 0.
         for (q, p, h) in [(0.05, -0.5, 0.001), (0.05, -0.5, 0.02), (0.4, -1.0, 0.07), (1.0, 0.2, 0.05)] {
             let start = State::new(q, p);
@@ -57,13 +58,13 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
 
 fn alike<S: DiscreteField + Autonomous<Coordinates = f64>>(name: &'static str, system: S) -> Alike<S> {
     let mut alike = Alike { name, system, refused: 0 };
-    alike.visit("RK4", RK4);
-    alike.visit("ImplicitMidpoint", ImplicitMidpoint);
-    alike.visit("Gauss::<2>", Gauss::<2>);
-    alike.visit("DiscreteGradient", DiscreteGradient);
-    alike.visit("Gonzalez", Gonzalez);
-    alike.visit("ItohAbe", ItohAbe);
-    alike.visit("Suzuki4.of(DiscreteGradient)", Suzuki4.of(DiscreteGradient));
+    alike.visit(RK4);
+    alike.visit(ImplicitMidpoint);
+    alike.visit(Gauss::<2>);
+    alike.visit(DiscreteGradient);
+    alike.visit(Gonzalez);
+    alike.visit(ItohAbe);
+    alike.visit(Suzuki4.of(DiscreteGradient));
     methods::relaxed(&mut alike);
     alike
 }

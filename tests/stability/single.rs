@@ -35,12 +35,13 @@ fn is_control(claims: Claims) -> bool {
 /// Methods on a problem in `f64`: the errors of those that do not keep the energy.
 struct Long<P> {
     h: f32,
-    errors: Vec<(&'static str, f64)>,
+    errors: Vec<(String, f64)>,
     problem: PhantomData<P>,
 }
 
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Long<P> {
-    fn visit<M: Method<P::Over<f64>, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<f64>, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let claims = method.claims();
         if !claims.conserves_energy && !is_control(claims) {
             self.errors.push((name, largest(P::system::<f64>(), method, self.h, P::initial::<f64>(0.0)).unwrap()));
@@ -56,7 +57,8 @@ struct Single<P> {
 }
 
 impl<P: Problem> Visitor<P::Over<f32>, f32> for Single<P> {
-    fn visit<M: Method<P::Over<f32>, f32>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::Over<f32>, f32> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         if is_control(method.claims()) {
             return;
         }

@@ -37,7 +37,8 @@ struct Ends {
 }
 
 impl<R: Scalar> Visitor<HenonHeiles<R>, R> for Ends {
-    fn visit<M: Method<HenonHeiles<R>, R>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<HenonHeiles<R>, R> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let [from, h, to] = [self.from, self.h, self.to].map(R::from_f64);
         let name = format!("{name} from {} by {} to {}, ε = {:.0e}", self.from, self.h, self.to, R::epsilon());
         let start = State { t: from, ..HenonHeiles::initial(0.0) };
@@ -147,7 +148,8 @@ fn scaled_steps_do_not_pass() {
 struct Unusable;
 
 impl<R: Scalar> Visitor<HenonHeiles<R>, R> for Unusable {
-    fn visit<M: Method<HenonHeiles<R>, R>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<HenonHeiles<R>, R> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let start = State { t: R::from_f64(0.2), ..HenonHeiles::initial(0.0) };
         let sim = |h: f64| HenonHeiles::system::<R>().integrator(method, R::from_f64(h), start);
         let refused = |outcome: Vec<Result<State<[R; 2]>, StepError>>| {

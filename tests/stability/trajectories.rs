@@ -11,7 +11,8 @@ use geoint_tests::problems::*;
 struct Bulk;
 
 impl Visitor<HenonHeiles, f64> for Bulk {
-    fn visit<M: Method<HenonHeiles, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<HenonHeiles, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let system = HenonHeiles::system::<f64>();
         for n in [1, 2, 3, 50] {
             let mut bulk = system.integrator(method, 0.05, HenonHeiles::initial(0.0));
@@ -27,7 +28,8 @@ impl Visitor<HenonHeiles, f64> for Bulk {
 
 /// The same where flows depend on time: a merged flow must happen at one time, not at two.
 impl Visitor<Breathing, f64> for Bulk {
-    fn visit<M: Method<Breathing, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<Breathing, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         let system = Breathing::system::<f64>();
         let mut bulk = system.integrator(method, 0.05, Breathing::initial(0.4));
         let mut single = bulk.clone();
@@ -45,16 +47,16 @@ fn advance_is_so_many_steps() {
         Bulk: Visitor<S, f64>,
         S: DiscreteField + Conservative + Separable,
     {
-        methods::general::<S, f64, _>(bulk);
-        methods::discrete_gradient::<S, f64, _>(bulk);
-        methods::separable::<S, f64, _>(bulk);
+        methods::general::<S, f64>(bulk);
+        methods::discrete_gradient::<S, f64>(bulk);
+        methods::separable::<S, f64>(bulk);
     }
     lists::<HenonHeiles>(&mut Bulk);
     lists::<Breathing>(&mut Bulk);
-    methods::projected::<HenonHeiles, f64, _>(&mut Bulk);
-    methods::relaxed::<HenonHeiles, f64, _>(&mut Bulk);
-    methods::nystrom::<HenonHeiles, f64, _>(&mut Bulk);
-    methods::force_gradient::<HenonHeiles, f64, _>(&mut Bulk);
+    methods::projected::<HenonHeiles, f64>(&mut Bulk);
+    methods::relaxed::<HenonHeiles, f64>(&mut Bulk);
+    methods::nystrom::<HenonHeiles, f64>(&mut Bulk);
+    methods::force_gradient::<HenonHeiles, f64>(&mut Bulk);
 }
 
 /// Longer than the stretch after which the driver looks whether numbers are still finite.

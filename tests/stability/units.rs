@@ -107,7 +107,8 @@ impl Measured for Polar {
 struct InUnits<P>(Vec<String>, PhantomData<P>);
 
 impl<P: Measured> Visitor<P::System, f64> for InUnits<P> {
-    fn visit<M: Method<P::System, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<P::System, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         // Refused or not, after the same number of steps.
         let run = |units: Units| {
             let mut sim = P::system(units).integrator(method, P::STEP * power(units.t), start::<P>(units));
@@ -166,7 +167,7 @@ fn adaptive_in_all_units() {
 
 /// Energy in metres, kilograms and seconds: the Earth, and an electron.
 struct Si {
-    energies: Vec<(&'static str, f64)>,
+    energies: Vec<(String, f64)>,
     kepler: Kepler,
     polar: Polar,
     h: f64,
@@ -181,7 +182,8 @@ fn largest<S: Hamiltonian<f64>, M: Method<S>>(system: S, method: M, h: f64, star
 }
 
 impl Visitor<Kepler, f64> for Si {
-    fn visit<M: Method<Kepler, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<Kepler, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         if method.claims().conserves_energy {
             let start = State::new([self.radius, 0.0], [0.0, self.momentum]);
             self.energies.push((name, largest(self.kepler, method, self.h, start)));
@@ -190,7 +192,8 @@ impl Visitor<Kepler, f64> for Si {
 }
 
 impl Visitor<Polar, f64> for Si {
-    fn visit<M: Method<Polar, f64>>(&mut self, name: &'static str, method: M) {
+    fn visit<M: Method<Polar, f64> + 'static>(&mut self, method: M) {
+        let name = method.name().to_string();
         if method.claims().conserves_energy {
             let start = State::new([self.radius, 0.0], [0.0, self.momentum * self.radius]);
             self.energies.push((name, largest(self.polar, method, self.h, start)));
@@ -204,12 +207,12 @@ fn energy_in_si_units() {
     for (m, k, radius, speed) in [(5.972e24, 7.928e44, 1.47e11, 3.6e4), (9.109e-31, 2.307e-28, 5.29e-11, 2.4e6)] {
         let (kepler, polar) = (Kepler { mass: m, mu: k }, Polar { m, k });
         let mut si = Si { energies: vec![], kepler, polar, h: 0.1 * radius / speed, radius, momentum: m * speed };
-        methods::discrete_gradient::<Kepler, f64, _>(&mut si);
-        methods::projected::<Kepler, f64, _>(&mut si);
-        methods::relaxed::<Kepler, f64, _>(&mut si);
-        methods::discrete_gradient::<Polar, f64, _>(&mut si);
-        methods::projected::<Polar, f64, _>(&mut si);
-        methods::relaxed::<Polar, f64, _>(&mut si);
+        methods::discrete_gradient::<Kepler, f64>(&mut si);
+        methods::projected::<Kepler, f64>(&mut si);
+        methods::relaxed::<Kepler, f64>(&mut si);
+        methods::discrete_gradient::<Polar, f64>(&mut si);
+        methods::projected::<Polar, f64>(&mut si);
+        methods::relaxed::<Polar, f64>(&mut si);
         for (name, error) in si.energies {
             println!("{name:36} {error:.1e}");
             assert!(error <= 3e-14, "{name}: {error:.1e}");

@@ -41,15 +41,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let truth = samples(Gauss::<6>, 0.02)?;
     let conserving = DiscreteGradient;
     let runs = [
-        run("ExplicitEuler", ExplicitEuler, 0.001, &truth)?,
-        run("ImplicitMidpoint", ImplicitMidpoint, 0.01, &truth)?,
-        run("ImplicitMidpoint", ImplicitMidpoint, 0.005, &truth)?,
-        run("DiscreteGradient", conserving, 0.01, &truth)?,
-        run("DiscreteGradient", conserving, 0.005, &truth)?,
-        run("Suzuki4.of(DiscreteGradient)", Suzuki4.of(conserving), 0.02, &truth)?,
-        run("Suzuki4.of(DiscreteGradient)", Suzuki4.of(conserving), 0.01, &truth)?,
-        run("Gauss::<3>", Gauss::<3>, 0.02, &truth)?,
-        run("Gauss::<3>", Gauss::<3>, 0.01, &truth)?,
+        run(ExplicitEuler, 0.001, &truth)?,
+        run(ImplicitMidpoint, 0.01, &truth)?,
+        run(ImplicitMidpoint, 0.005, &truth)?,
+        run(conserving, 0.01, &truth)?,
+        run(conserving, 0.005, &truth)?,
+        run(Suzuki4.of(conserving), 0.02, &truth)?,
+        run(Suzuki4.of(conserving), 0.01, &truth)?,
+        run(Gauss::<3>, 0.02, &truth)?,
+        run(Gauss::<3>, 0.01, &truth)?,
     ];
     println!("Double pendulum, {SECONDS} s\n");
     let head = ["method", "step / s", "evaluations", "time / ms", "energy error", "distance / m"];
@@ -80,7 +80,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (suzuki, suzuki_half, 4.0),
         (gauss, gauss_half, 6.0),
     ] {
-        let (name, order) = (coarse.name, order(coarse, fine));
+        let (name, order) = (&coarse.name, order(coarse, fine));
         claim(&format!("{name} is of order {claimed} (observed {order:.2})"), (order - claimed).abs() < 0.15)?;
     }
     let apart = distance(&suzuki_half.samples, &gauss.samples);
@@ -89,7 +89,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// What one method did with one step size.
 struct Run {
-    name: &'static str,
+    name: String,
     step_size: f64,
     evaluations: u64,
     time: Duration,
@@ -101,7 +101,7 @@ struct Run {
 impl Run {
     fn row(&self) -> [String; 6] {
         [
-            self.name.into(),
+            self.name.clone(),
             self.step_size.to_string(),
             self.evaluations.to_string(),
             format!("{:.1}", self.time.as_secs_f64() * 1e3),
@@ -112,18 +112,21 @@ impl Run {
 }
 
 /// One method with one step size, compared with the truth.
-fn run<M: Method<DoublePendulum, f64>>(
-    name: &'static str,
-    method: M,
-    h: f64,
-    truth: &[Arms],
-) -> Result<Run, Box<dyn Error>> {
+fn run<M: Method<DoublePendulum, f64>>(method: M, h: f64, truth: &[Arms]) -> Result<Run, Box<dyn Error>> {
     let steps = (SECONDS / h).round() as u64;
     let evaluations = evaluations(SYSTEM, method, h, start(), steps)?;
     let time = shortest(|| SYSTEM.integrator(method, h, start()).advance(steps))?;
     let samples = samples(method, h)?;
     let distance = distance(&samples, truth);
-    Ok(Run { name, step_size: h, evaluations, time, energy_error: energy_error(&samples), samples, distance })
+    Ok(Run {
+        name: method.name().to_string(),
+        step_size: h,
+        evaluations,
+        time,
+        energy_error: energy_error(&samples),
+        samples,
+        distance,
+    })
 }
 
 fn samples<M: Method<DoublePendulum, f64>>(method: M, h: f64) -> Result<Vec<Arms>, StepError> {

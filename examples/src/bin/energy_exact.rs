@@ -73,10 +73,10 @@ impl Motion {
         DiscreteGradient: Method<S>,
     {
         let runs = [
-            run("ExplicitEuler", system, ExplicitEuler, h, start),
-            run("RK4", system, RK4, h, start),
-            run("StormerVerlet", system, StormerVerlet, h, start),
-            run("DiscreteGradient", system, DiscreteGradient, h, start),
+            run(system, ExplicitEuler, h, start),
+            run(system, RK4, h, start),
+            run(system, StormerVerlet, h, start),
+            run(system, DiscreteGradient, h, start),
         ];
         Motion { name, units, h, runs }
     }
@@ -84,7 +84,7 @@ impl Motion {
 
 /// What one method made of a motion.
 struct Run {
-    name: &'static str,
+    name: String,
     /// The largest relative error of the energy so far, twenty times a decade of steps; up to where the motion escaped.
     errors: Vec<(u64, f64)>,
 }
@@ -99,17 +99,11 @@ impl Run {
             error if error.is_finite() => format!("{error:.1e}"),
             _ => "escaped".into(),
         });
-        [self.name.into(), a, b, c, d]
+        [self.name.clone(), a, b, c, d]
     }
 }
 
-fn run<S: Hamiltonian, M: Method<S>>(
-    name: &'static str,
-    system: S,
-    method: M,
-    h: f64,
-    start: State<S::Coordinates>,
-) -> Run {
+fn run<S: Hamiltonian, M: Method<S>>(system: S, method: M, h: f64, start: State<S::Coordinates>) -> Run {
     let mut sim = Integrator::new(system, method, h, start);
     let first = sim.energy();
     let (mut largest, mut errors, mut due) = (0.0_f64, Vec::new(), 0);
@@ -124,14 +118,14 @@ fn run<S: Hamiltonian, M: Method<S>>(
             due = n + n.div_ceil(9);
         }
     }
-    Run { name, errors }
+    Run { name: method.name().to_string(), errors }
 }
 
 fn draw(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
     let colours = [palette::BLACK, palette::ORANGE, palette::VERMILION, palette::BLUE];
     let curve = |(Run { name, errors }, colour): (&Run, Ink)| {
         let points = errors.iter().map(|&(n, error)| (n as f64, error));
-        let line = Curve::line(*name, colour, points.take_while(|point| point.1 < 100.0).collect());
+        let line = Curve::line(name.clone(), colour, points.take_while(|point| point.1 < 100.0).collect());
         if *name == "DiscreteGradient" { line.rounding() } else { line }
     };
     let panel = |motion: &Motion| {

@@ -69,15 +69,15 @@ const DAYS_BETWEEN_SAMPLES: f64 = 160.0;
 fn main() -> Result<(), Box<dyn Error>> {
     let bar = progress(9);
     let runs = [
-        explicit("ExplicitEuler", ExplicitEuler, 1, &bar)?,
-        explicit("StormerVerlet", StormerVerlet, 1, &bar)?,
-        explicit("PEFRL", PEFRL, 4, &bar)?,
-        explicit("BlanesMoan4", BlanesMoan4, 6, &bar)?,
-        explicit("BlanesMoanSrkn14a", BlanesMoanSrkn14a, 14, &bar)?,
-        explicit("BceRkn17_8", BceRkn17_8, 17, &bar)?,
-        explicit("KahanLi8_17a.of(StormerVerlet)", KahanLi8_17a.of(StormerVerlet), 17, &bar)?,
-        implicit("Gauss::<4>", Gauss::<4>, 500, &bar)?,
-        implicit("DiscreteGradient", DiscreteGradient, 2_000, &bar)?,
+        explicit(ExplicitEuler, 1, &bar)?,
+        explicit(StormerVerlet, 1, &bar)?,
+        explicit(PEFRL, 4, &bar)?,
+        explicit(BlanesMoan4, 6, &bar)?,
+        explicit(BlanesMoanSrkn14a, 14, &bar)?,
+        explicit(BceRkn17_8, 17, &bar)?,
+        explicit(KahanLi8_17a.of(StormerVerlet), 17, &bar)?,
+        implicit(Gauss::<4>, 500, &bar)?,
+        implicit(DiscreteGradient, 2_000, &bar)?,
     ];
     bar.finish_and_clear();
     let [euler, verlet, .., order_8, _, _, conserving] = &runs;
@@ -108,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// What one method did.
 struct Run {
-    name: &'static str,
+    name: String,
     steps: u64,
     forces: u64,
     time: Duration,
@@ -137,36 +137,26 @@ fn energy_error(samples: &[Bodies]) -> f64 {
 }
 
 /// As many steps as the budget allows for `stages` forces a step.
-fn explicit<M: Method<OuterSolarSystem, f64>>(
-    name: &'static str,
-    method: M,
-    stages: u64,
-    bar: &ProgressBar,
-) -> Result<Run, StepError> {
+fn explicit<M: Method<OuterSolarSystem, f64>>(method: M, stages: u64, bar: &ProgressBar) -> Result<Run, StepError> {
     let steps = FORCES / stages;
-    run(name, method, steps, steps * stages, bar)
+    run(method, steps, steps * stages, bar)
 }
 
 /// `steps` steps; every point at which Newton's iterations look at the energy counts.
-fn implicit<M: Method<OuterSolarSystem, f64>>(
-    name: &'static str,
-    method: M,
-    steps: u64,
-    bar: &ProgressBar,
-) -> Result<Run, Box<dyn Error>> {
+fn implicit<M: Method<OuterSolarSystem, f64>>(method: M, steps: u64, bar: &ProgressBar) -> Result<Run, Box<dyn Error>> {
     let forces = evaluations(SYSTEM, method, DAYS / steps as f64, start(), steps)?;
-    Ok(run(name, method, steps, forces, bar)?)
+    Ok(run(method, steps, forces, bar)?)
 }
 
 /// The same way twice: in one go for the time it takes, then with a look around about every 160 days.
 fn run<M: Method<OuterSolarSystem, f64>>(
-    name: &'static str,
     method: M,
     steps: u64,
     forces: u64,
     bar: &ProgressBar,
 ) -> Result<Run, StepError> {
-    bar.set_message(name);
+    let name = method.name().to_string();
+    bar.set_message(name.clone());
     let step_size = DAYS / steps as f64;
     let time = shortest(|| SYSTEM.integrator(method, step_size, start()).advance(steps))?;
 
@@ -195,7 +185,7 @@ fn comparison(runs: &[Run]) -> Result<String, StepError> {
             let reference = reference(end.t)?;
             let distance = (1..6).map(|i| (from_sun(&end, i) - from_sun(&reference, i)).norm()).fold(0.0, f64::max);
             Ok([
-                run.name.to_owned(),
+                run.name.clone(),
                 format!("{:.1}", run.step_size()),
                 run.forces.to_string(),
                 format!("{:.2}", run.time.as_secs_f64() * 1e3),
@@ -262,7 +252,7 @@ fn draw_orbits(wrong: &Run, right: &Run) -> Result<(), Box<dyn Error>> {
             Axis::linear("y (AU)", -36.0..50.0),
         ];
         let note = format!("{} steps of {:.0} days, one force in 10 days", run.steps, run.step_size());
-        Panel::new(run.name, note, axes, (0..6).map(|i| curve(run, i)).collect()).equal().named_above()
+        Panel::new(&run.name, note, axes, (0..6).map(|i| curve(run, i)).collect()).equal().named_above()
     };
     figure("outer_solar_system_orbits.svg", (390, 390), &[panel(wrong), panel(right)])
 }

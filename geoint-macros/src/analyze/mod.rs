@@ -22,7 +22,8 @@ use crate::parse::Shape;
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
-pub(crate) use identity::{Identity, Remainder, identity};
+#[cfg_attr(not(test), allow(unused_imports, reason = "for the attributes of fields, which come next"))]
+pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;

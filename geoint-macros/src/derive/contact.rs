@@ -4,8 +4,9 @@ use super::domain::Domain;
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
-use crate::diff;
-use crate::ir::{Graph, Id, Partial};
+use crate::diff::{self, Gradient};
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Partial, Symbol};
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -20,6 +21,7 @@ pub(crate) fn contact(
     (degrees, lift): (u32, bool),
 ) -> System {
     let gradient = diff::gradient(graph, energy, degrees);
+    let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
     let pieces = match found {
         Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES }),
@@ -40,7 +42,7 @@ pub(crate) fn contact(
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
         slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),
         gradient,
-        rate: None,
+        rate,
         splitting,
         modified,
         pieces: Some(pieces),
@@ -49,17 +51,33 @@ pub(crate) fn contact(
     }
 }
 
+/// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.
+fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
+    let zero = graph.zero();
+    let rest = Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()))
+        .apply(graph, energy);
+    let by_action = graph.neg(rest);
+    gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
+}
+
 fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Kernel> {
-    let (changes, kernel) = piece.kernel(graph, !lift);
-    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow: FlowKernel { changes, kernel } }
+    let mut changed = piece.flow.changed(graph);
+    changed.retain(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_))));
+    let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
+    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow }
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
-    let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
     let (drift, clock) = &mechanics.drift;
+    let [kick, damped_drift] = [&mechanics.kick, drift].map(|flow| {
+        let changed = flow.changed(graph);
+        FlowKernel::with_increments(graph, Levels::Prepared, changed)
+    });
+    // Without damping flows add.
+    let mut kernel = |flow: &Flow| FlowKernel::new(Levels::Prepared, flow.changed(graph));
     KickDrift {
-        kick: kernel(&mechanics.kick),
-        drift: kernel(drift),
+        kick,
+        drift: damped_drift,
         exact_in_time: *clock == Clock::Own,
         repeats: false,
         undamped: Some(Undamped {

@@ -5,7 +5,7 @@ use crate::analyze::MeanValue;
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{Clock, Family};
+use crate::split::{self, Clock, Family};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -20,7 +20,7 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) value: Option<K>,
     /// ∇H.
     pub(crate) slopes: K,
-    /// q' and p', where they are not those of H alone.
+    /// q', p' and s', where they are not those of H alone.
     pub(crate) rate: Option<K>,
     pub(crate) splitting: Result<KickDrift<K>, Missing>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
@@ -42,7 +42,7 @@ pub(crate) struct Missing {
     pub(crate) why: &'static str,
 }
 
-/// The end of a flow: what it changes, in order, and the values.
+/// The end of a flow: what it changes, in order, and the values; of flows that do not only add, with what they add as a second routine.
 #[derive(Clone, Debug)]
 pub(crate) struct FlowKernel<K = Kernel> {
     pub(crate) changes: Vec<Symbol>,
@@ -136,6 +136,14 @@ impl FlowKernel {
     pub(super) fn new(levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
         let (changes, roots) = ends.into_iter().unzip();
         FlowKernel { changes, kernel: Kernel::new(levels, roots) }
+    }
+
+    /// The same with what it adds, as a second routine.
+    pub(super) fn with_increments(graph: &mut Graph, levels: Levels, ends: Vec<(Symbol, Id)>) -> FlowKernel {
+        let increments = split::increments(graph, &ends);
+        let mut flow = FlowKernel::new(levels, ends);
+        flow.kernel.routines.push(increments);
+        flow
     }
 }
 

@@ -69,9 +69,10 @@ fn slots(flow: &FlowKernel<Plan>) -> Literal {
 }
 
 /// The type of what is prepared for a flow, the function that prepares it, and the flow.
-fn flow(context: &Context<'_>, name: &str, flow: &FlowKernel<Plan>) -> (TokenStream, TokenStream, TokenStream) {
+fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (TokenStream, TokenStream, TokenStream) {
     let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
-    let (slots, prepare, body) = (slots(flow), context.stored(&flow.kernel, 0), assign(context, flow));
+    let (slots, prepare, body) =
+        (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
         Form::Hamiltonian => quote!(_: &mut ()),
         Form::Contact => quote!(s: &mut R),
@@ -88,7 +89,35 @@ fn flow(context: &Context<'_>, name: &str, flow: &FlowKernel<Plan>) -> (TokenStr
             #body
         }
     };
-    (quote!([R; #slots]), prepare, flow)
+    // What only adds needs no second routine.
+    let increments = flow_kernel.kernel.last.get(1).map(|_| {
+        let (name, body) = (format_ident!("{name}_increments"), increments(context, flow_kernel));
+        let parts = context.per_coordinate();
+        quote! {
+            #[inline(always)]
+            fn #name(&self, prepared: &[R; #slots], t: R, x: &#parts) -> #parts {
+                #body
+            }
+        }
+    });
+    (quote!([R; #slots]), prepare, quote!(#flow #increments))
+}
+
+/// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
+pub(super) fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
+    let places = flow.changes.iter().map(|symbol| match symbol {
+        Symbol::Q(i) => element(quote!(d.z), &[&[0], &context.coordinate(*i)[..]].concat()),
+        Symbol::P(i) => element(quote!(d.z), &[&[1], &context.coordinate(*i)[..]].concat()),
+        _ => quote!(d.s),
+    });
+    let parts = context.per_coordinate();
+    let writes = context.planned(&flow.kernel.last[1], (&[], ""), |values| quote!(#(#places = #values;)*));
+    quote! {
+        let PerCoordinate { z: [q, p], s } = x;
+        let mut d: #parts = PerCoordinate::nothing();
+        #writes
+        d
+    }
 }
 
 /// `q[i] = …; p[i] = …; *s = …;`

@@ -82,6 +82,12 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// The type of a number for every coordinate.
+    pub(super) fn per_coordinate(&self) -> TokenStream {
+        let (phase, action) = (self.phase(), self.action());
+        quote!(PerCoordinate<#phase, #action>)
+    }
+
     /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
     /// action, all in a row.
     pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {

@@ -1,7 +1,7 @@
 //! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
 //! the term.
 
-use super::flows::{assign, unsatisfied};
+use super::flows::{assign, increments, unsatisfied};
 use super::kernel::Context;
 use super::system::self_type;
 use crate::derive::{Missing, PieceKernel};
@@ -53,6 +53,11 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
         let (i, body) = (Literal::usize_unsuffixed(i), assign(context, &piece.flow));
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
+    let added = pieces.iter().enumerate().map(|(i, piece)| {
+        let (i, body) = (Literal::usize_unsuffixed(i), increments(context, &piece.flow));
+        quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
+    });
+    let per = context.per_coordinate();
     quote! {
         impl<R: Real> ContactPieces<R> for #name {
             const PIECES: &'static [ContactPiece] = &[#(#table),*];
@@ -79,12 +84,19 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
                     _ => {}
                 }
             }
+            #[inline(always)]
+            fn increments(&self, piece: usize, flows: &#types, frozen: &#frozen_types, t: R, x: &#per) -> #per {
+                match piece {
+                    #(#added)*
+                    _ => PerCoordinate::nothing(),
+                }
+            }
         }
     }
 }
 
 fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
+    let (name, phase, per) = (self_type(context), context.phase(), context.per_coordinate());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
@@ -99,6 +111,9 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
             }
             fn freeze(&self, _: &#never, _: R) {}
             fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut R) {
+                match *never {}
+            }
+            fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#per) -> #per {
                 match *never {}
             }
         }

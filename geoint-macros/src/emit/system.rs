@@ -44,21 +44,6 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
     let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let state = state(*form);
-    let adaptive = (*form == Form::Hamiltonian).then(|| {
-        quote! {
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: #state<#coordinates>,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
-                Adaptive::new(self, method, tolerance, state)
-            }
-        }
-    });
     quote! {
         impl #name {
             /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
@@ -82,7 +67,17 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
                 Integrator::new(self, method, h, state)
             }
 
-            #adaptive
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: #state<#coordinates>,
+            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
+                Adaptive::new(self, method, tolerance, state)
+            }
         }
     }
 }
@@ -133,6 +128,16 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
+    let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
+        let body = context.values(rate, |values| halves(context, &values));
+        quote! {
+            #[inline]
+            fn rate(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                #parts
+                #body
+            }
+        }
+    });
     let autonomous = system.proven.contains(&"Autonomous").then(|| {
         quote!(
             const AUTONOMOUS: bool = true;
@@ -166,6 +171,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
                 #parts
                 #slopes
             }
+            #rate
         }
     }
 }

@@ -35,6 +35,11 @@ impl Ratio {
         (n <= LARGEST && d <= LARGEST).then_some(Ratio { numerator: sign * n as i128, denominator: d as i128 })
     }
 
+    /// `None` if the integer is too large.
+    fn whole(n: i128) -> Option<Ratio> {
+        (n.unsigned_abs() <= LARGEST).then_some(Ratio::integer(n))
+    }
+
     /// The value of an `f64`, if its parts are not too large.
     pub(super) fn of_f64(x: f64) -> Option<Ratio> {
         let bits = x.to_bits();
@@ -49,6 +54,10 @@ impl Ratio {
     }
 
     pub(crate) fn add(self, other: Ratio) -> Option<Ratio> {
+        // Much cheaper, and the most common.
+        if self.is_integer() && other.is_integer() {
+            return Ratio::whole(self.numerator.checked_add(other.numerator)?);
+        }
         let common = gcd(self.denominator.unsigned_abs(), other.denominator.unsigned_abs()) as i128;
         let (b, d) = (self.denominator / common, other.denominator / common);
         let sum = self.numerator.checked_mul(d)?.checked_add(other.numerator.checked_mul(b)?)?;
@@ -56,6 +65,9 @@ impl Ratio {
     }
 
     pub(crate) fn mul(self, other: Ratio) -> Option<Ratio> {
+        if self.is_integer() && other.is_integer() {
+            return Ratio::whole(self.numerator.checked_mul(other.numerator)?);
+        }
         let cancelled = |n: i128, d: i128| {
             let common = gcd(n.unsigned_abs(), d.unsigned_abs()).max(1) as i128;
             (n / common, d / common)
@@ -114,6 +126,9 @@ impl Ratio {
 
 impl Ord for Ratio {
     fn cmp(&self, other: &Ratio) -> Ordering {
+        if self.denominator == other.denominator {
+            return self.numerator.cmp(&other.numerator);
+        }
         // By whole parts, then by the reciprocals of what remains: products of long parts would overflow.
         let rest = |x: &Ratio| Ratio { numerator: x.numerator.rem_euclid(x.denominator), ..*x };
         let (a, b) = (rest(self), rest(other));

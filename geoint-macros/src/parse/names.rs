@@ -31,6 +31,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "MechanicalContact",
     "Method",
     "ModifiedEnergy",
+    "PerCoordinate",
     "PhaseSpace",
     "PieceClock",
     "ProofAnd",

@@ -2,7 +2,7 @@
 
 use super::time::Clock;
 use crate::ir::{Graph, Id, Node, Symbol};
-use crate::schedule::{Kernel, Levels};
+use crate::schedule::Levels;
 
 /// Terms that are to be one piece.
 #[derive(Clone, Copy, Debug)]
@@ -73,18 +73,11 @@ pub(crate) struct Piece {
 }
 
 impl Piece {
-    /// What the flow changes, with or without the momenta, as a kernel: parameters and h are known first, then frozen time.
-    pub(crate) fn kernel(&self, graph: &mut Graph, momenta: bool) -> (Vec<Symbol>, Kernel) {
-        let levels = match self.clock {
+    /// When symbols are known: parameters and h first, then frozen time.
+    pub(crate) fn levels(&self) -> Levels {
+        match self.clock {
             Clock::Own => Levels::Unfrozen,
             Clock::Stage => Levels::Frozen,
-        };
-        let (changes, ends) = self
-            .flow
-            .changed(graph)
-            .into_iter()
-            .filter(|(symbol, _)| momenta || !matches!(symbol, Symbol::P(_)))
-            .unzip();
-        (changes, Kernel::new(levels, ends))
+        }
     }
 }

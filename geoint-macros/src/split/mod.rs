@@ -10,9 +10,11 @@ mod scalar;
 mod families;
 mod partition;
 mod mechanics;
+mod increment;
 mod modified;
 
 pub(crate) use flow::{Family, Flow, Piece};
+pub(crate) use increment::increments;
 pub(crate) use mechanics::{Mechanics, mechanics};
 pub(crate) use modified::modified_energy;
 pub(crate) use partition::{Pieces, pieces};

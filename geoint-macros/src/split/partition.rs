@@ -5,6 +5,7 @@ use super::flow::Piece;
 use crate::analyze::{self, Reads};
 use crate::ir::{Graph, Id, Node, Ratio};
 use crate::lower::Place;
+use crate::schedule::Kernel;
 use std::collections::BTreeMap;
 
 /// The pieces in the order in which a step goes through them and back, the most expensive one last; or a term that is in no
@@ -178,6 +179,6 @@ const MAX_POWER: i128 = 4;
 
 /// What a flow costs wherever it is applied, after what is computed once a step.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {
-    let (_, kernel) = piece.kernel(graph, true);
-    kernel.plan(graph).operations().weight()
+    let ends = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
+    Kernel::new(piece.levels(), ends).plan(graph).operations().weight()
 }

@@ -225,6 +225,24 @@ fn flows(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
     }
 }
 
+/// What a flow adds is where it ends less where it starts; in short steps without a difference of the two, where the flow is known to
+/// begin with 1·x.
+fn increments(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
+    let ends = piece.flow.changed(graph);
+    let increments = split::increments(graph, &ends);
+    for ((symbol, end), increment) in ends.into_iter().zip(increments) {
+        let own = graph.symbol(symbol);
+        for h in [0.1, -0.07, 1e-3] {
+            let [end, start, change] = [end, own, increment].map(|id| value(graph, id, x, h));
+            let size = end.abs() + start.abs();
+            assert!(
+                (end - start - change).abs() <= 1e-13 * (1.0 + size),
+                "{text}, {symbol:?}: {end} − {start}, {change}"
+            );
+        }
+    }
+}
+
 proptest! {
     #![proptest_config(config())]
 
@@ -246,6 +264,7 @@ proptest! {
             prop_assert!((whole - value(&graph, root, &x, 0.0)).abs() < 1e-12, "{}", sum);
             for piece in &pieces {
                 flows(&mut graph, piece, &x, &sum);
+                increments(&mut graph, piece, &x, &sum);
             }
         }
     }

@@ -101,16 +101,49 @@ pub fn discrete_gradient<S: DiscreteField<R>, R: Real>(visitor: &mut impl Visito
     compositions!(visitor: DiscreteGradient);
 }
 
-/// Methods that keep the energy of what nothing damps.
+/// Methods that keep the energy of what nothing damps: those of the next four functions.
 pub fn conservative<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    show!(visitor: Gonzalez, ItohAbe, ItohAbeAdjoint, SymmetrisedItohAbe, ItohAbePair, CoordinateIncrement::default());
-    show!(visitor: MeanValue::<1>, MeanValue::<2>, MeanValue::<3>, MeanValue::<4>, MeanValue::<5>, MeanValue::<6>);
-    show!(visitor: FourthOrder(DiscreteGradient), FourthOrder(Gonzalez));
+    mean_gradients(visitor);
+    itoh_abe(visitor);
+    itoh_abe_one_way(visitor);
+    coordinate_increment(visitor);
 }
 
-/// Methods whose steps are put right.
+/// Means of gradients that treat all coordinates alike.
+pub fn mean_gradients<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Gonzalez, FourthOrder(DiscreteGradient), FourthOrder(Gonzalez));
+    show!(visitor: MeanValue::<1>, MeanValue::<2>, MeanValue::<3>, MeanValue::<4>, MeanValue::<5>, MeanValue::<6>);
+}
+
+/// Those that take one coordinate after the other, and back.
+pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: SymmetrisedItohAbe, ItohAbePair);
+}
+
+/// The same one way, of order 1.
+pub fn itoh_abe_one_way<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: ItohAbe, ItohAbeAdjoint);
+}
+
+/// The one that has no step where an increment is orthogonal to its direction, which with one degree of freedom is nowhere.
+pub fn coordinate_increment<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: CoordinateIncrement::default());
+}
+
+/// Methods whose steps are put right: those of the next two functions.
 pub fn autonomous<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    show!(visitor: Projection(RK4, Energy), Projection(DOP853, Energy), Relaxation(RK4), Relaxation(DOP853));
+    projected(visitor);
+    relaxed(visitor);
+}
+
+/// Those that project each step.
+pub fn projected<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Projection(RK4, Energy), Projection(DOP853, Energy));
+}
+
+/// Those that scale each step. They need an energy that is nowhere straight along the flow.
+pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Relaxation(RK4), Relaxation(DOP853));
 }
 
 /// The method for H of degree 3.

@@ -86,7 +86,8 @@ impl<R: Real> Clock<R> {
     /// Whether two times are the same but for what t₀, n·h and they themselves are rounded by.
     #[inline(always)]
     pub(crate) fn is_at(&self, now: R, t: R) -> bool {
-        (now - t).magnitude() <= self.rounding(t).min(0.5 * self.h.magnitude())
+        let gap = (now - t).magnitude();
+        gap <= 0.5 * self.h.magnitude() && gap <= self.rounding(t)
     }
 
     #[inline(always)]

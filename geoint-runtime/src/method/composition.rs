@@ -27,7 +27,7 @@
 //! ```
 
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
-use crate::method::total::adds_up;
+use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;

@@ -7,22 +7,20 @@ pub mod contact;
 pub mod corrected;
 pub mod discrete_gradient;
 pub mod explicit;
-mod field;
 pub mod gauss;
 pub mod kahan;
 mod name;
 mod probe;
 pub mod splitting;
-pub mod tableau;
 pub mod tables;
-mod total;
 
 pub use catalogue::Visitor;
 pub use clock::Clock;
-pub use field::{gradient_kick, modified_verlet};
+pub use explicit::tableau;
 pub use name::Name;
 pub use probe::{Probe, Unwatched};
 pub(crate) use probe::{check_conditions, check_end, check_poles, start};
+pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::Refusal;
 
@@ -99,6 +97,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     type Memory: Clone;
     /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
     const SCALES_STEPS: bool = false;
+
+    /// Whether memory saves work and nothing else: after a refused step it begins anew, and is not copied before each one.
+    const FORGETFUL: bool = false;
 
     /// What the method promises.
     fn claims(&self) -> Claims;

@@ -50,6 +50,14 @@ impl<'a, T> Samples<'a, T> {
     }
 }
 
+impl<T: Trajectory> Samples<'_, T> {
+    /// Out of line: a step alone, which is less code, then stays in the caller's loop.
+    #[inline(never)]
+    fn many(&mut self) -> Result<(), StepError> {
+        self.run.advance(self.stride)
+    }
+}
+
 impl<T: Trajectory> Iterator for Samples<'_, T> {
     type Item = Result<T::State, StepError>;
 
@@ -58,7 +66,8 @@ impl<T: Trajectory> Iterator for Samples<'_, T> {
         if self.failed {
             return None;
         }
-        match self.run.advance(self.stride) {
+        let outcome = if self.stride == 1 { self.run.step() } else { self.many() };
+        match outcome {
             Ok(()) => Some(Ok(self.run.state())),
             Err(error) => {
                 self.failed = true;

@@ -3,7 +3,7 @@
 use super::{Adaptive, Integrator};
 use crate::method::Method;
 use crate::scalar::Real;
-use crate::system::{Hamiltonian, PhaseSpace, StateOf};
+use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// A system that can be put under a method.
 pub trait Run<R: Real = f64>: PhaseSpace<R> {
@@ -19,7 +19,7 @@ pub trait Run<R: Real = f64>: PhaseSpace<R> {
     /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
     fn adaptive<M: Method<Self, R>>(self, method: M, tolerance: f64, state: StateOf<Self, R>) -> Adaptive<Self, M, R>
     where
-        Self: Hamiltonian<R>,
+        Self: Rates<R>,
     {
         Adaptive::new(self, method, tolerance, state)
     }

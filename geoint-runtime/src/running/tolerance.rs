@@ -1,73 +1,75 @@
 //! Which error of a step is tolerated, coordinate by coordinate?
 
 use crate::scalar::{Real, signed};
-use crate::solving::size::{Sizes, largest};
-use crate::space::Array;
+use crate::solving::size::largest;
+use crate::space::{Action, Array, PerCoordinate};
 
-/// The tolerance of a step's error in every coordinate of (q, p): a part of the largest magnitude that the coordinate has had, and
+/// The tolerance of a step's error in every coordinate: a part of the largest magnitude that the coordinate has had, and
 /// an absolute error.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Tolerance<A: Array> {
+pub(crate) struct Tolerance<A, Z> {
     pub(crate) relative: f64,
-    absolute: A,
-    /// Of what a coordinate was.
-    sizes: Sizes<A>,
+    pub(crate) absolute: PerCoordinate<A, Z>,
+    /// The largest magnitude that a coordinate has had.
+    sizes: PerCoordinate<A, Z>,
     /// Of what errors of other coordinates cause in it, over the tolerance.
-    caused: Sizes<A>,
+    caused: PerCoordinate<A, Z>,
     /// The longest time so far in which the state changes.
     longest: f64,
 }
 
 /// A step as its error is judged.
-pub(crate) struct Judged<'a, A: Array> {
+pub(crate) struct Judged<'a, A, Z> {
     /// What part of the time it takes in which the state changes.
     pub(crate) part: f64,
-    pub(crate) before: &'a A,
-    pub(crate) after: &'a A,
+    pub(crate) before: &'a PerCoordinate<A, Z>,
+    pub(crate) after: &'a PerCoordinate<A, Z>,
     /// The estimated error.
-    pub(crate) gap: &'a A,
+    pub(crate) gap: &'a PerCoordinate<A, Z>,
 }
 
-impl<A: Array> Tolerance<A> {
-    pub(crate) fn new(relative: f64, x: &A) -> Self {
-        let (mut sizes, caused) = (Sizes::new(), Sizes::new());
-        sizes.keep(x);
-        Tolerance { relative, absolute: A::zero(), sizes, caused, longest: 0.0 }
-    }
-
-    pub(crate) fn absolute(&mut self, absolute: A) {
-        self.absolute = absolute;
+impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {
+    pub(crate) fn new(relative: f64, x: &PerCoordinate<A, Z>) -> Self {
+        let zero = PerCoordinate::zero();
+        let mut sizes = zero;
+        keep(&mut sizes, x);
+        Tolerance { relative, absolute: zero, sizes, caused: zero, longest: 0.0 }
     }
 
     /// A tolerance that is none.
     pub(crate) fn unusable(&self) -> Option<f64> {
         let positive = self.relative > 0.0 && self.relative < f64::INFINITY;
-        let negative = |x: &&A::Real| x.any_below(0.0) || !x.magnitude().is_finite();
-        let absolute = self.absolute.as_slice().iter().find(negative).map(|x| signed(*x));
+        let negative = |x: &A::Real| x.any_below(0.0) || !x.magnitude().is_finite();
+        let absolute = self.absolute.numbers().find(negative).map(signed);
         if positive { absolute } else { Some(self.relative) }
     }
 
     /// The size by which a coordinate is measured in a step to `after`: one that was zero so far has the size that it reaches at this
     /// speed in the time in which the state changes.
     fn size(&self, i: usize, after: f64, part: f64) -> f64 {
-        match self.sizes.of(i) {
+        match self.sizes.at(i).magnitude() {
             0.0 => after / part,
             size => size.max(after),
         }
     }
 
-    /// Includes a step from one point to another, which is a part of the time in which the state changes. `field` gives the rates of
-    /// a point, where only their magnitudes and differences count.
-    pub(crate) fn include(&mut self, [before, after]: [&A; 2], h: f64, part: f64, field: impl Fn(&A) -> A) {
+    /// Includes a step from one point to another, which is a part of the time in which the state changes.
+    pub(crate) fn include(
+        &mut self,
+        [before, after]: [&PerCoordinate<A, Z>; 2],
+        h: f64,
+        part: f64,
+        rates: impl Fn(&PerCoordinate<A, Z>) -> PerCoordinate<A, Z>,
+    ) {
         let mut reached = *after;
-        for (i, x) in reached.as_mut_slice().iter_mut().enumerate() {
+        for (i, x) in reached.numbers_mut().enumerate() {
             *x = A::Real::from_f64(self.size(i, x.magnitude(), part));
         }
-        self.sizes.keep(&reached);
+        keep(&mut self.sizes, &reached);
         let time = h.abs() / part;
         if time > self.longest {
             self.longest = time;
-            self.cause(before, time, field);
+            self.cause(before, time, rates);
         }
     }
 
@@ -76,23 +78,28 @@ impl<A: Array> Tolerance<A> {
     ///
     /// It is measured while steps become longer than all before: the few steps after a start.
     #[cold]
-    fn cause(&mut self, x: &A, time: f64, field: impl Fn(&A) -> A) {
-        let (here, mut sizes) = (field(x), *x);
+    fn cause(
+        &mut self,
+        x: &PerCoordinate<A, Z>,
+        time: f64,
+        rates: impl Fn(&PerCoordinate<A, Z>) -> PerCoordinate<A, Z>,
+    ) {
+        let (here, mut sizes) = (rates(x), *x);
         // Each round reaches the next neighbours, and raises what was not raised before.
-        for _ in 0..A::LEN {
+        for _ in 0..PerCoordinate::<A, Z>::LEN {
             let mut next = sizes;
             // With equal and with alternating signs: errors of neighbours may cancel.
             for alternate in [1.0, -1.0] {
                 let (mut moved, mut sign) = (*x, 1.0);
-                for (x, size) in moved.as_mut_slice().iter_mut().zip(sizes.as_slice()) {
+                for (x, size) in moved.numbers_mut().zip(sizes.numbers()) {
                     *x += A::Real::from_f64(sign * self.relative * size.magnitude());
                     sign *= alternate;
                 }
-                let there = field(&moved);
-                for (i, next) in next.as_mut_slice().iter_mut().enumerate() {
-                    let change = (there.as_slice()[i] - here.as_slice()[i]).magnitude();
+                let there = rates(&moved);
+                for (i, next) in next.numbers_mut().enumerate() {
+                    let change = (there.at(i) - here.at(i)).magnitude();
                     let size = time * change / self.relative;
-                    let raised = sizes.as_slice()[i] != x.as_slice()[i];
+                    let raised = sizes.at(i) != x.at(i);
                     // What is not a number is no size.
                     if !raised && size > next.magnitude() && size < f64::INFINITY {
                         *next = A::Real::from_f64(size);
@@ -104,24 +111,37 @@ impl<A: Array> Tolerance<A> {
             }
             sizes = next;
         }
-        self.caused.keep(&sizes);
+        keep(&mut self.caused, &sizes);
     }
 
-    /// The largest error of a step in units of what is tolerated; `field` as above.
+    /// The largest error of a step in units of what is tolerated.
     ///
     /// A coordinate that is zero, and whose rate is, is not measured in its first step: it is driven by others, and only the order
     /// of magnitude of what it becomes is right.
-    pub(crate) fn error(&self, step: &Judged<'_, A>, field: impl Fn(&A) -> A) -> f64 {
-        let entry = |x: &A, i: usize| x.as_slice()[i].magnitude();
-        let moving = (0..A::LEN).all(|i| self.sizes.of(i) > 0.0);
-        let rates = if moving { A::zero() } else { field(step.before) };
-        largest((0..A::LEN).map(|i| {
+    pub(crate) fn error(
+        &self,
+        step: &Judged<'_, A, Z>,
+        rates: impl Fn(&PerCoordinate<A, Z>) -> PerCoordinate<A, Z>,
+    ) -> f64 {
+        let entry = |x: &PerCoordinate<A, Z>, i: usize| x.at(i).magnitude();
+        let moving = self.sizes.numbers().all(|size| size.magnitude() > 0.0);
+        let rates = if moving { PerCoordinate::zero() } else { rates(step.before) };
+        largest((0..PerCoordinate::<A, Z>::LEN).map(|i| {
             let gap = entry(step.gap, i);
-            if gap == 0.0 || (self.sizes.of(i) == 0.0 && entry(&rates, i) == 0.0) {
+            if gap == 0.0 || (entry(&self.sizes, i) == 0.0 && entry(&rates, i) == 0.0) {
                 return 0.0;
             }
-            let size = self.size(i, entry(step.after, i), step.part).max(self.caused.of(i));
+            let size = self.size(i, entry(step.after, i), step.part).max(entry(&self.caused, i));
             gap / (self.relative * size + entry(&self.absolute, i))
         }))
+    }
+}
+
+/// Includes a point in the largest magnitudes.
+fn keep<A: Array, Z: Action<A::Real>>(sizes: &mut PerCoordinate<A, Z>, x: &PerCoordinate<A, Z>) {
+    for (size, x) in sizes.numbers_mut().zip(x.numbers()) {
+        if x.magnitude() > size.magnitude() {
+            *size = A::Real::from_f64(x.magnitude());
+        }
     }
 }

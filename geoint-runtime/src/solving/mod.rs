@@ -4,6 +4,7 @@ mod damped;
 mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
+mod noise;
 mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
@@ -11,7 +12,6 @@ pub(crate) mod rounding;
 pub(crate) mod segment;
 mod semidefinite;
 pub(crate) mod size;
-mod terms;
 
 pub use inverse::{Inverse, Inverted};
 pub use refusal::Refusal;

@@ -4,10 +4,10 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
 use crate::solving::linear;
+use crate::solving::noise;
 use crate::solving::predictor::Predictor;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::{Sizes, sum};
-use crate::solving::terms::Terms;
 use crate::space::{Array, Square};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
@@ -145,16 +145,14 @@ impl<A: Array> Newton<A> {
         let minus = A::Real::from_f64(-1.0);
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
-        let (mut corrections, mut terms) = (Corrections::of_order(2), Terms::new(&self.sizes));
+        let mut corrections = Corrections::of_order(2);
         let mut first = 1.0;
         for iterations in 1..=MAX_ITERATIONS {
             // That of the guess: it is known earlier, and within the test it differs by nothing that matters.
             let size = squares(&x, origin);
             let (next, mut delta) = (derivative(&x, &mut matrix), x);
             delta.add_scaled(minus, &next);
-            let residual = delta;
             let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
-                self.sizes = terms.without();
                 return Err(if delta.is_finite() { Refusal::Singular } else { corrections.not_converged() });
             };
             let mut lost = x;
@@ -165,8 +163,7 @@ impl<A: Array> Newton<A> {
             if iterations == 1 && within(&delta, size, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
-            let judged = if terms.are_known() { &residual } else { &delta };
-            let correction = self.sizes.relative(judged, origin, &x);
+            let correction = self.sizes.relative(&delta, origin, &x);
             // In units of the state as it is, as corrections are compared with the reach.
             let now = Sizes::new().relative(&delta, origin, &x);
             if iterations == 2 {
@@ -174,24 +171,35 @@ impl<A: Array> Newton<A> {
             }
             first = now;
             let verdict = corrections.judge::<A::Real>(correction);
-            match verdict {
-                Verdict::Solved if terms.are_valid() => {
-                    self.sizes.include(origin, &x);
-                    return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
-                }
-                Verdict::Solved | Verdict::Stuck if patient => {
-                    let ([n, kinds], matrix) = (self.kinds, |x: &A, m: &mut _| derivative(x, m).is_finite());
-                    terms.include(&mut self.sizes, (origin, &x), verdict == Verdict::Solved, |i| i / n % kinds, matrix);
-                    corrections.restart();
-                }
-                _ => {}
+            let image = |x: &A| derivative(x, &mut matrix);
+            if verdict == Verdict::Solved || verdict == Verdict::Stuck && patient && self.is_noise(origin, &x, image) {
+                self.sizes.include(origin, &x);
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            }
+            if verdict == Verdict::Stuck {
+                corrections.restart();
             }
             if !correction.is_finite() {
                 break;
             }
         }
-        self.sizes = terms.without();
         Err(corrections.not_converged())
+    }
+
+    /// Whether what is left of x − g(x) is rounding.
+    #[cold]
+    fn is_noise(&self, origin: &A, x: &A, mut image: impl FnMut(&A) -> A) -> bool {
+        let mut residual = |x: &A| {
+            let mut r = *x;
+            r.add_scaled(A::Real::from_f64(-1.0), &image(x));
+            r
+        };
+        let mut sizes = self.sizes;
+        sizes.include(origin, x);
+        let [n, kinds] = self.kinds;
+        let left = residual(x);
+        let noise = noise::measure(&sizes, x, |i| i / n % kinds, |x| Some(residual(x)));
+        noise::explains(&noise, &left, &sizes)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.

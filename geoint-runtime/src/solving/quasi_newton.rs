@@ -3,16 +3,9 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
-use crate::solving::size::{Sizes, sum};
-use crate::solving::terms::Terms;
-use crate::solving::{damped, linear};
+use crate::solving::size::{Sizes, largest, sum};
+use crate::solving::{damped, linear, noise};
 use crate::space::{Array, Square};
-
-/// A correction of this part of the unknowns may be rounding of terms that cancel. A larger one is on its way from afar.
-const NEAR: f64 = 1.0 / 1024.0;
-
-/// A mean of gradients is made of so many evaluations and quotients, whose roundings add up.
-const EVALUATIONS: f64 = 64.0;
 
 /// Solves one equation a step for increments of positions and momenta, and remembers their sizes.
 #[derive(Clone, Copy, Debug)]
@@ -43,8 +36,9 @@ impl<A: Array> QuasiNewton<A> {
         // Sizes for pivots and differences. A guess may be wild: no correction is compared with it.
         let mut scale = self.sizes;
         scale.include(origin, &guess);
-        self.iterate(origin, (guess, &scale), &mut residual)
-            .or_else(|refusal| self.otherwise(origin, (guess, &scale), residual).map_err(|_| refusal))
+        let mut noise = A::zero();
+        self.iterate(origin, (guess, &scale), &mut noise, &mut residual)
+            .or_else(|refusal| self.otherwise(origin, (guess, &scale), noise, residual).map_err(|_| refusal))
     }
 
     #[cold]
@@ -52,83 +46,89 @@ impl<A: Array> QuasiNewton<A> {
         &mut self,
         origin: &A,
         (guess, scale): (A, &Sizes<A>),
+        mut noise: A,
         mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
+        let seen = noise;
         let mut precise = |x: &A, r: &mut A, matrix: &mut Square<A>| {
             residual(x, r, matrix)?;
-            differentiate(scale, origin, x, r, matrix, &mut residual)
+            differentiate(scale, origin, x, r, &seen, matrix, &mut residual)
         };
-        self.iterate(origin, (guess, scale), &mut precise).or_else(|_| {
+        self.iterate(origin, (guess, scale), &mut noise, &mut precise).or_else(|_| {
             let near = damped::approach(origin, 0.0, scale, &mut precise);
-            self.iterate(origin, (near, scale), &mut precise)
+            self.iterate(origin, (near, scale), &mut noise, &mut precise)
         })
     }
 
+    /// `noise` is that of the residual where the iteration was stuck last.
     fn iterate(
         &mut self,
         origin: &A,
         (mut x, scale): (A, &Sizes<A>),
+        noise: &mut A,
         residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
-        let (mut corrections, mut terms) = (Corrections::of_order(1), Terms::new(&self.sizes));
+        let mut corrections = Corrections::of_order(1);
         let mut matrix = A::fill(A::zero());
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
-            residual(&x, &mut delta, &mut matrix).inspect_err(|_| self.sizes = terms.without())?;
+            residual(&x, &mut delta, &mut matrix)?;
             let left = delta;
-            let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
-                self.sizes = terms.without();
-                return Err(Refusal::Singular);
-            };
+            let positive = linear::solve(&mut matrix, &mut delta, scale).ok_or(Refusal::Singular)?;
+            let before = x;
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
-            let mut relative = terms.without().relative(&delta, origin, &x);
-            // Once terms are known the residual is judged, where the iteration has come near.
-            if terms.are_known() && relative <= NEAR {
-                relative = self.sizes.relative(&left, origin, &x) / EVALUATIONS;
-            }
-            let verdict = corrections.judge::<A::Real>(relative);
-            match verdict {
-                Verdict::Solved if terms.are_valid() => {
-                    self.sizes.include(origin, &x);
-                    return if positive { Ok(x) } else { Err(Refusal::Singular) };
-                }
-                Verdict::Solved | Verdict::Stuck => {
-                    let matrix = |x: &A, matrix: &mut _| residual(x, &mut delta, matrix).is_ok() && delta.is_finite();
+            let relative = self.sizes.relative(&delta, origin, &x);
+            let mut solved = None;
+            match corrections.judge::<A::Real>(relative) {
+                Verdict::Solved => solved = Some(x),
+                Verdict::Stuck => {
+                    let mut sizes = self.sizes;
+                    sizes.include(origin, &before);
                     // Positions, then momenta.
-                    terms.include(
-                        &mut self.sizes,
-                        (origin, &x),
-                        verdict == Verdict::Solved,
-                        |i| i / (A::LEN / 2),
-                        matrix,
-                    );
+                    let kind = |i| i / (A::LEN / 2);
+                    *noise = noise::measure(&sizes, &before, kind, |x| {
+                        let mut r = A::zero();
+                        residual(x, &mut r, &mut matrix).is_ok().then_some(r)
+                    });
+                    if noise::explains(noise, &left, &sizes) {
+                        solved = Some(before);
+                    }
                     corrections.restart();
                 }
                 Verdict::Continue => {}
+            }
+            if let Some(x) = solved {
+                self.sizes.include(origin, &x);
+                return if positive { Ok(x) } else { Err(Refusal::Singular) };
             }
             if !relative.is_finite() {
                 break;
             }
         }
-        self.sizes = terms.without();
         Err(corrections.not_converged())
     }
 }
 
-/// The derivative of the residual `r` at `x` by difference quotients; a column whose unknown has no size stays as it is.
+/// The derivative of the residual `r` at `x` by difference quotients; a column whose unknown has no size stays as it is. Unknowns are
+/// moved so far that the `noise` of the residual is a small part of what it changes by.
 fn differentiate<A: Array>(
     sizes: &Sizes<A>,
     origin: &A,
     x: &A,
     r: &A,
+    noise: &A,
     matrix: &mut Square<A>,
     residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
-    let root = Real::sqrt(A::Real::epsilon());
+    let size = |i: usize| sizes.of(i).max(sum(origin, x, i));
+    let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| noise.as_slice()[i].magnitude() / size(i));
+    // √ε, or what takes the place of ε.
+    let epsilon = A::Real::epsilon();
+    let part = epsilon.max(largest(parts)) / Real::sqrt(epsilon);
     let mut unused = A::fill(A::zero());
     for j in 0..A::LEN {
         let (mut moved, mut there) = (*x, A::zero());
-        moved.as_mut_slice()[j] += A::Real::from_f64(root * sizes.of(j).max(sum(origin, x, j)));
+        moved.as_mut_slice()[j] += A::Real::from_f64(part * size(j));
         let distance = moved.as_slice()[j] - x.as_slice()[j];
         if distance.magnitude() == 0.0 {
             continue;

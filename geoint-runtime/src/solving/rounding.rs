@@ -2,7 +2,7 @@
 //!
 //! An iteration ends where the next correction is bound to be below the last digit, or where corrections are small and do not shrink
 //! any more. Small is what a correction is relative to the size of what it corrects, and that includes the terms which are added up
-//! on the way to it: see [`terms`](crate::solving::terms).
+//! on the way to it: see [`noise`](crate::solving::noise).
 
 use crate::scalar::Real;
 use crate::solving::Refusal;

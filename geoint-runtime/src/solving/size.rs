@@ -30,15 +30,6 @@ impl<A: Array> Sizes<A> {
         }
     }
 
-    /// Includes a point, for good.
-    pub(crate) fn keep(&mut self, x: &A) {
-        for (size, x) in self.0.as_mut_slice().iter_mut().zip(x.as_slice()) {
-            if x.magnitude() > size.magnitude() {
-                *size = A::Real::from_f64(x.magnitude());
-            }
-        }
-    }
-
     /// The same size for all: entries of one unit.
     pub(crate) fn equal() -> Self {
         let mut sizes = A::zero();

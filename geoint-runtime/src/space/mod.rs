@@ -3,13 +3,16 @@
 mod array;
 mod body;
 mod double_word;
+mod per_coordinate;
 mod point;
 mod state;
 mod summation;
 
 pub use array::{Array, Square};
 pub use double_word::DoubleWord;
+pub use per_coordinate::PerCoordinate;
 pub use point::Point;
+pub(crate) use point::add_action;
 pub use state::{Action, ContactState, Coordinates, FlowState, Snapshot, State};
 pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};

@@ -2,8 +2,9 @@
 
 use super::array::Array;
 use super::double_word::DoubleWord;
+use super::per_coordinate::PerCoordinate;
 use super::state::Action;
-use super::summation::Summation;
+use super::summation::{Summation, add_compensated};
 use crate::scalar::{Real, zero};
 
 /// A point with sums of kind `C`, and an action if its space has one.
@@ -14,6 +15,8 @@ pub struct Point<Z: Array, C, S = ()> {
     /// The action of a contact system.
     pub s: S,
     pub(crate) sums: C,
+    /// What s is too small by, where sums compensate.
+    pub(crate) compensation: S,
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: DoubleWord<Z::Real>,
 }
@@ -21,12 +24,12 @@ pub struct Point<Z: Array, C, S = ()> {
 impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     /// A point without rounding errors so far.
     pub fn with_action(z: Z, s: S) -> Self {
-        Point { z, s, sums: C::new(), ahead: DoubleWord::new(zero()) }
+        Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()) }
     }
 
     /// The same point with sums of another kind, without rounding errors so far.
     pub(crate) fn with_sums<D: Summation<Z>>(self) -> Point<Z, D, S> {
-        Point { z: self.z, s: self.s, sums: D::new(), ahead: self.ahead }
+        Point { ahead: self.ahead, ..Point::with_action(self.z, self.s) }
     }
 
     /// Whether every coordinate is a finite number.
@@ -39,6 +42,13 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     #[inline(always)]
     pub fn add(&mut self, dz: &Z) {
         self.sums.add(&mut self.z, |z| z.add_scaled(Z::Real::from_f64(1.0), dz));
+    }
+
+    /// The same for every coordinate, the action too.
+    #[inline(always)]
+    pub(crate) fn add_everywhere(&mut self, d: &PerCoordinate<Z, S>) {
+        self.add(&d.z);
+        add_action::<Z, C, S>(&mut self.s, &mut self.compensation, d.s);
     }
 
     /// Adds a correction to a step that led from `before` by `moved` to here: both together, with sums of the method's own unless those
@@ -71,5 +81,17 @@ impl<Z: Array, C: Summation<Z>> Point<Z, C> {
     /// A point without rounding errors so far.
     pub fn new(z: Z) -> Self {
         Self::with_action(z, ())
+    }
+}
+
+/// s ← s + ds, if there is an action.
+#[inline(always)]
+pub(crate) fn add_action<Z: Array, C: Summation<Z>, S: Action<Z::Real>>(s: &mut S, compensation: &mut S, ds: S) {
+    for ((s, compensation), ds) in s.numbers_mut().iter_mut().zip(compensation.numbers_mut()).zip(ds.numbers()) {
+        if C::PLAIN {
+            *s += *ds;
+        } else {
+            add_compensated(s, compensation, *ds);
+        }
     }
 }

@@ -81,11 +81,11 @@ impl<R: Real, const D: usize, const N: usize> Coordinates for [SVector<R, D>; N]
     type Array = [[R; D]; N];
     #[inline(always)]
     fn into_array(self) -> [[R; D]; N] {
-        self.map(Into::into)
+        core::array::from_fn(|i| self[i].into())
     }
     #[inline(always)]
     fn from_array(array: [[R; D]; N]) -> Self {
-        array.map(Into::into)
+        core::array::from_fn(|i| array[i].into())
     }
 }
 
@@ -191,7 +191,7 @@ impl<Q: Coordinates> Snapshot for State<Q> {
     fn time(&self) -> Q::Real {
         self.t
     }
-    #[inline]
+    #[inline(always)]
     fn of(t: Q::Real, [q, p]: [Q::Array; 2], (): ()) -> Self {
         State { t, q: Q::from_array(q), p: Q::from_array(p) }
     }
@@ -210,7 +210,7 @@ impl<Q: Coordinates> Snapshot for ContactState<Q> {
     fn time(&self) -> Q::Real {
         self.t
     }
-    #[inline]
+    #[inline(always)]
     fn of(t: Q::Real, [q, p]: [Q::Array; 2], s: Q::Real) -> Self {
         ContactState { t, q: Q::from_array(q), p: Q::from_array(p), s }
     }
@@ -243,6 +243,14 @@ impl<X: Coordinates> Snapshot for FlowState<X> {
 ///
 /// Sealed: methods tell the two kinds apart.
 pub trait Action<R: Real>: Sealed + Copy + Debug + PartialEq {
+    /// How many numbers it is.
+    const LEN: usize;
+    /// Zero, if there is one.
+    fn zero() -> Self;
+    /// The action, if there is one, as a list.
+    fn numbers(&self) -> &[R];
+    /// The same to be written to.
+    fn numbers_mut(&mut self) -> &mut [R];
     /// Whether it is a finite number.
     fn is_finite(&self) -> bool;
     /// The action, if there is one.
@@ -255,6 +263,17 @@ impl Sealed for () {}
 impl<R: Real> Sealed for R {}
 
 impl<R: Real> Action<R> for () {
+    const LEN: usize = 0;
+    #[inline(always)]
+    fn zero() {}
+    #[inline(always)]
+    fn numbers(&self) -> &[R] {
+        &[]
+    }
+    #[inline(always)]
+    fn numbers_mut(&mut self) -> &mut [R] {
+        &mut []
+    }
     #[inline(always)]
     fn is_finite(&self) -> bool {
         true
@@ -267,6 +286,19 @@ impl<R: Real> Action<R> for () {
 }
 
 impl<R: Real> Action<R> for R {
+    const LEN: usize = 1;
+    #[inline(always)]
+    fn zero() -> Self {
+        zero()
+    }
+    #[inline(always)]
+    fn numbers(&self) -> &[R] {
+        core::slice::from_ref(self)
+    }
+    #[inline(always)]
+    fn numbers_mut(&mut self) -> &mut [R] {
+        core::slice::from_mut(self)
+    }
     #[inline(always)]
     fn is_finite(&self) -> bool {
         self.magnitude() < f64::INFINITY

@@ -77,12 +77,7 @@ impl<A: Array> Summation<A> for Compensated<A> {
         flow(&mut increment);
         let compensation = &mut self.compensation.as_mut_slice()[first..first + B::LEN];
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
-            // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller
-            // one, the error of the first sum is lost, which is a rounding of the compensation.
-            let (change, first) = sum_with_small(increment.as_slice()[i], compensation[i]);
-            let (sum, second) = exact_sum(*x, change);
-            compensation[i] = first + second;
-            *x = sum;
+            add_compensated(x, &mut compensation[i], increment.as_slice()[i]);
         }
     }
     #[inline(always)]
@@ -93,6 +88,17 @@ impl<A: Array> Summation<A> for Compensated<A> {
     fn compensation(&self) -> A {
         self.compensation
     }
+}
+
+/// Adds a number to a sum that is too small by `compensation`, as [`Compensated`] does.
+#[inline(always)]
+pub(crate) fn add_compensated<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
+    // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller
+    // one, the error of the first sum is lost, which is a rounding of the compensation.
+    let (change, first) = sum_with_small(increment, *compensation);
+    let (whole, second) = exact_sum(*sum, change);
+    *compensation = first + second;
+    *sum = whole;
 }
 
 /// a + b and its rounding error, if |b| ≤ |a|. T. J. Dekker, Numer. Math. 18 (1971) 224.

@@ -1,8 +1,8 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
 use super::{Cotangent, PhaseSpace, Separable};
-use crate::scalar::Real;
-use crate::space::{Array, ContactState, Square};
+use crate::scalar::{Real, zero};
+use crate::space::{Array, ContactState, PerCoordinate, Square};
 
 /// A system with a contact Hamiltonian H(q, p, s, t).
 pub trait Contact<R: Real = f64>:
@@ -12,6 +12,20 @@ pub trait Contact<R: Real = f64>:
     type Proof;
     /// ∂H/∂q, ∂H/∂p and ∂H/∂s at a point.
     fn gradient(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R);
+
+    /// z' and s' at a point; the momenta of a lift stand still.
+    #[inline]
+    fn rate(&self, t: R, z: &Self::Phase, s: &R, slopes: &mut Self::Phase, ds: &mut R) {
+        let mut by_s = zero();
+        self.gradient(t, z, s, slopes, &mut by_s);
+        *ds = -self.hamiltonian(t, z, s);
+        let ([_, p], [q_rate, p_rate]) = (z, slopes);
+        let halves = q_rate.as_mut_slice().iter_mut().zip(p_rate.as_mut_slice());
+        for (p, (force, velocity)) in p.as_slice().iter().zip(halves) {
+            *ds = p.multiply_add(*velocity, *ds);
+            (*force, *velocity) = (*velocity, -p.multiply_add(by_s, *force));
+        }
+    }
 }
 
 /// (q, p) moves without s: H = g(t)·s + H₀(q, p, t).
@@ -95,6 +109,15 @@ pub trait Pieces<R: Real = f64>: PhaseSpace<R> {
         z: &mut Self::Phase,
         s: &mut Self::Action,
     );
+    /// What that flow adds to `x`, for sums that compensate.
+    fn increments(
+        &self,
+        piece: usize,
+        flows: &Self::Flows,
+        frozen: &Self::Frozen,
+        t: R,
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.

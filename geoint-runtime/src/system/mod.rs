@@ -9,6 +9,7 @@ mod integrals;
 mod modified;
 mod poles;
 mod separable;
+mod rates;
 
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
@@ -18,6 +19,7 @@ pub use poles::Pole;
 mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
+pub use rates::Rates;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
 
 pub use crate::solving::{Inverse, Inverted};

@@ -2,7 +2,7 @@
 
 use super::Cotangent;
 use crate::scalar::Real;
-use crate::space::Array;
+use crate::space::PerCoordinate;
 
 /// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
 /// quadratic, and T and V + g·s where it is not.
@@ -22,8 +22,8 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
     /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
     const KICKS_REPEAT: bool = false;
-    /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not, [`drifted`](Separable::drifted) says
-    /// what it adds.
+    /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not,
+    /// [`drift_increments`](Separable::drift_increments) says what it adds.
     const DRIFTS_SHIFT: bool = true;
 
     /// Coefficients of a kick of length `h`.
@@ -34,10 +34,30 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
-    /// What a drift that does not only shift positions adds to them and to momenta, so that sums of it can be compensated.
+
+    /// What a kick from `x` adds, for sums that compensate. A kick that does nothing but add is given zeros to add to.
     #[inline(always)]
-    fn drifted(&self, _drift: &Self::Drift, _t: R, _q: &Self::Array, _p: &Self::Array) -> Self::Phase {
-        Self::Phase::zero()
+    fn kick_increments(
+        &self,
+        kick: &Self::Kick,
+        t: R,
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
+        d
+    }
+    /// What a drift from `x` adds, in the same way.
+    #[inline(always)]
+    fn drift_increments(
+        &self,
+        drift: &Self::Drift,
+        t: R,
+        x: &PerCoordinate<Self::Phase, Self::Action>,
+    ) -> PerCoordinate<Self::Phase, Self::Action> {
+        let mut d: PerCoordinate<Self::Phase, Self::Action> = PerCoordinate::nothing();
+        self.drift(drift, t, &mut d.z[0], &mut x.z[1].clone(), &mut d.s);
+        d
     }
 }
 

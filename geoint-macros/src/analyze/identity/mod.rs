@@ -1,32 +1,81 @@
 //! Is a node zero, whatever the values of its symbols are?
 //!
-//! It is multiplied out over exact ratios, with functions and roots as unknowns of their own; every combination of the conditions that
-//! it reads is a case. "Zero" is proven: it holds wherever the node is defined, in every case, and no number was rounded. What is
-//! left is either no identity, or rests on a relation between functions that is not known here. No value is ever tried.
+//! It is multiplied out; what is too long for that, or rests on relations between functions, is evaluated at points of a finite field.
+//! "Zero" is proven by one of the two: it holds wherever the node is defined, and the answer says by which. What is not proven is
+//! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
 //!
-//! Other ways to prove an identity (evaluation over a finite field, for what is too long to be multiplied out) belong behind
-//! [`identity`], in place of [`Identity::TooLong`].
+//! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
+#![cfg_attr(
+    not(test),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "claims, search and liouville are for the attributes of fields, which come next"
+    )
+)]
 
-mod atoms;
-mod condition;
-mod expand;
-mod functions;
-mod normal;
-mod powers;
+pub(crate) mod claims;
+pub(crate) mod liouville;
+mod multiplied;
+mod residues;
+mod rounding;
+pub(crate) mod search;
+mod witness;
 
-use crate::ir::{Graph, Id};
-use condition::Assumptions;
-use expand::{Expansion, Stop};
+use crate::ir::{Graph, Id, Node, Symbol};
+pub(crate) use residues::Bound;
+use rounding::Shown;
+pub(crate) use witness::{Value, Witness};
 
 /// What is known of a node.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Identity {
     /// It is zero wherever it is defined.
-    Zero,
-    /// It was not proven to be zero.
-    Left(Remainder),
-    /// It has too many terms, too many conditions, or numbers that are too long.
+    Zero(Proof),
+    /// It is not zero.
+    Wrong(Box<Wrong>),
+    /// It was not proven, and no state was met at which it is certainly not zero.
+    Open(Open),
+}
+
+/// How an identity was proven.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Proof {
+    /// Multiplied out, exactly.
+    Multiplied,
+    /// Evaluated over a finite field: wrong with the probability that the bound gives, were points drawn at random.
+    Points(Bound),
+}
+
+/// An identity that does not hold.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Wrong {
+    /// What remains, if it could be multiplied out.
+    pub(crate) rest: Option<Remainder>,
+    pub(crate) witness: Witness,
+    /// Whether it holds for another choice of the signs of roots, as √(x²) = x.
+    pub(crate) branch: bool,
+}
+
+/// An identity that was not decided.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Open {
+    /// What remains, if it could be multiplied out.
+    pub(crate) rest: Option<Remainder>,
+    pub(crate) why: Why,
+}
+
+/// Why an identity was not decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Why {
+    /// It holds to rounding, but rests on a relation between functions, or rounded numbers, that is not known here.
+    Relation,
+    /// It holds to rounding, but for one choice of the signs of roots only: √x·√y = √(xy).
+    Branch,
+    /// It holds to rounding, but is too long, has too many roots and conditions, or divides by zero on some side of them.
     TooLong,
+    /// No state was met at which it is defined.
+    Nowhere,
 }
 
 /// What is left of a node.
@@ -40,34 +89,69 @@ pub(crate) struct Remainder {
     pub(crate) certain: bool,
 }
 
-/// More conditions than this are not combined.
-const MAX_CONDITIONS: usize = 8;
+impl Identity {
+    pub(crate) fn is_zero(&self) -> bool {
+        matches!(self, Identity::Zero(_))
+    }
+
+    /// What remains, if it is not zero and could be multiplied out.
+    pub(crate) fn rest(&self) -> Option<&Remainder> {
+        match self {
+            Identity::Zero(_) => None,
+            Identity::Wrong(wrong) => wrong.rest.as_ref(),
+            Identity::Open(open) => open.rest.as_ref(),
+        }
+    }
+}
+
+/// So many products of two terms are formed in each case; from there on points are faster, and what remains is too long to be read.
+const PRODUCTS: usize = 500;
 
 /// Decides whether a node is zero.
 pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
-    // Cases that are open; each is divided at the first condition that it leaves undecided.
-    let (mut open, mut zeros, mut left) = (vec![Assumptions::default()], false, vec![]);
-    while let Some(case) = open.pop() {
-        let mut expansion = Expansion::new(graph, &case);
-        match expansion.normal(root).and_then(|normal| Ok((expansion.is_zero(&normal)?, normal))) {
-            Ok((true, _)) => zeros = true,
-            Ok((false, normal)) => {
-                let certain = expansion.is_plain(&normal);
-                let rest = expansion.formula(&normal).build(graph);
-                left.push(Remainder { rest, case: case.conditions(), certain });
-            }
-            Err(Stop::Undecided(comparison)) if case.len() < MAX_CONDITIONS => {
-                let atoms = expansion.atoms;
-                open.extend([false, true].map(|holds| case.with(&comparison, holds, &atoms)));
-            }
-            Err(_) => return Identity::TooLong,
-        }
+    sum_is_zero(graph, &[root])
+}
+
+/// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
+pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
+    let root = graph.sum(terms);
+    let rest = match multiplied::multiplied(graph, root, PRODUCTS) {
+        multiplied::Verdict::Zero => return Identity::Zero(Proof::Multiplied),
+        multiplied::Verdict::Left(rest) => Some(rest),
+        multiplied::Verdict::TooLong => None,
+    };
+    // What is made of symbols and numbers alone is certainly not zero.
+    let certain = rest.as_ref().is_some_and(|rest| rest.certain);
+    let points = if certain { residues::Verdict::NotZero } else { residues::residues(graph, root) };
+    let why = match points {
+        residues::Verdict::Zero(bound) => return Identity::Zero(Proof::Points(bound)),
+        residues::Verdict::Branch => Why::Branch,
+        residues::Verdict::NotZero => Why::Relation,
+        residues::Verdict::GivenUp => Why::TooLong,
+    };
+    let symbols = symbols(graph, terms);
+    let branch = why == Why::Branch;
+    let drawn = match rounding::shown(graph, terms, &symbols) {
+        Shown::Differs(state, value) => Some(Witness { state, value: Value::Near(value) }),
+        Shown::Zero => None,
+        Shown::Nowhere => return Identity::Open(Open { rest, why: Why::Nowhere }),
+    };
+    // What is too small to be seen is exact all the same, unless it is left of numbers that were rounded.
+    let exact = drawn.is_some() || !witness::has_rounded(graph, terms);
+    let witness = exact.then(|| witness::exact_witness(graph, terms, &symbols)).flatten();
+    match witness.or_else(|| witness::near_witness(graph, terms, &symbols)).or(drawn) {
+        Some(witness) => Identity::Wrong(Box::new(Wrong { rest, witness, branch })),
+        None => Identity::Open(Open { rest, why }),
     }
-    // What is left in every case is left whatever the conditions are.
-    let same = !zeros && left.windows(2).all(|pair| pair[0].rest == pair[1].rest);
-    match left.into_iter().next() {
-        Some(first) if same => Identity::Left(Remainder { case: vec![], ..first }),
-        Some(first) => Identity::Left(first),
-        None => Identity::Zero,
-    }
+}
+
+/// The symbols that are read, in order.
+fn symbols(graph: &Graph, terms: &[Id]) -> Vec<Symbol> {
+    let symbol = |id: Id| match graph.node(id) {
+        Node::Symbol(symbol) => Some(*symbol),
+        _ => None,
+    };
+    let mut symbols: Vec<Symbol> = graph.reachable(terms).into_iter().filter_map(symbol).collect();
+    symbols.sort();
+    symbols
 }

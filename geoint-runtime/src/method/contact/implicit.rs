@@ -5,7 +5,7 @@ use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::newton::Newton;
-use crate::space::{Array, Square, Summation};
+use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ImplicitStep, Poles};
 
 /// What a step needs.
@@ -45,7 +45,7 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
         let (mut seen, mut f) = (origin, none);
         seen.add_scaled(R::from_f64(ahead), d);
-        let (z, s) = apart::<S, M, R>(&seen);
+        let PerCoordinate { z, s } = apart::<S, M, R>(&seen);
         probe.visit(middle, &z, &s);
         system.image(constants, &begun, d, &mut f, matrix);
         f
@@ -58,19 +58,17 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }
-    let (dz, ds) = apart::<S, M, R>(&end);
     let before = start::<S, R, C>(x);
-    x.add(&dz);
-    x.s += ds;
+    x.add_everywhere(&apart::<S, M, R>(&end));
     check_end(poles, [t, middle + *half], &before, Step { system, t, x, probe })
 }
 
 /// Positions, momenta and the action.
 #[inline(always)]
-fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> (S::Phase, R) {
+fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::Phase, R> {
     let mut z = S::Phase::zero();
     Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..S::Phase::LEN]);
-    (z, x.as_slice().last().copied().unwrap_or_else(zero))
+    PerCoordinate { z, s: x.as_slice().last().copied().unwrap_or_else(zero) }
 }
 
 /// Makes methods of this: where they look at the energy, whether the step is a contact map, whether H decays as the equation says.

@@ -3,8 +3,7 @@
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Array;
-use crate::space::{Point, Summation};
+use crate::space::{Array, PerCoordinate, Point, Summation};
 use crate::system::Mechanical;
 
 /// p₁ = [(1 − h g₀/2) p₀ − h/2 (V'(q₀, t₀) + V'(q₁, t₁))]/(1 + h g₁/2), with g₀ = g(t₀), g₁ = g(t₁) and q₁ = q₀ + h T'(p) of the
@@ -52,26 +51,37 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * prepared.h);
-        let end = t + prepared.h;
-        let before = one - half * system.damping(t);
-        let after = one + half * system.damping(end);
+        let Prepared { h, half_kick, drift } = prepared;
+        let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * *h);
+        let end = t + *h;
+        let drag = [t, end].map(|t| half * system.damping(t));
+        let [before, after] = [one - drag[0], one + drag[1]];
         if before.any_not_positive() || after.any_not_positive() {
             return Err(Refusal::Singular);
         }
         probe.visit(t, &x.z, &x.s);
-        scale(before, x);
-        // An action that is not followed is dropped here, and with it what it is computed from.
-        let unread = x.s;
-        let [q, p] = &mut x.z;
-        system.free_kick(&prepared.half_kick, t, q, p, &mut x.s);
-        system.free_drift(&prepared.drift, t + half, q, p, &mut x.s);
-        probe.visit(end, &x.z, &x.s);
-        let [q, p] = &mut x.z;
-        system.free_kick(&prepared.half_kick, end, q, p, &mut x.s);
-        scale(one / after, x);
-        if !C::ACTION {
-            x.s = unread;
+        if C::PLAIN {
+            scale(before, x);
+            // An action that is not followed is dropped here, and with it what it is computed from.
+            let unread = x.s;
+            let [q, p] = &mut x.z;
+            system.free_kick(half_kick, t, q, p, &mut x.s);
+            system.free_drift(drift, t + half, q, p, &mut x.s);
+            probe.visit(end, &x.z, &x.s);
+            let [q, p] = &mut x.z;
+            system.free_kick(half_kick, end, q, p, &mut x.s);
+            scale(one / after, x);
+            if !C::ACTION {
+                x.s = unread;
+            }
+        } else {
+            // The same, where each flow gives what it adds: free ones add to what they are given, and read the other half of x.
+            add(x, |x, d| add_scaled(-drag[0], x, d));
+            add(x, |x, d| system.free_kick(half_kick, t, &mut x.z[0], &mut d.z[1], &mut d.s));
+            add(x, |x, d| system.free_drift(drift, t + half, &mut d.z[0], &mut x.z[1], &mut d.s));
+            probe.visit(end, &x.z, &x.s);
+            add(x, |x, d| system.free_kick(half_kick, end, &mut x.z[0], &mut d.z[1], &mut d.s));
+            add(x, |x, d| add_scaled(-drag[1] / after, x, d));
         }
         Ok(())
     }
@@ -84,6 +94,24 @@ fn scale<A: Array, C>(w: A::Real, x: &mut Point<[A; 2], C, A::Real>) {
         *p = w * *p;
     }
     x.s = w * x.s;
+}
+
+/// Adds what `flow` writes, from the coordinates of a point.
+#[inline(always)]
+fn add<Z: Array, C: Summation<Z>>(
+    x: &mut Point<Z, C, Z::Real>,
+    flow: impl FnOnce(&mut PerCoordinate<Z, Z::Real>, &mut PerCoordinate<Z, Z::Real>),
+) {
+    let mut d = PerCoordinate::nothing();
+    flow(&mut PerCoordinate::of(x), &mut d);
+    x.add_everywhere(&d);
+}
+
+/// (p, s) ← (p, s) + w·(p, s) of x.
+#[inline(always)]
+fn add_scaled<A: Array>(w: A::Real, x: &PerCoordinate<[A; 2], A::Real>, d: &mut PerCoordinate<[A; 2], A::Real>) {
+    d.z[1].add_scaled(w, &x.z[1]);
+    d.s += w * x.s;
 }
 
 substeps!([] ContactLeapfrog);

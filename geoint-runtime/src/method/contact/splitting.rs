@@ -5,10 +5,10 @@
 //! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
 
 use crate::method::composition::substeps;
-use crate::method::total::adds_up;
+use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::{PerCoordinate, Point, Summation};
 use crate::system::{Clock as PieceClock, Pieces};
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H, with a kick or else the most
@@ -101,10 +101,15 @@ fn pass<S: Pieces<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) {
     for piece in pieces {
-        // An action that is not followed is dropped here, and with it what it is computed from.
-        let mut unread = x.s;
-        let s = if C::ACTION { &mut x.s } else { &mut unread };
-        system.flow(piece, flows, frozen, t, &mut x.z, s);
+        if C::PLAIN {
+            // An action that is not followed is dropped here, and with it what it is computed from.
+            let mut unread = x.s;
+            let s = if C::ACTION { &mut x.s } else { &mut unread };
+            system.flow(piece, flows, frozen, t, &mut x.z, s);
+        } else {
+            let d = system.increments(piece, flows, frozen, t, &PerCoordinate::of(x));
+            x.add_everywhere(&d);
+        }
         probe.flown(S::PIECES[piece].name, || x.is_finite());
     }
 }

@@ -2,10 +2,8 @@
 
 use super::energy::{Energy, Slope};
 use super::matrix::{entries, moved, scaled, turned};
-use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
-use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_end};
+use crate::method::{Name, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
@@ -31,7 +29,7 @@ pub trait MeanGradient: Copy {
         true
     }
 
-    /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`], which has
+    /// g and ∂g/∂d. Something near the latter is enough for the solution to converge, but not for [`FourthOrder`](crate::FourthOrder), which has
     /// its order from it.
     ///
     /// # Errors
@@ -46,10 +44,6 @@ pub trait MeanGradient: Copy {
 
 /// A symmetric mean for which a modified structure matrix is needed to have order 4. The tree discrete gradient is projected instead.
 pub trait Corrected: MeanGradient + SymmetricMap {}
-
-impl Corrected for Gonzalez {}
-impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
-impl Corrected for SymmetrisedItohAbe {}
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -116,55 +110,4 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         check_conditions(system, t + half, &decided, point)?;
         check_end(poles, [t, t + *h], &(x, ()), Step { system, t, x: point, probe })
     }
-}
-
-/// Makes methods of means: the order, whether it is symmetric, whether it keeps the energy.
-macro_rules! methods {
-    ($system:ident, $([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $order:literal, $symmetric:literal, $energy:expr;)*) => { $(
-        impl<$system, R, $($generic)*> Method<$system, R> for $mean
-        where
-            $system: DiscreteField<R> + Conservative<R>,
-            R: Real,
-            $($bounded: $bound,)?
-        {
-            type Proof = <$system as Conservative<R>>::Proof;
-            type Prepared = Prepared<Self, $system, R>;
-            type Memory = Memory<$system::Array>;
-
-            fn claims(&self) -> Claims {
-                Claims { order: $order, symmetric: $symmetric, symplectic: false, conserves_energy: $energy, forces: None }
-            }
-
-            fn name(&self) -> Name {
-                self.mean_name()
-            }
-
-            fn prepare(&self, system: &$system, h: R) -> Self::Prepared {
-                Prepared::new(*self, system, h)
-            }
-
-            fn memory() -> Self::Memory {
-                Memory::new()
-            }
-
-            #[inline]
-            fn step<C: Summation<$system::Phase>, P: Probe<$system, R>>(
-                prepared: &Self::Prepared,
-                memory: &mut Self::Memory,
-                step: Step<'_, $system, R, C, P>,
-            ) -> Result<(), Refusal> {
-                prepared.step(memory, step)
-            }
-        }
-    )* };
-}
-
-methods! { S,
-    [] ItohAbe: 1, false, true;
-    [] ItohAbeAdjoint: 1, false, true;
-    [] SymmetrisedItohAbe: 2, true, true;
-    [] Gonzalez: 2, true, true;
-    [] CoordinateIncrement: 1, false, true;
-    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_exact::<S, R>();
-    [G: Corrected] FourthOrder<G>: 4, true, G::is_exact::<S, R>();
 }

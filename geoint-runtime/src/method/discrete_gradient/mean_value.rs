@@ -20,6 +20,13 @@ use crate::system::{Conservative, DiscreteField, Mean};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MeanValue<const K: usize>;
 
+impl<const K: usize> MeanValue<K> {
+    /// Whether the only point is the middle: the step is then that of [`ImplicitMidpoint`](crate::ImplicitMidpoint).
+    pub(super) fn is_midpoint<S: DiscreteField<R>, R: Real>() -> bool {
+        K == 1 && S::MEAN != Mean::Parts(1)
+    }
+}
+
 impl<const K: usize> MeanGradient for MeanValue<K>
 where
     Gauss<K>: GaussTableau<K>,

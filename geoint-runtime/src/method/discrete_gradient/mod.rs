@@ -31,6 +31,7 @@ mod itoh_abe;
 mod matrix;
 mod mean;
 mod mean_value;
+mod methods;
 mod projected;
 mod tree;
 

@@ -19,6 +19,7 @@
 
 mod euler;
 pub mod runge_kutta;
+pub mod tableau;
 
 pub use euler::ExplicitEuler;
 pub use runge_kutta::{DOP853, RK4, RungeKutta};

@@ -6,8 +6,8 @@
 #![allow(non_upper_case_globals)]
 #![allow(clippy::excessive_precision, reason = "all digits that are published, rounded once")]
 
-use crate::method::tableau::Tableau;
-use crate::method::total::adds_up;
+use crate::method::explicit::tableau::Tableau;
+use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Array;

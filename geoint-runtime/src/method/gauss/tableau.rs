@@ -6,7 +6,7 @@
 #![allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
 
 use super::Gauss;
-use crate::method::tableau::Tableau;
+use crate::method::explicit::tableau::Tableau;
 use crate::sealed::Sealed;
 
 /// The number of stages of a Gauss method, 1 to 6.

@@ -131,8 +131,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         (kick.known, kick.impulse) = (true, S::Array::nothing());
         kick.q.copy_from(&x.z[0]);
         let [_, at] = self.times(t, K - 1);
-        let Point { z: [q, p], s, sums, .. } = x;
-        O::outer(last, at, Moving { system, q, p: &mut kick.impulse, s, sums });
+        let Point { z: [q, p], s, sums, compensation, .. } = x;
+        O::outer(last, at, Moving { system, q, p: &mut kick.impulse, s, sums, compensation });
         p.add_scaled(one, &kick.impulse);
     }
 
@@ -154,10 +154,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     ) {
         let Some(final_step) = steps.checked_sub(1) else { return };
         // In locals of this loop, q and p stay in registers.
-        let ([mut q, mut p], mut s, mut sums) = (point.z, point.s, point.sums);
+        let ([mut q, mut p], mut s) = (point.z, point.s);
+        let (mut sums, mut compensation) = (point.sums, point.compensation);
         macro_rules! x {
             () => {
-                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums }
+                Moving { system, q: &mut q, p: &mut p, s: &mut s, sums: &mut sums, compensation: &mut compensation }
             };
         }
         let start = clock.at(0);
@@ -170,7 +171,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 O::outer(&self.outer[i], outer_at, x!());
             }
         }
-        (point.z, point.s, point.sums) = ([q, p], s, sums);
+        (point.z, point.s) = ([q, p], s);
+        (point.sums, point.compensation) = (sums, compensation);
         self.end(system, clock.at(final_step), point);
     }
 
@@ -188,13 +190,14 @@ fn moving<'a, S: Separable<R>, R: Real, C>(
     x: &'a mut Point<S::Phase, C, S::Action>,
 ) -> Moving<'a, S, R, C> {
     let [q, p] = &mut x.z;
-    Moving { system, q, p, s: &mut x.s, sums: &mut x.sums }
+    Moving { system, q, p, s: &mut x.s, sums: &mut x.sums, compensation: &mut x.compensation }
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for Splitting<K, O> {
     type Proof = O::Proof;
     type Prepared = Sequence<S, R, O, K>;
     type Memory = LastKick<S::Array>;
+    const FORGETFUL: bool = true;
 
     fn claims(&self) -> Claims {
         Splitting::claims(self)

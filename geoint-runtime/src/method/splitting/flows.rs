@@ -2,9 +2,8 @@
 
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::Array;
-use crate::space::Summation;
-use crate::system::{Cotangent, ForceGradient, QuadraticKinetic, Separable};
+use crate::space::{Action, Array, PerCoordinate, Summation, add_action};
+use crate::system::{Cotangent, ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -35,7 +34,12 @@ pub trait Kicks<S: Separable<R>, R: Real>: Sealed + Copy + Debug {
     fn prepare(system: &S, weight: Weight<R>) -> Self::Kick;
     /// A kick.
     fn kick(system: &S, kick: &Self::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action);
+    /// What a kick from `x` adds.
+    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R>;
 }
+
+/// The coordinates of a system, or what is added to them.
+type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
 
 /// The flow of V.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,6 +59,10 @@ impl<S: Separable<R>, R: Real> Kicks<S, R> for WithoutGradient {
     #[inline(always)]
     fn kick(system: &S, kick: &S::Kick, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut S::Action) {
         system.kick(kick, t, q, p, s);
+    }
+    #[inline(always)]
+    fn increments(system: &S, kick: &S::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
+        system.kick_increments(kick, t, x)
     }
 }
 
@@ -85,6 +93,18 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
         match kick {
             SomeKick::WithoutGradient(kick) => system.kick(kick, t, q, p, s),
             SomeKick::WithGradient(kick) => system.gradient_kick(kick, t, q, p, s),
+        }
+    }
+    #[inline(always)]
+    fn increments(system: &S, kick: &Self::Kick, t: R, x: &Coordinates<S, R>) -> Coordinates<S, R> {
+        match kick {
+            SomeKick::WithoutGradient(kick) => system.kick_increments(kick, t, x),
+            SomeKick::WithGradient(kick) => {
+                // It only adds.
+                let mut d: Coordinates<S, R> = PerCoordinate::nothing();
+                system.gradient_kick(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
+                d
+            }
         }
     }
 }
@@ -168,6 +188,8 @@ pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) p: &'a mut S::Array,
     pub(crate) s: &'a mut S::Action,
     pub(crate) sums: &'a mut C,
+    /// Of the sum s.
+    pub(crate) compensation: &'a mut S::Action,
 }
 
 impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
@@ -177,13 +199,16 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
     /// tenth on six bodies.
     #[inline(always)]
     pub fn kick<F: Kicks<S, R>>(self, flow: &F::Kick, at: Times<R>) {
-        let Moving { system, q, p, s, sums } = self;
-        let mut unread = *s;
-        let s = if C::ACTION { s } else { &mut unread };
         if C::PLAIN {
-            F::kick(system, flow, at.other, q, p, s);
-        } else {
+            let Moving { system, q, p, s, .. } = self;
+            let mut unread = *s;
+            F::kick(system, flow, at.other, q, p, if C::ACTION { s } else { &mut unread });
+        } else if S::Action::LEN == 0 {
+            let Moving { system, q, p, s, sums, .. } = self;
             sums.add_part(S::Array::LEN, p, |p| F::kick(system, flow, at.other, q, p, s));
+        } else {
+            let d = F::increments(self.system, flow, at.other, &self.coordinates());
+            self.add(&d);
         }
     }
 
@@ -191,18 +216,30 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
     /// exact in time.
     #[inline(always)]
     pub fn drift(self, flow: &S::Drift, at: Times<R>) {
-        let Moving { system, q, p, s, sums } = self;
-        let mut unread = *s;
-        let s = if C::ACTION { s } else { &mut unread };
         let t = if S::DRIFTS_ARE_EXACT_IN_TIME { at.own } else { at.other };
         if C::PLAIN {
-            system.drift(flow, t, q, p, s);
-        } else if !S::DRIFTS_SHIFT {
-            let [dq, dp] = system.drifted(flow, t, q, p);
-            sums.add_part(0, q, |q| q.add_scaled(R::from_f64(1.0), &dq));
-            sums.add_part(S::Array::LEN, p, |p| p.add_scaled(R::from_f64(1.0), &dp));
-        } else {
+            let Moving { system, q, p, s, .. } = self;
+            let mut unread = *s;
+            system.drift(flow, t, q, p, if C::ACTION { s } else { &mut unread });
+        } else if S::Action::LEN == 0 && S::DRIFTS_SHIFT {
+            let Moving { system, q, p, s, sums, .. } = self;
             sums.add_part(0, q, |q| system.drift(flow, t, q, p, s));
+        } else {
+            let d = self.system.drift_increments(flow, t, &self.coordinates());
+            self.add(&d);
         }
+    }
+
+    #[inline(always)]
+    fn coordinates(&self) -> Coordinates<S, R> {
+        PerCoordinate { z: [*self.q, *self.p], s: *self.s }
+    }
+
+    #[inline(always)]
+    fn add(self, d: &Coordinates<S, R>) {
+        let one = R::from_f64(1.0);
+        self.sums.add_part(0, self.q, |q| q.add_scaled(one, &d.z[0]));
+        self.sums.add_part(S::Array::LEN, self.p, |p| p.add_scaled(one, &d.z[1]));
+        add_action::<S::Phase, C, S::Action>(self.s, self.compensation, d.s);
     }
 }

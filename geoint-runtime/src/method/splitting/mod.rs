@@ -31,12 +31,14 @@
 //! A table of one's own is a constant, and checked when it is compiled: see [`Splitting`].
 
 mod driver;
+mod field;
 mod flows;
 mod nystrom;
 mod table;
 mod verlet;
 
 pub use driver::{LastKick, Sequence};
+pub use field::{gradient_kick, modified_verlet};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use nystrom::Nystrom;
 pub use table::{Flow, Splitting};
@@ -53,6 +55,7 @@ macro_rules! delegate {
             type Proof = <S as $system<R>>::Proof;
             type Prepared = <$inner as Method<S, R>>::Prepared;
             type Memory = <$inner as Method<S, R>>::Memory;
+            const FORGETFUL: bool = <$inner as Method<S, R>>::FORGETFUL;
 
             fn claims(&self) -> Claims {
                 let $this = self;

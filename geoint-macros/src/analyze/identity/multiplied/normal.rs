@@ -4,14 +4,14 @@ use crate::ir::Ratio;
 use std::collections::BTreeMap;
 
 /// An unknown, by its number in the table of atoms.
-pub(super) type Atom = usize;
+pub(in super::super) type Atom = usize;
 
 /// Π atomᵉ, in order of the atoms; no exponent is zero.
-pub(super) type Powers = Vec<(Atom, Ratio)>;
+pub(in super::super) type Powers = Vec<(Atom, Ratio)>;
 
 /// Σ coefficient·Π atomᵉ; no coefficient is zero. Different atoms are independent, so that a sum is zero if it is empty.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub(super) struct Normal(BTreeMap<Powers, Ratio>);
+pub(in super::super) struct Normal(BTreeMap<Powers, Ratio>);
 
 impl Normal {
     pub(super) fn term(powers: Powers, coefficient: Ratio) -> Normal {
@@ -30,7 +30,7 @@ impl Normal {
         Normal::term(vec![(atom, Ratio::ONE)], Ratio::ONE)
     }
 
-    pub(super) fn terms(&self) -> impl Iterator<Item = (&Powers, Ratio)> {
+    pub(in super::super) fn terms(&self) -> impl Iterator<Item = (&Powers, Ratio)> {
         self.0.iter().map(|(powers, coefficient)| (powers, *coefficient))
     }
 
@@ -38,7 +38,7 @@ impl Normal {
         self.0.len()
     }
 
-    pub(super) fn is_empty(&self) -> bool {
+    pub(in super::super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
@@ -62,7 +62,7 @@ impl Normal {
     }
 
     /// Adds a term; `None` if a coefficient becomes too long, as below.
-    pub(super) fn add_term(&mut self, powers: Powers, coefficient: Ratio) -> Option<()> {
+    pub(in super::super) fn add_term(&mut self, powers: Powers, coefficient: Ratio) -> Option<()> {
         let sum = self.0.get(&powers).map_or(Some(coefficient), |own| own.add(coefficient))?;
         if sum == Ratio::ZERO {
             self.0.remove(&powers);
@@ -73,7 +73,7 @@ impl Normal {
     }
 
     /// self + factor·other.
-    pub(super) fn add(mut self, factor: Ratio, other: &Normal) -> Option<Normal> {
+    pub(in super::super) fn add(mut self, factor: Ratio, other: &Normal) -> Option<Normal> {
         for (powers, coefficient) in other.terms() {
             self.add_term(powers.clone(), coefficient.mul(factor)?)?;
         }
@@ -93,7 +93,7 @@ impl Normal {
 }
 
 /// The product of two monomials.
-pub(super) fn multiplied(a: &Powers, b: &Powers) -> Option<Powers> {
+pub(in super::super) fn multiplied(a: &Powers, b: &Powers) -> Option<Powers> {
     let mut product = a.clone();
     for (atom, exponent) in b {
         match product.binary_search_by_key(atom, |(atom, _)| *atom) {

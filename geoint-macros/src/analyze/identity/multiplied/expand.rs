@@ -15,9 +15,6 @@ pub(super) enum Stop {
     TooLong,
 }
 
-/// Energies are short; what needs more products of two terms than this is not multiplied out.
-const MAX_PRODUCTS: usize = 20_000;
-
 /// What a node is.
 #[derive(Clone, Debug)]
 enum Value {
@@ -31,13 +28,14 @@ pub(super) struct Expansion<'a> {
     assumptions: &'a Assumptions,
     pub(super) atoms: Atoms,
     done: HashMap<Id, Value>,
+    /// How many products of two terms may be formed yet.
     products: usize,
 }
 
 impl<'a> Expansion<'a> {
-    pub(super) fn new(graph: &'a Graph, assumptions: &'a Assumptions) -> Self {
+    pub(super) fn new(graph: &'a Graph, assumptions: &'a Assumptions, products: usize) -> Self {
         let atoms = assumptions.atoms.clone();
-        Expansion { graph, assumptions, atoms, done: HashMap::default(), products: 0 }
+        Expansion { graph, assumptions, atoms, done: HashMap::default(), products }
     }
 
     /// The normal form of a number. Of an `if` only the branch that is taken is looked at.
@@ -157,10 +155,7 @@ impl<'a> Expansion<'a> {
     }
 
     pub(super) fn product(&mut self, a: &Normal, b: &Normal) -> Result<Normal, Stop> {
-        self.products += a.len() * b.len();
-        if self.products > MAX_PRODUCTS {
-            return Err(Stop::TooLong);
-        }
+        self.products = self.products.checked_sub(a.len() * b.len()).ok_or(Stop::TooLong)?;
         let mut product = Normal::default();
         for (left, c) in a.terms() {
             for (right, d) in b.terms() {

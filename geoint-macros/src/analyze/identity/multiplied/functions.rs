@@ -57,6 +57,11 @@ impl Expansion<'_> {
                 let reciprocal = self.power(&cos, Ratio::integer(-1))?;
                 self.product(&sin, &reciprocal)
             }
+            // Where it is defined.
+            (Function::RecipPositive, _) => self.power(x, Ratio::integer(-1)),
+            (Function::Root, _) => self.power(x, half),
+            // Their other arguments are conditions.
+            (Function::NotNegative | Function::Bounded | Function::AtMost, _) => Ok(x.clone()),
             (Function::Ln1p, _) => {
                 let sum = self.sum(x.clone(), Ratio::ONE, &one)?;
                 self.call(Function::Ln, &[Rc::new(sum)])

@@ -1,0 +1,200 @@
+//! Is a field that of an energy, and of which one?
+//!
+//! q' = ∂H/∂p, p' = −∂H/∂q has a solution H on a simply connected domain if and only if the matrix of second derivatives that it asks
+//! for is symmetric. In the plane that is div f = 0 (J. Liouville); with more degrees of freedom it is more. H is put together from
+//! antiderivatives of terms, and what is put together is checked. Time and parameters are constants here.
+
+use super::multiplied::Sums;
+use super::{Identity, identity, sum_is_zero};
+use crate::diff;
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+
+/// Why there is no energy.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoEnergy {
+    /// ∂²H/∂x∂y would not be ∂²H/∂y∂x: what is known of the difference.
+    NotCanonical([Symbol; 2], Identity),
+    /// The field has an energy, but this term has no antiderivative that is known here; or the field is too long.
+    NotElementary(Option<Id>),
+}
+
+/// So many products of two terms for multiplying out what is integrated.
+const PRODUCTS: usize = 2_000;
+
+/// H with q' = ∂H/∂p and p' = −∂H/∂q, where `field` has q' and then p'; without a constant.
+pub(crate) fn energy(graph: &mut Graph, q: &[Symbol], p: &[Symbol], field: &[Id]) -> Result<Id, NoEnergy> {
+    // In the order in which is integrated: p first.
+    let variables = [p, q].concat();
+    let (by_p, by_q) = field.split_at(q.len());
+    let mut slopes = by_p.to_vec();
+    for component in by_q {
+        slopes.push(graph.neg(*component));
+    }
+    let second = diff::jacobian(graph, &slopes, &variables);
+    for i in 0..variables.len() {
+        for j in 0..i {
+            let back = graph.neg(second[j][i]);
+            let verdict = sum_is_zero(graph, &[second[i][j], back]);
+            if !verdict.is_zero() {
+                return Err(NoEnergy::NotCanonical([variables[j], variables[i]], verdict));
+            }
+        }
+    }
+    let mut energy = graph.zero();
+    for (variable, slope) in variables.iter().zip(&slopes) {
+        let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
+        let rest = graph.sub(*slope, known);
+        // As it is written, or multiplied out.
+        let written = crate::analyze::terms(graph, rest);
+        let integral = match sum_of_antiderivatives(graph, &written, *variable) {
+            Ok(integral) => integral,
+            Err(term) => {
+                let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(NoEnergy::NotElementary(Some(term)))?;
+                let terms = sums.terms(graph, 0);
+                sum_of_antiderivatives(graph, &terms, *variable).map_err(|term| NoEnergy::NotElementary(Some(term)))?
+            }
+        };
+        energy = graph.add(energy, integral);
+    }
+    let found = diff::jacobian(graph, &[energy], &variables).remove(0);
+    for (found, slope) in found.iter().zip(&slopes) {
+        let back = graph.neg(*slope);
+        if !sum_is_zero(graph, &[*found, back]).is_zero() {
+            return Err(NoEnergy::NotElementary(None));
+        }
+    }
+    Ok(energy)
+}
+
+/// ∫ Σ terms dx, or the first term that has none here.
+fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], x: Symbol) -> Result<Id, Id> {
+    let parts: Result<Vec<Id>, Id> = terms.iter().map(|term| antiderivative(graph, *term, x).ok_or(*term)).collect();
+    parts.map(|parts| graph.sum(&parts))
+}
+
+/// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; or a power of x times an
+/// exponential or a wave.
+fn antiderivative(graph: &mut Graph, term: Id, x: Symbol) -> Option<Id> {
+    let (coefficient, rest) = graph.coefficient(term);
+    let mut constant = graph.number(coefficient);
+    let mut factors = vec![];
+    if graph.as_number(rest).is_none() {
+        for (base, exponent) in graph.factors(rest) {
+            if diff::jacobian(graph, &[base], &[x])[0][0] == graph.zero() {
+                let factor = graph.pow(base, exponent);
+                constant = graph.mul(constant, factor);
+            } else {
+                factors.push((base, exponent));
+            }
+        }
+    } else {
+        constant = term;
+    }
+    if factors.is_empty() {
+        let x = graph.symbol(x);
+        return Some(graph.mul(constant, x));
+    }
+    let integral = by_substitution(graph, &factors, x).or_else(|| by_parts(graph, &factors, x))?;
+    Some(graph.mul(constant, integral))
+}
+
+fn product(graph: &mut Graph, factors: &[(Id, Ratio)]) -> Id {
+    let powers: Vec<Id> = factors.iter().map(|(base, exponent)| graph.pow(*base, *exponent)).collect();
+    graph.product(&powers)
+}
+
+/// ∫ c·φ(u) u' dx = c·Φ(u), where φ(u) is one of the factors and c does not read x.
+fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id> {
+    for k in 0..factors.len() {
+        let (base, exponent) = factors[k];
+        let Some((inner, primitive)) = primitive(graph, base, exponent) else { continue };
+        let others: Vec<(Id, Ratio)> = (0..factors.len()).filter(|i| *i != k).map(|i| factors[i]).collect();
+        let others = product(graph, &others);
+        let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
+        let quotient = graph.div(others, slope);
+        let change = diff::jacobian(graph, &[quotient], &[x])[0][0];
+        if identity(graph, change).is_zero() {
+            return Some(graph.mul(quotient, primitive));
+        }
+    }
+    None
+}
+
+/// ∫ xⁿφ(u) dx = xⁿΦ(u)/u' − n/u' ∫ xⁿ⁻¹Φ(u) dx, where u' does not read x.
+fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id> {
+    let symbol = graph.symbol(x);
+    let at = factors.iter().position(|(base, _)| *base == symbol)?;
+    let [other] = factors.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, f)| *f).collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    let n = factors[at].1.to_integer().filter(|n| (1..=8).contains(n))?;
+    let Node::Call(Function::Exp | Function::Sin | Function::Cos | Function::Sinh | Function::Cosh, _) =
+        graph.node(other.0)
+    else {
+        return None;
+    };
+    let (inner, primitive) = primitive(graph, other.0, other.1)?;
+    let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
+    if diff::jacobian(graph, &[slope], &[x])[0][0] != graph.zero() {
+        return None;
+    }
+    let primitive = graph.div(primitive, slope);
+    let power = graph.pow(symbol, Ratio::integer(n.into()));
+    let whole = graph.mul(power, primitive);
+    let lower = graph.pow(symbol, Ratio::integer(i128::from(n) - 1));
+    let lower = graph.mul(lower, primitive);
+    let lower = graph.scale(Number::integer((-n).into()), lower);
+    let rest = antiderivative(graph, lower, x)?;
+    Some(graph.add(whole, rest))
+}
+
+/// For baseᵉ = φ(u): u, and Φ(u) with Φ' = φ.
+fn primitive(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<(Id, Id)> {
+    if let Node::Call(function, args) = graph.node(base).clone() {
+        let u = args[0];
+        let call = |graph: &mut Graph, function| graph.call(function, &[u]);
+        let value = match function {
+            // A power of an exponential is one.
+            Function::Exp => {
+                let power = graph.pow(base, exponent);
+                graph.scale(Number::Exact(exponent.recip()?), power)
+            }
+            _ if exponent != Ratio::ONE => return None,
+            Function::Sin => {
+                let cosine = call(graph, Function::Cos);
+                graph.neg(cosine)
+            }
+            Function::Cos => call(graph, Function::Sin),
+            Function::Sinh => call(graph, Function::Cosh),
+            Function::Cosh => call(graph, Function::Sinh),
+            Function::Tanh => {
+                let cosh = call(graph, Function::Cosh);
+                graph.call(Function::Ln, &[cosh])
+            }
+            Function::Ln => {
+                let product = graph.mul(u, base);
+                graph.sub(product, u)
+            }
+            // u atan u − ln(1 + u²)/2.
+            Function::Atan => {
+                let product = graph.mul(u, base);
+                let (one, square) = (graph.integer(1), graph.pow(u, Ratio::integer(2)));
+                let sum = graph.add(one, square);
+                let logarithm = graph.call(Function::Ln, &[sum]);
+                let half = graph.scale(Number::HALF, logarithm);
+                graph.sub(product, half)
+            }
+            _ => return None,
+        };
+        return Some((u, value));
+    }
+    let next = exponent.add(Ratio::ONE)?;
+    let value = match next.recip() {
+        Some(reciprocal) => {
+            let power = graph.pow(base, next);
+            graph.scale(Number::Exact(reciprocal), power)
+        }
+        None => graph.call(Function::Ln, &[base]),
+    };
+    Some((base, value))
+}

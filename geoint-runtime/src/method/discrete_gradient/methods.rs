@@ -1,0 +1,65 @@
+//! The table of methods that step along a mean of gradients.
+
+use super::mean::{Corrected, MeanGradient, Memory, Prepared};
+use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
+use crate::method::composition::SymmetricMap;
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::Summation;
+use crate::system::{Conservative, DiscreteField};
+
+impl Corrected for Gonzalez {}
+impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
+impl Corrected for SymmetrisedItohAbe {}
+
+/// Makes methods of means: the order, whether it is symmetric, whether symplectic, whether it keeps the energy.
+macro_rules! methods {
+    ($system:ident, $([$($generic:tt)*] $mean:ty $(where $bounded:ty: $bound:path)?: $order:literal, $symmetric:literal, $symplectic:expr, $energy:expr;)*) => { $(
+        impl<$system, R, $($generic)*> Method<$system, R> for $mean
+        where
+            $system: DiscreteField<R> + Conservative<R>,
+            R: Real,
+            $($bounded: $bound,)?
+        {
+            type Proof = <$system as Conservative<R>>::Proof;
+            type Prepared = Prepared<Self, $system, R>;
+            type Memory = Memory<$system::Array>;
+
+            fn claims(&self) -> Claims {
+                Claims { order: $order, symmetric: $symmetric, symplectic: $symplectic, conserves_energy: $energy, forces: None }
+            }
+
+            fn name(&self) -> Name {
+                self.mean_name()
+            }
+
+            fn prepare(&self, system: &$system, h: R) -> Self::Prepared {
+                Prepared::new(*self, system, h)
+            }
+
+            fn memory() -> Self::Memory {
+                Memory::new()
+            }
+
+            #[inline]
+            fn step<C: Summation<$system::Phase>, P: Probe<$system, R>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                step: Step<'_, $system, R, C, P>,
+            ) -> Result<(), Refusal> {
+                prepared.step(memory, step)
+            }
+        }
+    )* };
+}
+
+methods! { S,
+    [] ItohAbe: 1, false, false, true;
+    [] ItohAbeAdjoint: 1, false, false, true;
+    [] SymmetrisedItohAbe: 2, true, false, true;
+    [] Gonzalez: 2, true, false, true;
+    [] CoordinateIncrement: 1, false, false, true;
+    [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_midpoint::<S, R>(), MeanValue::<K>::is_exact::<S, R>();
+    [G: Corrected] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
+}

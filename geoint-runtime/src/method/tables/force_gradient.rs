@@ -1,0 +1,134 @@
+//! Tables of kicks and drifts some of whose kicks have a force gradient.
+
+use crate::method::splitting::{DriftFirst, KickFirst, Splitting, WithGradient};
+
+/// Kick first. Order 2, 1 force and 1 gradient: a change of variables, and back, would make of its steps those of a method of order 4.
+/// M. Takahashi & M. Imada, J. Phys. Soc. Jpn. 53 (1984) 3765; G. Rowlands, J. Comput. Phys. 97 (1991) 235. Closed form.
+pub const TakahashiImada2: Splitting<1, KickFirst<WithGradient>> =
+    Splitting::palindrome("TakahashiImada2", 2, [0.5], [1.0])
+        .with_outer_gradients([0.020833333333333333333333333333333333333333333333333]);
+
+/// Kick first. Order 4, 2 forces and 1 gradient, all weights positive; stable for long steps. S. A. Chin, Phys. Lett. A 226 (1997) 344,
+/// algorithm A. Closed form.
+pub const Chin4A: Splitting<2, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4A",
+    4,
+    [0.16666666666666666666666666666666666666666666666667, 0.66666666666666666666666666666666666666666666666667],
+    [0.5],
+)
+.with_outer_gradients([0.0, 0.013888888888888888888888888888888888888888888888889]);
+
+/// Drift first. Order 4, 2 forces and 2 gradients, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm B. Closed
+/// form: a₁ = (1 − 1/√3)/2, g = (2 − √3)/48.
+pub const Chin4B: Splitting<2, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4B",
+    4,
+    [0.21132486540518711774542560974902127217619912436494, 0.57735026918962576450914878050195745564760175127013],
+    [0.5],
+)
+.with_inner_gradients([0.0055822748423150563848448678852943256886915572122837]);
+
+/// Drift first. Order 4, 3 forces and 1 gradient, all weights positive. S. A. Chin, Phys. Lett. A 226 (1997) 344, algorithm C. Closed
+/// form.
+pub const Chin4C: Splitting<3, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4C",
+    4,
+    [0.16666666666666666666666666666666666666666666666667, 0.33333333333333333333333333333333333333333333333333],
+    [0.375, 0.25],
+)
+.with_inner_gradients([0.0, 0.0052083333333333333333333333333333333333333333333333]);
+
+/// Kick first. Order 4, 3 forces and 2 gradients, all weights positive. S. A. Chin & C. R. Chen, Celest. Mech. Dyn. Astron. 91 (2005)
+/// 301, algorithm D. Closed form.
+pub const Chin4D: Splitting<3, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Chin4D",
+    4,
+    [0.125, 0.375],
+    [0.33333333333333333333333333333333333333333333333333, 0.33333333333333333333333333333333333333333333333333],
+)
+.with_outer_gradients([0.0, 0.0026041666666666666666666666666666666666666666666667]);
+
+/// Kick first. Order 4, 4 forces and 2 gradients: the smallest error for the work at order 4. I. P. Omelyan, I. M. Mryglod & R. Folk,
+/// Comput. Phys. Commun. 151 (2003) 272, (48), (54). 2 free parameters.
+pub const Omelyan4_4F2GV: Splitting<4, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan4_4F2GV",
+    4,
+    [
+        0.068408059707277659678529370501034559501206634379969,
+        0.31094063559381660668507625299993118534406052642623,
+        0.2413026093978114672727887529980685103094656783876,
+    ],
+    [0.21892865964274380869387864633346841083235809125262, 0.28107134035725619130612135366653158916764190874738],
+)
+.with_outer_gradients([0.0, 0.0016025036813343633609075592884269054183226220143166, 0.0]);
+
+/// Drift first. Order 4, 5 forces and 2 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
+/// (78). 3 free parameters.
+pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan4_5F2GP",
+    4,
+    [
+        0.064191088668162354934005214469822428385683973456823,
+        0.19198079404557409963891813995361081623946968510787,
+        0.24382811728626354542707664557656675537484634143531,
+    ],
+    [
+        0.15181796402764659683479051252363172888375875946819,
+        0.21583694767876190205628449180259513345257942857122,
+        0.26469017658718300221784999134754627532732362392118,
+    ],
+)
+.with_inner_gradients([0.0, 0.00096289052120248727073399465605175630290592445062592, 0.0]);
+
+/// Drift first. Order 6, 5 forces and 3 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
+/// (76). Isolated solution of the order conditions.
+pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan6_5F3GP",
+    6,
+    [
+        0.10970597239486819130899039214759417287742195595536,
+        0.41406322673108311243402117878208332942973084358108,
+        -0.023769199125951303743011570929677502307152799536439,
+    ],
+    [
+        0.26933158489353005613350339779650874201304993095345,
+        1.13198034865155639250390730462479653448111283523,
+        -1.8026238670901728972748214048426105529883255323668,
+    ],
+)
+.with_inner_gradients([
+    0.00086421613397061662604433847937159387534744800467865,
+    0.0,
+    -0.013246386434160523859029418456938113030392136748538,
+]);
+
+/// Drift first. Order 8, 11 forces and 11 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Phys. Rev. E 66 (2002) 026701, (53).
+/// Isolated solution of the order conditions.
+pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan8_11F11GP",
+    8,
+    [
+        0.41009674738801111928784693005079711687671736405615,
+        -0.34123345756052780489101697378498620581013139575834,
+        0.25644714021068150492361761631743089989376179040054,
+        0.27765273975812438394100476242640528759669977278596,
+        -0.56926266869753773902939657321159047137866076162847,
+        0.46629949890124853576794423820194337282161323014416,
+    ],
+    [
+        0.0048249309817414952912695842664784999229975519495549,
+        0.17492394861090375603419001374207216923831549982168,
+        0.29304366370957066164364546204288133969994745049544,
+        0.047448940168459770284238136482511395428421383170108,
+        -0.0015299863411743974499219652320477029113124978593496,
+        -0.037422994259002571606842462603791402756738775154873,
+    ],
+)
+.with_inner_gradients([
+    0.00014743936907797528364717244760736146178602872349426,
+    0.00023288450531932545357194967600155326751776267188584,
+    0.0061648659635535962497705619884751650391773626122168,
+    -0.012307516860831240716732016960033738453734183973448,
+    -0.000073296648559126385387017161643798104802370276476351,
+    0.015295860994523744731993293847001186047065965251191,
+]);

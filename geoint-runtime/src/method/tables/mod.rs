@@ -1,0 +1,23 @@
+//! The tables: fractions of h in order of application, first halves of palindromes.
+//!
+//! Fifty digits each, rounded once, by the compiler. "Free parameters" are those that the order conditions leave over;
+//! such a table is a choice, and its digits beyond the published ones were fixed by the order conditions.
+
+// Methods are values and read like types where they are used: `system.integrator(BlanesMoan4, …)`.
+#![allow(non_upper_case_globals)]
+#![allow(clippy::excessive_precision, reason = "all digits that are known, rounded once")]
+
+mod composition;
+mod force_gradient;
+mod nystrom;
+mod pieces;
+mod splitting;
+pub(crate) mod total;
+
+pub use composition::{KahanLi8_17a, McLachlan4, McLachlan6_9, SofroniouSpaletta10_35, Suzuki4, Yoshida4, Yoshida6a};
+pub use force_gradient::{
+    Chin4A, Chin4B, Chin4C, Chin4D, Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP, TakahashiImada2,
+};
+pub use nystrom::{BceRkn17_8, BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a};
+pub use pieces::{BlanesMoan4X, BlanesMoan6X};
+pub use splitting::{BlanesMoan4, BlanesMoan6, ForestRuth4, PEFRL};

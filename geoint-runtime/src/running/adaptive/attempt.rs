@@ -1,0 +1,96 @@
+//! What one step of a given length leads to, and how wrong that is.
+
+use crate::method::{Method, Probe, Step};
+use crate::running::error::Reason;
+use crate::running::tolerance::{Judged, Tolerance};
+use crate::running::watch::{Found, Watch};
+use crate::scalar::Real;
+use crate::space::{Compensated, PerCoordinate, Point};
+use crate::system::{PhaseSpace, Rates};
+
+/// A point whose sums outlive a change of the step size.
+pub(super) type Carried<S, R> =
+    Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
+
+/// Coefficients of a step as a whole, and of its halves.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared<P> {
+    pub(super) h: f64,
+    whole: P,
+    half: P,
+}
+
+impl<P> Prepared<P> {
+    pub(super) fn new<S: PhaseSpace<R>, M: Method<S, R, Prepared = P>, R: Real>(
+        system: &S,
+        method: &M,
+        h: f64,
+    ) -> Self {
+        let prepare = |h: f64| method.prepare(system, R::from_f64(h));
+        Prepared { h, whole: prepare(h), half: prepare(0.5 * h) }
+    }
+}
+
+/// The start of a step, and by what it is judged.
+pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
+    pub(super) system: &'a S,
+    pub(super) t: R,
+    pub(super) x: &'a Carried<S, R>,
+    pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
+    /// What part of the time in which the state changes a step takes.
+    pub(super) part: f64,
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
+    /// A step in two halves, and its estimated error in units of what is tolerated.
+    pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
+        &self,
+        prepared: &Prepared<M::Prepared>,
+        [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
+        probe: &mut P,
+    ) -> Result<(Carried<S, R>, f64), Reason> {
+        let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
+        let (mut x, mut whole) = (*self.x, *self.x);
+        M::step(&prepared.whole, memory_of_whole, Step { system, t, x: &mut whole, probe })?;
+        for end in [half, half + half] {
+            let start = t + (end - half) + x.ahead.value();
+            M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
+            if !x.is_finite() {
+                return Err(Reason::NonFinite);
+            }
+            if let Some(what) = system.outside_domain(t + end + x.ahead.value(), &x.z, &x.s) {
+                return Err(Reason::OutsideDomain { what });
+            }
+        }
+        let [before, after] = [self.x, &x].map(PerCoordinate::of);
+        let mut gap = after;
+        gap.add_scaled(R::from_f64(-1.0), &PerCoordinate::of(&whole));
+        // Where a method scales its steps, the two are at different times.
+        let late = x.ahead.value() - whole.ahead.value();
+        if late.magnitude() != 0.0 {
+            gap.add_scaled(-late, &system.rates(t, &after));
+        }
+        // The step as a whole may have led to what is not a number.
+        if !gap.is_finite() {
+            return Err(Reason::NonFinite);
+        }
+        let step = Judged { part: self.part, before: &before, after: &after, gap: &gap };
+        Ok((x, self.tolerance.error(&step, |x| system.rates(t, x))))
+    }
+
+    /// Why a step is refused: once more, watched.
+    #[cold]
+    pub(super) fn reason<M: Method<S, R>>(&self, method: &M, h: f64) -> Reason {
+        let mut watch = Watch::new(self.system, self.t, self.x);
+        let prepared = Prepared::new(self.system, method, h);
+        match self.take::<M, _>(&prepared, &mut [M::memory(), M::memory()], &mut watch) {
+            Ok((_, error)) => Reason::Inaccurate { error },
+            Err(reason @ Reason::OutsideDomain { .. }) => reason,
+            Err(reason) => match watch.reason(None) {
+                Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
+                Some(Found::Pole(piece)) => Reason::Pole { piece },
+                None => reason,
+            },
+        }
+    }
+}

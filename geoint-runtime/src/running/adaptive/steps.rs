@@ -1,0 +1,153 @@
+//! How long the next step is, whether it is taken, and what follows from that.
+
+use super::attempt::{Attempt, Carried, Prepared};
+use crate::method::{Clock, Method, Unwatched};
+use crate::running::error::{Reason, StepError};
+use crate::running::step_size::{Bounds, Controller};
+use crate::running::tolerance::Tolerance;
+use crate::running::watch::Watch;
+use crate::scalar::{Real, signed, zero};
+use crate::space::{DoubleWord, PerCoordinate};
+use crate::system::{PhaseSpace, Rates};
+
+/// A system under a method, and all that decides on the next step.
+#[derive(Clone)]
+pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
+    pub(super) system: S,
+    pub(super) method: M,
+    pub(super) tolerance: Tolerance<S::Phase, S::Action>,
+    pub(super) bounds: Bounds,
+    pub(super) controller: Controller,
+    prepared: Prepared<M::Prepared>,
+    /// Of steps as a whole, and of their halves.
+    memory: [M::Memory; 2],
+    pub(super) clock: Clock<R>,
+    pub(super) x: Carried<S, R>,
+    pub(super) taken: u64,
+    pub(super) rejections: u64,
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
+    pub(super) fn new((system, method): (S, M), tolerance: f64, t: R, x: Carried<S, R>) -> Self {
+        let mut steps = Steps {
+            system,
+            method,
+            tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x)),
+            bounds: Bounds::default(),
+            controller: Controller::new(method.claims().order),
+            prepared: Prepared::new(&system, &method, 1.0),
+            memory: [M::memory(), M::memory()],
+            clock: Clock::new(t, zero()),
+            x,
+            taken: 0,
+            rejections: 0,
+        };
+        steps.controller.start(steps.guess(), tolerance);
+        steps
+    }
+
+    pub(super) fn time(&self) -> R {
+        self.clock.now(zero())
+    }
+
+    /// The length of the next step, if the tolerance allows it.
+    pub(super) fn size(&self) -> f64 {
+        self.controller.step(&self.bounds.at(signed(self.time()), R::epsilon()))
+    }
+
+    /// In how long, roughly, the state changes by itself: the shortest of |x|/|x'| over all coordinates that move.
+    fn guess(&self) -> f64 {
+        let x = PerCoordinate::of(&self.x);
+        let time = |(x, rate): (R, R)| {
+            if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
+        };
+        x.numbers().zip(self.system.rates(self.time(), &x).numbers()).map(time).fold(f64::INFINITY, f64::min)
+    }
+
+    /// What part of the time in which the state changes a step takes.
+    fn part(&self) -> f64 {
+        self.controller.part(self.tolerance.relative)
+    }
+
+    /// A step from here.
+    fn attempt(&self) -> Attempt<'_, S, R> {
+        let Self { system, x, tolerance, .. } = self;
+        Attempt { system, t: self.time(), x, tolerance, part: self.part() }
+    }
+
+    /// A step that is not longer than `left`.
+    pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
+        let t = signed(self.time());
+        let bounds = self.bounds.at(t, R::epsilon());
+        loop {
+            let regular = self.controller.step(&bounds);
+            let h = if regular.abs() < left { regular } else { left.copysign(regular) };
+            if h == regular && h != self.prepared.h {
+                self.prepared = Prepared::new(&self.system, &self.method, h);
+                self.memory = [M::memory(), M::memory()];
+            }
+            let shorter;
+            let (prepared, before) = if h == regular {
+                (&self.prepared, self.memory.clone())
+            } else {
+                shorter = Prepared::new(&self.system, &self.method, h);
+                (&shorter, [M::memory(), M::memory()])
+            };
+            let mut memory = before.clone();
+            let attempt = self.attempt();
+            let mut outcome = attempt.take::<M, _>(prepared, &mut memory, &mut Unwatched);
+            // Only a watched step searches for a solution that is hard to find.
+            if matches!(outcome, Err(Reason::NotConverged)) {
+                memory = before;
+                let mut watch = Watch::new(&self.system, attempt.t, &self.x);
+                outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
+            }
+            let (x, error) = match outcome {
+                Ok((x, error)) if error <= 1.0 => (x, error),
+                outcome => {
+                    self.rejections += 1;
+                    self.controller.reject(h, outcome.map_or(None, |(_, error)| Some(error)));
+                    if h.abs() <= bounds.shortest {
+                        // At the edge of a domain the shortest step may find no solution where longer ones find the edge.
+                        let reason = match self.attempt().reason(&self.method, h) {
+                            Reason::NotConverged | Reason::Singular => self.attempt().reason(&self.method, 16.0 * h),
+                            reason => reason,
+                        };
+                        return Err(StepError::StepTooSmall { t, h, reason });
+                    }
+                    continue;
+                }
+            };
+            if h == regular {
+                self.memory = memory;
+                self.controller.accept(h, error);
+            }
+            self.clock.pass_step(R::from_f64(h), x.ahead);
+            let (part, ends) = (self.part(), [&self.x, &x].map(PerCoordinate::of));
+            let (system, t) = (&self.system, self.clock.now(zero()));
+            self.tolerance.include(ends.each_ref(), h, part, |x| system.rates(t, x));
+            self.x = x;
+            self.x.ahead = DoubleWord::new(zero());
+            self.taken += 1;
+            return Ok(());
+        }
+    }
+
+    pub(super) fn check_start(&self) -> Result<(), StepError> {
+        if let Some(tolerance) = self.tolerance.unusable() {
+            return Err(StepError::InvalidTolerance { tolerance });
+        }
+        if let Some(h) = self.bounds.unusable().or(self.controller.unusable()) {
+            return Err(StepError::InvalidStepSize { h });
+        }
+        let t = signed(self.time());
+        if !(t.is_finite() && self.x.is_finite()) {
+            return Err(StepError::NonFiniteState { t });
+        }
+        // Later states are good because the steps that led to them were.
+        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
+            Some(what) if self.taken == 0 => Err(StepError::OutsideDomain { t, what }),
+            _ => Ok(()),
+        }
+    }
+}

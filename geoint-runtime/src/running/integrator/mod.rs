@@ -1,0 +1,242 @@
+//! A system under a method: the object that users step.
+
+mod steps;
+
+use crate::method::{Clock, Method};
+use crate::running::error::StepError;
+use crate::running::output::{Samples, Until};
+use crate::running::trajectory::Trajectory;
+use crate::scalar::{Real, signed, zero};
+use crate::space::{Action, Snapshot};
+use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
+use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf};
+use core::fmt::{self, Debug, Formatter};
+use steps::Steps;
+
+/// A system under a method with a step size: a plain value, no borrow, no allocation.
+///
+/// Time is `t0 + n·h`, never a running sum. After an error the last good state is still there, and the next call may go
+/// on, with a smaller step if [`Integrator::set_step_size`] was called.
+#[derive(Clone)]
+pub struct Integrator<S: PhaseSpace<R>, M: Method<S, R>, R: Real = f64, C = Plain> {
+    steps: Steps<S, M, R, C>,
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+    /// A system under a method, with step size `h` (negative to go back in time), from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+    pub fn new(system: S, method: M, h: R, state: StateOf<S, R>) -> Self {
+        let (t0, z, s) = state.parts();
+        Integrator {
+            steps: Steps {
+                system,
+                method,
+                prepared: method.prepare(&system, h),
+                memory: M::memory(),
+                clock: Clock::new(t0, h),
+                taken: 0,
+                x: Point::with_action(z, s),
+            },
+        }
+    }
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integrator<S, M, R, C> {
+    /// One step.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged.
+    #[inline]
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.steps.step()
+    }
+
+    /// `n` steps: the bare loop, with last and first flows of neighbouring steps merged where the method has such.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    #[inline]
+    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.steps.advance(n)
+    }
+
+    /// One step, if there is one that does not end beyond the time `t` (before it, if h < 0); else `false`, and nothing changes.
+    ///
+    /// A step that ends at `t` up to the rounding of time ends there: [`time`](Integrator::time) is then `t`.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    #[inline]
+    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.steps.check_start()?;
+        let (now, next) = (self.time(), self.steps.clock.at(1));
+        if t.magnitude().is_nan() {
+            return Err(StepError::InvalidStepSize { h: signed(t - now) });
+        }
+        let stepped =
+            (M::SCALES_STEPS || self.steps.clock.leads_to(t, [now, next])) && self.steps.step_within(Some(t))?;
+        let end = if M::SCALES_STEPS { self.time() } else { next };
+        if stepped && self.steps.clock.is_at(end, t) {
+            self.steps.clock.name(t);
+        }
+        Ok(stepped)
+    }
+
+    /// Whole steps to the last one that is not beyond the time `t` (not before it, if h < 0): up to a step is left.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.steps.check_start()?;
+        let left = signed(t - self.time());
+        if !left.is_finite() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        if !M::SCALES_STEPS {
+            self.advance(self.steps.clock.steps_before(self.time(), t))?;
+        }
+        while self.step_towards(t)? {}
+        Ok(())
+    }
+
+    /// Changes the step size; time goes on from here.
+    pub fn set_step_size(&mut self, h: R) {
+        let Steps { system, method, prepared, memory, clock, x, .. } = &mut self.steps;
+        clock.set_step_size(h, x.ahead);
+        x.ahead = DoubleWord::new(zero());
+        *prepared = method.prepare(system, h);
+        *memory = M::memory();
+    }
+
+    /// The step size.
+    #[inline(always)]
+    pub fn step_size(&self) -> R {
+        self.steps.clock.step_size()
+    }
+
+    /// `t0 + n·h`.
+    #[inline(always)]
+    pub fn time(&self) -> R {
+        self.steps.time()
+    }
+
+    /// The state now.
+    #[inline(always)]
+    pub fn state(&self) -> StateOf<S, R> {
+        S::State::of(self.time(), self.steps.x.z, self.action())
+    }
+
+    /// The energy now.
+    pub fn energy(&self) -> R {
+        let Steps { system, x, .. } = &self.steps;
+        system.hamiltonian(self.time(), &x.z, &self.action())
+    }
+
+    /// The first integrals now, in the order in which they were named.
+    pub fn integrals(&self) -> S::Values
+    where
+        S: FirstIntegrals<R>,
+    {
+        self.steps.system.integrals(self.time(), &self.steps.x.z)
+    }
+
+    /// The action now, if it is followed.
+    #[inline(always)]
+    fn action(&self) -> S::Action {
+        if C::ACTION { self.steps.x.s } else { S::Action::unknown() }
+    }
+
+    /// The number of steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps.taken
+    }
+
+    /// The system with its parameters.
+    pub fn system(&self) -> &S {
+        &self.steps.system
+    }
+
+    /// The method.
+    pub fn method(&self) -> &M {
+        &self.steps.method
+    }
+
+    /// The state after every step up to the last one that is not after `t` (not before, if h < 0).
+    ///
+    /// Output never changes the step: the last state is at `t` only if `t` is a whole number of steps away, up to the rounding of
+    /// time. An infinite `t` is never reached.
+    pub fn until(&mut self, t: R) -> Until<'_, Self> {
+        Until::new(self, t)
+    }
+
+    /// The state after every `k` steps, without end. `k` = 0 counts as 1.
+    pub fn sampled(&mut self, k: u64) -> Samples<'_, Self> {
+        Samples::new(self, k)
+    }
+
+    fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
+        let Steps { system, method, prepared, memory, clock, taken, x } = self.steps;
+        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, x: x.with_sums() } }
+    }
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+    /// The same with compensated sums: what adding an increment to a coordinate rounds off is carried to the next step. The
+    /// error of rounding grows with the number of steps many times more slowly; a step costs a few additions a coordinate more.
+    /// Flows of contact systems that do not only add give what they add by formulas of their own.
+    pub fn compensated(self) -> Integrator<S, M, R, Compensated<S::Phase>> {
+        self.with_sums()
+    }
+}
+
+impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
+    /// The same without the action, which does not act back on positions and momenta: splittings do not compute it, nor what only
+    /// it needs, such as the value of the potential. In states it is not a number.
+    pub fn without_action(self) -> Integrator<S, M, R, WithoutAction> {
+        self.with_sums()
+    }
+}
+
+impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real, C: Debug> Debug for Integrator<S, M, R, C> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Steps { system, method, clock, taken, x, .. } = &self.steps;
+        let mut run = f.debug_struct("Integrator");
+        run.field("system", system).field("method", method).field("clock", clock);
+        run.field("x", x).field("steps", taken).finish_non_exhaustive()
+    }
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Trajectory for Integrator<S, M, R, C> {
+    type State = StateOf<S, R>;
+
+    #[inline]
+    fn step(&mut self) -> Result<(), StepError> {
+        self.step()
+    }
+    #[inline]
+    fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.advance(n)
+    }
+    #[inline]
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.step_towards(t)
+    }
+    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+    #[inline]
+    fn time(&self) -> R {
+        self.time()
+    }
+    #[inline(always)]
+    fn state(&self) -> StateOf<S, R> {
+        self.state()
+    }
+    fn energy(&self) -> R {
+        self.energy()
+    }
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+}

@@ -1,0 +1,173 @@
+//! How a step of fixed length goes, whether its end is good, and why it is refused.
+
+use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::running::error::StepError;
+use crate::running::watch::{Found, Watch};
+use crate::scalar::{Real, signed};
+use crate::space::{Point, Summation};
+use crate::system::{PhaseSpace, singular_time};
+
+/// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
+/// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
+const STEPS_BETWEEN_LOOKS: u64 = 1024;
+
+/// A system under a method, and where it is.
+#[derive(Clone)]
+pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
+    pub(super) system: S,
+    pub(super) method: M,
+    pub(super) prepared: M::Prepared,
+    pub(super) memory: M::Memory,
+    pub(super) clock: Clock<R>,
+    /// Steps since the beginning.
+    pub(super) taken: u64,
+    pub(super) x: Point<S::Phase, C, S::Action>,
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
+    /// One step.
+    #[inline(always)]
+    pub(super) fn step(&mut self) -> Result<(), StepError> {
+        self.check_start()?;
+        self.step_within(None).map(drop)
+    }
+
+    /// `n` steps: the bare loop.
+    #[inline]
+    pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        if n == 1 {
+            return self.step();
+        }
+        self.check_start()?;
+        let mut left = n;
+        while left > 0 {
+            let steps = left.min(if S::EXAMINED { 1 } else { STEPS_BETWEEN_LOOKS });
+            let (mut memory, mut x) = (self.memory.clone(), self.x);
+            let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
+            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
+                (self.memory, self.x) = (memory, x);
+                self.pass(steps);
+            } else {
+                // One by one, as single steps are taken, to stop where those do.
+                for _ in 0..steps {
+                    self.step_within(None)?;
+                }
+            }
+            left -= steps;
+        }
+        Ok(())
+    }
+
+    /// One step that does not end beyond `limit`; else `false`.
+    #[inline(always)]
+    pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
+        // In place: one copy, for steps that are refused, in place of two.
+        let (t, memory, start) = (self.time(), self.kept(), self.x);
+        let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
+        let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
+            && self.is_good(1, &self.x)
+            && self.singular_time(1).is_none();
+        if good && self.ends_within(limit, &self.x, t) {
+            self.pass(1);
+            return Ok(true);
+        }
+        (self.x, self.memory) = (start, memory.unwrap_or_else(M::memory));
+        if good { Ok(false) } else { self.step_watched(limit) }
+    }
+
+    /// What a refused step must give back of the memory.
+    #[inline(always)]
+    fn kept(&self) -> Option<M::Memory> {
+        (!M::FORGETFUL).then(|| self.memory.clone())
+    }
+
+    /// The same step watched, to say why it is refused, if it is.
+    #[cold]
+    fn step_watched(&mut self, limit: Option<R>) -> Result<bool, StepError> {
+        let (mut memory, mut x) = (self.memory.clone(), self.x);
+        let mut watch = Watch::new(&self.system, self.time(), &self.x);
+        let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
+        let outcome = M::step(&self.prepared, &mut memory, step);
+        let (t, singular) = (signed(self.time()), self.singular_time(1));
+        if outcome.is_ok() && self.is_good(1, &x) {
+            if let Some(what) = singular {
+                return Err(StepError::OutsideDomain { t, what });
+            }
+            if !self.ends_within(limit, &x, self.time()) {
+                return Ok(false);
+            }
+            (self.memory, self.x) = (memory, x);
+            self.pass(1);
+            return Ok(true);
+        }
+        watch.visit(self.clock.at(1), &x.z, &x.s);
+        Err(match (outcome, watch.reason(outcome.err())) {
+            (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
+            (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
+            (Ok(()) | Err(Refusal::OutsideDomain { .. }), None) => StepError::NonFinite { t },
+            (Err(Refusal::Singular), None) => StepError::Singular { t },
+            (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
+            (Err(Refusal::NotConverged { iterations, correction }), None) => {
+                StepError::NotConverged { t, iterations, correction }
+            }
+        })
+    }
+
+    #[inline(always)]
+    pub(super) fn check_start(&self) -> Result<(), StepError> {
+        let h = self.clock.step_size().magnitude();
+        if !(h > 0.0 && h < f64::INFINITY) {
+            return Err(StepError::InvalidStepSize { h: signed(self.clock.step_size()) });
+        }
+        // Later states are good because the steps that led to them were.
+        if self.taken == 0 { self.check_state() } else { Ok(()) }
+    }
+
+    #[cold]
+    fn check_state(&self) -> Result<(), StepError> {
+        let t = signed(self.time());
+        if !(t.is_finite() && self.x.is_finite()) {
+            return Err(StepError::NonFiniteState { t });
+        }
+        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
+            Some(what) => Err(StepError::OutsideDomain { t, what }),
+            None => Ok(()),
+        }
+    }
+
+    /// Whether a state is finite, and the energy defined there.
+    #[inline(always)]
+    fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
+    }
+
+    /// When steps end that led to `x`.
+    #[inline(always)]
+    fn end(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> R {
+        self.clock.at(steps) + x.ahead.value()
+    }
+
+    /// Whether a step from time `start` to `x` does not end beyond `limit`.
+    #[inline(always)]
+    fn ends_within(&self, limit: Option<R>, x: &Point<S::Phase, C, S::Action>, start: R) -> bool {
+        limit.is_none_or(|t| !M::SCALES_STEPS || self.clock.leads_to(t, [start, self.end(1, x)]))
+    }
+
+    /// The first coefficient, if any, that is singular at a time within one of the next steps.
+    #[inline(always)]
+    fn singular_time(&self, steps: u64) -> Option<&'static str> {
+        singular_time(&self.system, [self.clock.at(0), self.clock.at(steps)])
+    }
+
+    #[inline(always)]
+    fn pass(&mut self, steps: u64) {
+        self.clock.pass(steps);
+        self.taken += steps;
+    }
+
+    /// `t0 + n·h`.
+    #[inline(always)]
+    pub(super) fn time(&self) -> R {
+        self.clock.now(self.x.ahead.value())
+    }
+}

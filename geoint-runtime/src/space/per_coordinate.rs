@@ -1,0 +1,71 @@
+//! A number for every coordinate of a point.
+
+use super::array::Array;
+use super::point::Point;
+use super::state::Action;
+use crate::scalar::Real;
+
+/// A number for every coordinate: the point itself, its rates, increments, errors, sizes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PerCoordinate<Z, S = ()> {
+    /// Of all coordinates: [q, p], or x.
+    pub z: Z,
+    /// Of the action of a contact system.
+    pub s: S,
+}
+
+impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
+    /// How many numbers there are.
+    pub const LEN: usize = Z::LEN + S::LEN;
+
+    /// All zeros.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        PerCoordinate { z: Z::zero(), s: S::zero() }
+    }
+
+    /// Zeros to which something is to be added; see [`Array::nothing`].
+    #[inline(always)]
+    pub fn nothing() -> Self {
+        let mut s = S::zero();
+        for s in s.numbers_mut() {
+            *s = -*s;
+        }
+        PerCoordinate { z: Z::nothing(), s }
+    }
+
+    /// The coordinates of a point.
+    #[inline(always)]
+    pub(crate) fn of<C>(x: &Point<Z, C, S>) -> Self {
+        PerCoordinate { z: x.z, s: x.s }
+    }
+
+    /// The number of the coordinate `i`, the action last.
+    #[inline(always)]
+    pub(crate) fn at(&self, i: usize) -> Z::Real {
+        if i < Z::LEN { self.z.as_slice()[i] } else { self.s.numbers()[i - Z::LEN] }
+    }
+
+    /// All numbers in that order.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = Z::Real> {
+        (0..Self::LEN).map(|i| self.at(i))
+    }
+
+    /// All numbers to be written to.
+    pub(crate) fn numbers_mut(&mut self) -> impl Iterator<Item = &mut Z::Real> {
+        self.z.as_mut_slice().iter_mut().chain(self.s.numbers_mut())
+    }
+
+    /// self ← self + w·x.
+    pub(crate) fn add_scaled(&mut self, w: Z::Real, x: &Self) {
+        for (y, x) in self.numbers_mut().zip(x.numbers()) {
+            *y = w.multiply_add(x, *y);
+        }
+    }
+
+    /// Whether every number is finite.
+    #[inline(always)]
+    pub(crate) fn is_finite(&self) -> bool {
+        self.z.is_finite() && self.s.is_finite()
+    }
+}
