@@ -9,7 +9,9 @@ mod system;
 mod implicit;
 mod canonical;
 mod contact;
+mod bodies;
 
+pub(crate) use bodies::{Bodies, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};

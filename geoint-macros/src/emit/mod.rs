@@ -4,6 +4,7 @@
 //! user's own signature names.
 
 mod attributes;
+mod bodies;
 mod damping;
 mod domain;
 mod flows;
@@ -16,7 +17,7 @@ mod steps;
 mod straight_line;
 mod system;
 
-use crate::derive::{Implicit, System};
+use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
 use crate::parse::{Energy, IMPORTED};
 use crate::schedule::Plan;
@@ -46,6 +47,13 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
     around(context, report, &quote!(#inherent #space #pieces #flows #modified #implicit))
+}
+
+/// The same of rigid bodies.
+pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
+    let inherent = system::inherent(context, report);
+    let bodies = bodies::bodies(context, graph, found);
+    around(context, report, &quote!(#inherent #bodies))
 }
 
 /// The struct with its docs, and implementations, in a scope of their own.

@@ -86,6 +86,7 @@ pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
 fn state(form: Form) -> TokenStream {
     match form {
         Form::Hamiltonian => quote!(State),
+        Form::Bodies => quote!(BodyState),
         Form::Contact => quote!(ContactState),
     }
 }
@@ -108,7 +109,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     };
     let domain = domain(context, graph, &system.domain);
     let (form, given, receives, returned) = match context.energy.form {
-        Form::Hamiltonian => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
+        Form::Hamiltonian | Form::Bodies => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
         Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
     };
     let slopes = context.values(&system.slopes, |values| halves(context, &values));
@@ -177,7 +178,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
 }
 
 /// `slopes[0][i] = …; slopes[1][i] = …;`, and `*ds = …;` if there is one more value.
-fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+pub(super) fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
     let places = context.coordinates();
     let (q, rest) = values.split_at(places.len());
     let (p, s) = rest.split_at(places.len());

@@ -13,6 +13,7 @@ mod expr;
 mod language;
 mod loops;
 mod method;
+mod quaternion;
 mod scope;
 mod statement;
 mod unseen;

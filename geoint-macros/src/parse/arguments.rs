@@ -1,7 +1,7 @@
 //! Arguments: who is q, p, s and t, and who is a parameter.
 
 use super::options::Options;
-use super::shape::{plain, shape};
+use super::shape::{Leaf, Shape, plain, shape};
 use super::{Argument, Form, Role};
 use crate::diagnostics::Diagnostics;
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -28,7 +28,7 @@ pub(super) fn arguments(
         let name = &pattern.ident;
         attributes_of_argument(&typed.attrs, errors);
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
-        let by_name = DEFAULTS.iter().find(|(_, default, _)| is_called(name, default));
+        let by_name = defaults(form).iter().find(|(_, default, _)| is_called(name, default));
         if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
             errors.at(name, ACTION);
             continue;
@@ -94,7 +94,7 @@ pub(super) fn arguments(
             errors.at(name, message);
         } else if !exists(item, name) {
             errors.at(name, format!("the function has no argument `{name}`"));
-        } else if let Some((_, letter, what)) = DEFAULTS.iter().find(|(r, letter, _)| {
+        } else if let Some((_, letter, what)) = defaults(form).iter().find(|(r, letter, _)| {
             // The name says one thing and the attribute another.
             r != role && name == letter && renamed(*r).is_none()
         }) {
@@ -142,8 +142,16 @@ fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
     }
 }
 
-/// Who an argument is by its name alone.
-const DEFAULTS: [(Role, &str, &str); 4] = [
+/// Who an argument is by its name alone, its name, and what that is.
+type Default = (Role, &'static str, &'static str);
+
+fn defaults(form: Form) -> &'static [Default] {
+    if form == Form::Bodies { &OF_BODIES } else { &OF_ENERGIES }
+}
+
+const OF_BODIES: [Default; 2] = [(Role::AngularMomentum, "m", "the angular momenta"), (Role::Time, "t", "time")];
+
+const OF_ENERGIES: [Default; 4] = [
     (Role::Position, "q", "the positions"),
     (Role::Momentum, "p", "the momenta"),
     (Role::Action, "s", "the action"),
@@ -204,6 +212,9 @@ pub(super) fn coordinates(
         }
         found
     };
+    if form == Form::Bodies {
+        return body(item, arguments, errors);
+    }
     let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
     let p = find(Role::Momentum, "p", &|errors| {
         let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
@@ -232,3 +243,35 @@ pub(super) fn coordinates(
     }
     Some(q)
 }
+
+/// Attitudes as quaternions, one row a body, if angular momenta go with them.
+fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
+    let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
+    let r = find(Role::Attitude)?;
+    let Some(m) = find(Role::AngularMomentum) else {
+        errors.at(&item.sig.ident, ANGULAR_MOMENTUM);
+        return None;
+    };
+    if r.shape.leaf != Leaf::Quaternion {
+        errors.at(&r.ty, ATTITUDE);
+        return None;
+    }
+    let bodies = r.shape.len() / 4;
+    let momenta = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
+    if m.shape != momenta {
+        let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
+        let ty = match r.shape.extents.len() {
+            1 => format!("Vector3<{scalar}>"),
+            _ => format!("[Vector3<{scalar}>; {bodies}]"),
+        };
+        errors.at(&m.ty, format!("`{}` must be `{ty}`: the angular momentum of each body, in its own frame", m.name));
+        return None;
+    }
+    Some(Argument { shape: Shape { extents: vec![bodies, 4], leaf: Leaf::Quaternion }, ..r.clone() })
+}
+
+const ATTITUDE: &str =
+    "an attitude is `UnitQuaternion<f64>`, or an array of them: what turns vectors of a body into vectors of space";
+
+const ANGULAR_MOMENTUM: &str =
+    "the angular momentum is missing: call an argument `m`, or name one with `m = …`; it is in the frame of the body";

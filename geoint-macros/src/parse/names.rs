@@ -8,6 +8,7 @@ use syn::ext::IdentExt;
 pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
+    "BodyState",
     "Autonomous",
     "Collocation",
     "ConformalContact",
@@ -34,6 +35,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "PerCoordinate",
     "PhaseSpace",
     "PieceClock",
+    "PrincipalAxes",
     "ProofAnd",
     "QuadraticKinetic",
     "Real",

@@ -7,6 +7,7 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
 
 /// What the arguments say.
 #[derive(Default)]
@@ -23,7 +24,7 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `attitude = argument`, `m = argument`, `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -86,7 +87,7 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                name @ ("name" | "q" | "p" | "s" | "t") if energy && (contact || name != "s") => {
+                name @ ("name" | "q" | "p" | "s" | "t" | "attitude" | "m") if energy && takes(contact, name) => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
@@ -94,12 +95,14 @@ impl Options {
                         "q" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
                         "s" => options.roles.push((Role::Action, value)),
+                        "attitude" => options.roles.push((Role::Attitude, value)),
+                        "m" => options.roles.push((Role::AngularMomentum, value)),
                         _ => options.roles.push((Role::Time, value)),
                     }
                 }
                 _ => {
                     let message = match form {
-                        Some(Form::Hamiltonian) => HAMILTONIAN,
+                        Some(Form::Hamiltonian | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         None => FUNCTION,
                     };
@@ -110,9 +113,42 @@ impl Options {
                 input.parse::<Token![,]>()?;
             }
         }
-        Ok(options)
+        options.consistent()
+    }
+
+    /// Rigid bodies have an attitude and angular momenta, in place of positions and momenta, and are not damped.
+    fn consistent(self) -> syn::Result<Self> {
+        let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name);
+        let wrong = match (role(Role::Attitude), role(Role::AngularMomentum)) {
+            (None, Some(m)) => Some((m.span(), WITHOUT_ATTITUDE)),
+            (None, None) => None,
+            (Some(_), _) if self.damping.is_some() => self.damping.as_ref().map(|expr| (expr.span(), DAMPED_BODY)),
+            (Some(_), _) if !self.requirements.is_empty() => Some((self.requirements[0].1, ALWAYS_SEPARABLE)),
+            (Some(_), _) => role(Role::Position).or(role(Role::Momentum)).map(|name| (name.span(), NO_CENTRES)),
+        };
+        wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
+        Ok(self)
     }
 }
+
+/// Whether an attribute has a name for the struct or for an argument.
+fn takes(contact: bool, name: &str) -> bool {
+    match name {
+        "s" => contact,
+        "attitude" | "m" => !contact,
+        _ => true,
+    }
+}
+
+const WITHOUT_ATTITUDE: &str =
+    "`m = …` names the angular momentum of a rigid body: say which argument is its attitude, `attitude = …`";
+
+const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energies of `q` and `p`";
+
+const ALWAYS_SEPARABLE: &str =
+    "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
+
+const NO_CENTRES: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {

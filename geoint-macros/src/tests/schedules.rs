@@ -137,7 +137,7 @@ fn statements_mean_what_the_graph_means() {
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
         Form::Hamiltonian => {
-            let shape = parse::Shape { extents: vec![], vector: false };
+            let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
             let structure = crate::analyze::structure(graph, energy, &shape);
             let gradient = diff::gradient(graph, energy, 1);
             vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]

@@ -9,6 +9,8 @@ mod state;
 mod summation;
 
 pub use array::{Array, Square};
+pub use body::{Attitudes, BodyState};
+pub(crate) use body::{normalisation, wrong_length};
 pub use double_word::DoubleWord;
 pub use per_coordinate::PerCoordinate;
 pub use point::Point;

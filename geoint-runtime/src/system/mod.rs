@@ -3,6 +3,7 @@
 //! Each trait is a proven property. A method asks for the traits that it needs, so using it on a system without the
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
+mod bodies;
 mod contact;
 mod implicit;
 mod integrals;
@@ -11,6 +12,7 @@ mod poles;
 mod separable;
 mod rates;
 
+pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField};
@@ -95,6 +97,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         let (t, z, s) = state.parts();
         self.hamiltonian(t, &z, &s)
     }
+}
+
+/// Whether there are unit quaternions among the coordinates.
+#[inline(always)]
+pub(crate) fn has_attitudes<S: PhaseSpace<R>, R: Real>() -> bool {
+    !S::attitudes(&mut S::Phase::zero()).is_empty()
 }
 
 /// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState), or

@@ -1,9 +1,11 @@
 //! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
 
+mod bodies;
 mod canonical;
 mod contact;
 
 use crate::schedule::Operations;
+pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 
