@@ -5,7 +5,7 @@ use super::domain::domain;
 use super::kernel::{Context, write};
 use crate::derive::{Modified, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, Form, over_scalar};
+use crate::parse::{Energy, Form, Leaf, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -26,15 +26,27 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
+    // Quaternions are compared for scalars alone, which a derived comparison does not ask for.
+    let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
+        let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
+        quote! {
+            impl<R: #runtime::private::Real> ::core::cmp::PartialEq for #name<R> {
+                fn eq(&self, other: &Self) -> bool {
+                    #(self.#fields == other.#fields)&&*
+                }
+            }
+        }
+    });
+    let equal = compared.is_none().then(|| quote!(, ::core::cmp::PartialEq));
     // Numbers are equal to numbers, but not all of them to themselves.
     let derives = quote! {
         #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug #equal)]
     };
     if fields.is_empty() {
         quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
     } else {
-        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* } #compared)
     }
 }
 

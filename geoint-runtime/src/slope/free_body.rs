@@ -103,42 +103,48 @@ fn series<R: Real, const N: usize>(
     r: &[R; 4],
     m: &[R; 3],
 ) -> Option<[[R; 4]; 2]> {
-    let (mut rs, mut ms, mut ws) = ([[zero::<R>(); 4]; N], [[zero::<R>(); 3]; N], [[zero::<R>(); 3]; N]);
-    let (mut last_r, mut last_m) = (*r, *m);
+    let start = [r[0], r[1], r[2], r[3], m[0], m[1], m[2], zero()];
+    let (mut terms, mut axes, mut turns) = ([[zero::<R>(); 8]; N], [[[zero::<R>(); 8]; 3]; N], [[zero::<R>(); 3]; N]);
+    let mut last = start;
     for n in 0..N {
-        (rs[n], ms[n]) = (last_r, last_m);
-        ws[n] = linear(&last_m);
+        (terms[n], axes[n]) = (last, about_axes(&last));
+        turns[n] = linear(&[last[4], last[5], last[6]]);
         if n == 0 {
-            ws[0] = add(&ws[0], constant);
+            turns[0] = add(&turns[0], constant);
         }
-        let (mut turned, mut moved) = ([zero::<R>(); 4], [zero::<R>(); 3]);
+        // A sum an axis: they do not wait for each other.
+        let mut sums = [[zero::<R>(); 8]; 3];
         for k in 0..=n {
-            let ([x, y, z, w], m, [a, b, c]) = (rs[k], ms[k], ws[n - k]);
-            turned[0] = w.multiply_add(a, y.multiply_add(c, (-z).multiply_add(b, turned[0])));
-            turned[1] = w.multiply_add(b, z.multiply_add(a, (-x).multiply_add(c, turned[1])));
-            turned[2] = w.multiply_add(c, x.multiply_add(b, (-y).multiply_add(a, turned[2])));
-            turned[3] = (-x).multiply_add(a, (-y).multiply_add(b, (-z).multiply_add(c, turned[3])));
-            moved[0] = m[1].multiply_add(c, (-m[2]).multiply_add(b, moved[0]));
-            moved[1] = m[2].multiply_add(a, (-m[0]).multiply_add(c, moved[1]));
-            moved[2] = m[0].multiply_add(b, (-m[1]).multiply_add(a, moved[2]));
+            for axis in 0..3 {
+                let turn = turns[n - k][axis];
+                for i in 0..8 {
+                    sums[axis][i] = axes[k][axis][i].multiply_add(turn, sums[axis][i]);
+                }
+            }
         }
-        let over = R::from_f64(1.0 / (n + 1) as f64);
-        let half = R::from_f64(0.5 / (n + 1) as f64);
-        (last_r, last_m) = (turned.map(|x| half * x), moved.map(|x| over * x));
+        let [whole, half] = [1.0, 0.5].map(|x| R::from_f64(x / (n + 1) as f64));
+        for i in 0..8 {
+            last[i] = if i < 4 { half } else { whole } * (sums[0][i] + sums[1][i] + sums[2][i]);
+        }
     }
     let size = |v: &[R]| v.iter().map(|x| x.magnitude()).fold(0.0, |largest, x| if x > largest { x } else { largest });
-    if size(&last_r) > R::epsilon() * size(r) || size(&last_m) > R::epsilon() * size(m) {
+    if size(&last[..4]) > R::epsilon() * size(r) || size(&last[4..]) > R::epsilon() * size(m) {
         return None;
     }
     // The smallest terms first.
-    let (mut dr, mut dm) = (last_r, [last_m[0], last_m[1], last_m[2], zero()]);
     for n in (1..N).rev() {
-        dr = core::array::from_fn(|i| dr[i] + rs[n][i]);
-        for i in 0..3 {
-            dm[i] += ms[n][i];
+        for i in 0..8 {
+            last[i] += terms[n][i];
         }
     }
-    Some([dr, dm])
+    Some([[last[0], last[1], last[2], last[3]], [last[4], last[5], last[6], zero()]])
+}
+
+/// r⊗e and m × e for the three axes e of the body.
+#[inline(always)]
+fn about_axes<R: Real>(&[x, y, z, w, a, b, c, _]: &[R; 8]) -> [[R; 8]; 3] {
+    let o = zero();
+    [[w, z, -y, -x, o, c, -b, o], [-z, w, x, -y, -c, o, a, o], [y, -x, w, -z, b, -a, o, o]]
 }
 
 /// Five rotations about the principal axes of a body, 1, 2, 3, 2, 1, of which all but the third are half as long: the flow of a free body
