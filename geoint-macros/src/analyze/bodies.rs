@@ -1,8 +1,7 @@
 //! Rigid bodies: H = T(m) + V(r, t) with T quadratic in the momentum of each body? The parts, or the term that is in the way.
 
-use super::dependence;
 use super::separable::{not_quadratic, split};
-use super::terms;
+use super::{Identity, identity, terms};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -48,30 +47,45 @@ pub(crate) fn bodies(graph: &mut Graph, energy: Id, bodies: u32) -> Result<Bodie
     if let Some(term) = not_quadratic(graph, kinetic) {
         return Err((term, BODY_NOT_QUADRATIC));
     }
-    let body_of = |symbol: &Symbol| match symbol {
-        Symbol::P(i) => Some(i / 4),
-        _ => None,
-    };
-    for term in terms(graph, kinetic) {
-        let mut read: Vec<u32> = dependence::symbols(graph, term).iter().filter_map(body_of).collect();
-        read.sort_unstable();
-        read.dedup();
-        if read.len() > 1 {
-            return Err((term, BODIES_COUPLED));
-        }
-    }
     let slopes = diff::gradient(graph, kinetic, 4 * bodies).p;
     let velocity: Vec<[Id; 3]> = slopes.chunks(4).map(|body| [body[0], body[1], body[2]]).collect();
-    // What does not depend on momenta may be taken where they are zero.
-    let mut at_rest =
-        Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero()));
     let mut inertia = vec![];
-    for (velocity, body) in velocity.iter().zip(0..) {
+    for (velocity, body) in velocity.iter().zip(0..bodies) {
+        let others: Vec<Symbol> = (0..bodies).filter(|other| *other != body).flat_map(momenta).collect();
+        if depends(graph, velocity, &others) {
+            return Err((coupling_term(graph, kinetic, bodies), BODIES_COUPLED));
+        }
         let rows = diff::jacobian(graph, velocity, &momenta(body));
-        let mut constant = |id: Id| at_rest.apply(graph, id);
-        let inverse = core::array::from_fn(|i| core::array::from_fn(|j| constant(rows[i][j])));
-        inertia.push(Inertia { inverse, constant: velocity.map(constant) });
+        let inverse = core::array::from_fn(|i| core::array::from_fn(|j| at_rest(graph, rows[i][j])));
+        inertia.push(Inertia { inverse, constant: velocity.map(|entry| at_rest(graph, entry)) });
     }
     let autonomous = !super::reads(graph, energy).t;
     Ok(Bodies { energy, kinetic, potential, velocity, inertia, autonomous })
+}
+
+/// What does not depend on momenta may be taken where they are zero.
+fn at_rest(graph: &mut Graph, id: Id) -> Id {
+    Substitution::new(|graph: &mut Graph, symbol| matches!(symbol, Symbol::P(_)).then(|| graph.zero())).apply(graph, id)
+}
+
+/// Whether velocities, which are linear in momenta, depend on some of them.
+fn depends(graph: &mut Graph, velocity: &[Id; 3], momenta: &[Symbol]) -> bool {
+    let rows = diff::jacobian(graph, velocity, momenta);
+    rows.concat().into_iter().any(|entry| {
+        let entry = at_rest(graph, entry);
+        !graph.is_zero(entry) && !matches!(identity(graph, entry), Identity::Zero(_))
+    })
+}
+
+/// The first term of T by which the velocity of a body depends on the momentum of another one.
+fn coupling_term(graph: &mut Graph, kinetic: Id, bodies: u32) -> Id {
+    let couples = |graph: &mut Graph, term: Id| {
+        let slopes = diff::gradient(graph, term, 4 * bodies).p;
+        (0..bodies).any(|body| {
+            let at = 4 * body as usize;
+            let others: Vec<Symbol> = (0..bodies).filter(|other| *other != body).flat_map(momenta).collect();
+            depends(graph, &[slopes[at], slopes[at + 1], slopes[at + 2]], &others)
+        })
+    };
+    terms(graph, kinetic).into_iter().find(|term| couples(graph, *term)).unwrap_or(kinetic)
 }

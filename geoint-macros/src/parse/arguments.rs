@@ -230,6 +230,16 @@ pub(super) fn coordinates(
         });
     }
     let (q, p) = (q?, p?);
+    if q.shape.leaf == Leaf::Quaternion {
+        errors.at(
+            &q.ty,
+            format!(
+                "`{}` is the attitude of a rigid body: say so, `attitude = {}`, and call its angular momentum `m`",
+                q.name, q.name
+            ),
+        );
+        return None;
+    }
     if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
         errors.at(
             &p.ty,

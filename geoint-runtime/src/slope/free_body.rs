@@ -112,19 +112,17 @@ fn series<R: Real, const N: usize>(
         if n == 0 {
             turns[0] = add(&turns[0], constant);
         }
-        // A sum an axis: they do not wait for each other.
-        let mut sums = [[zero::<R>(); 8]; 3];
+        let mut sum = [zero::<R>(); 8];
         for k in 0..=n {
-            for axis in 0..3 {
-                let turn = turns[n - k][axis];
-                for i in 0..8 {
-                    sums[axis][i] = axes[k][axis][i].multiply_add(turn, sums[axis][i]);
-                }
+            let ([a, b, c], [x, y, z]) = (&axes[k], turns[n - k]);
+            for i in 0..8 {
+                // Only the last addition waits for the one before.
+                sum[i] += a[i].multiply_add(x, b[i].multiply_add(y, c[i] * z));
             }
         }
         let [whole, half] = [1.0, 0.5].map(|x| R::from_f64(x / (n + 1) as f64));
         for i in 0..8 {
-            last[i] = if i < 4 { half } else { whole } * (sums[0][i] + sums[1][i] + sums[2][i]);
+            last[i] = if i < 4 { half } else { whole } * sum[i];
         }
     }
     let size = |v: &[R]| v.iter().map(|x| x.magnitude()).fold(0.0, |largest, x| if x > largest { x } else { largest });
