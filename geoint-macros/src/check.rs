@@ -1,9 +1,10 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure};
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Value, Why, Witness};
+use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
-use crate::lower::Place;
+use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
+use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
@@ -20,21 +21,8 @@ pub(crate) fn requests(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    if let Some(Damping { matrix, flaw: Some(flaw), .. }) = &structure.damping {
-        let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
-        let message = match *flaw {
-            Flaw::NotSymmetric(i, j) => format!(
-                "damping is a symmetric matrix, but row {i}, column {j} is {} and row {j}, column {i} is {}: write both alike",
-                entry(i, j),
-                entry(j, i)
-            ),
-            Flaw::Negative(i) => format!(
-                "damping takes energy away, but the coefficient of coordinate {i} is {}: write one that is not negative",
-                entry(i, i)
-            ),
-            Flaw::Indefinite => INDEFINITE.into(),
-        };
-        errors.at(&energy.damping, message);
+    if let Some(damping) = &structure.damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
     }
     for (requirement, span) in &energy.requirements {
         if structure.damping.is_some() {
@@ -73,6 +61,31 @@ pub(crate) fn bodies(
         errors.at_place(place, format!("{why}: {}", Printer::new(graph, name).excerpt(term)));
         errors
     })
+}
+
+/// Damping that is none.
+fn flaw_of_damping<F: Fn(Symbol) -> String>(
+    energy: &Energy,
+    damping: &Damping,
+    printer: &Printer<'_, F>,
+    errors: &mut Diagnostics,
+) {
+    if let Damping { matrix, flaw: Some(flaw), .. } = damping {
+        let entry = |i: usize, j: usize| printer.excerpt(matrix[i][j]);
+        let message = match *flaw {
+            Flaw::NotSymmetric(i, j) => format!(
+                "damping is a symmetric matrix, but row {i}, column {j} is {} and row {j}, column {i} is {}: write both alike",
+                entry(i, j),
+                entry(j, i)
+            ),
+            Flaw::Negative(i) => format!(
+                "damping takes energy away, but the coefficient of coordinate {i} is {}: write one that is not negative",
+                entry(i, i)
+            ),
+            Flaw::Indefinite => INDEFINITE.into(),
+        };
+        errors.at(&energy.damping, message);
+    }
 }
 
 /// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
@@ -151,6 +164,112 @@ fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)
     let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
     let conditions: Vec<String> = case.iter().map(condition).collect();
     if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
+}
+
+/// Reports S that is not skew, and damping that is none.
+pub(crate) fn structure(
+    energy: &Energy,
+    (structure, damping): (&proof::Structure, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.structure) {
+        let (sum, equal) = match verdict {
+            Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
+            _ => (open(&printer, verdict), " was not proven to be 0"),
+        };
+        let what = if i == j { format!("twice S[{i}][{i}]") } else { format!("S[{i}][{j}] + S[{j}][{i}]") };
+        let advice = if i == j { "" } else { "; `|i, j| …` is asked for i < j alone" };
+        let message = format!("S is skew, but {what}{equal}{sum}{advice}");
+        match written(graph, places, structure.matrix[*j][*i]) {
+            Some(place) => errors.at_place(place, message),
+            None => errors.at(&form.expr, message),
+        }
+    }
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Where a node was written, if it is more than a symbol or a number, which may have been written elsewhere first.
+fn written(graph: &Graph, places: &HashMap<Id, Place>, id: Id) -> Option<Place> {
+    let more = !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_));
+    places.get(&id).copied().filter(|_| more)
+}
+
+/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
+fn remains<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, rest: Option<&Remainder>, witness: &Witness) -> String {
+    match rest {
+        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => {
+            let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
+            let state: Vec<String> = witness.state.iter().map(symbol).collect();
+            let value = match witness.value {
+                Value::Exact(value) => ratio(value),
+                Value::Near(value) => format!("{value:.3e}"),
+            };
+            format!(" is {value} where {}", state.join(", "))
+        }
+    }
+}
+
+fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
+    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
+}
+
+/// What remains of what was not decided.
+fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
+    match verdict.rest() {
+        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => String::new(),
+    }
+}
+
+/// Reports functions that are not kept, and those that are functions of others.
+pub(crate) fn integrals(
+    energy: &Energy,
+    written: &[Integral],
+    found: &proof::Integrals,
+    graph: &Graph,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    for (i, (kept, verdict)) in energy.keeps.iter().zip(&found.kept).enumerate() {
+        let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
+        let message = match verdict {
+            None | Some(Identity::Zero(_)) => continue,
+            Some(Identity::Wrong(wrong)) => {
+                let rest = remains(&printer, wrong.rest.as_ref(), &wrong.witness);
+                format!("`{name}` is not constant along the field{but}: what remains of its derivative{rest}")
+            }
+            Some(verdict @ Identity::Open(found)) => {
+                let why = match found.why {
+                    Why::Relation => {
+                        "it holds to rounding, and rests on a relation between functions that is not known here"
+                    }
+                    Why::Branch => "it holds to rounding, for one choice of the signs of roots",
+                    Why::TooLong => "it holds to rounding, and is too long to be decided",
+                    Why::Nowhere => "no state was met at which it is defined",
+                };
+                format!(
+                    "`{name}` was not proven to be constant along the field{but}: {why}; if you know that it is, say \
+                     `keeps(assume({name} = …))`{}",
+                    open(&printer, verdict).replacen(": ", "; what remains of its derivative is ", 1)
+                )
+            }
+        };
+        errors.at_place(written[i].place, message);
+    }
+    if let Some(i) = found.dependent.filter(|_| errors.len() == 0) {
+        let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
+        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.keeps[i].name));
+    }
+    errors.or(())
 }
 
 const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \

@@ -1,6 +1,8 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
+use crate::derive::{Flow, proof};
 use crate::diagnostics::Result;
+use crate::emit::report::Source;
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, lower, split};
 use proc_macro2::TokenStream;
@@ -11,6 +13,8 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
         Form::Hamiltonian => hamiltonian(energy),
         Form::Contact => contact_hamiltonian(energy),
         Form::Bodies => bodies(energy),
+        Form::Structured => structured_hamiltonian(energy),
+        Form::Field => vector_field(energy),
     }
 }
 
@@ -21,11 +25,11 @@ fn hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(graph, lowered.damping);
-    let derived = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
+    let (derived, gradient) = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
-    let report = emit::report::canonical(&context, graph, &structure, &system);
+    let report = emit::report::canonical(&context, graph, &structure, (&system, &gradient));
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -37,12 +41,45 @@ fn contact_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let groups = lowered.groups.as_deref();
     let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
-    let derived =
+    let (derived, gradient) =
         derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let system = derived.scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::contact(&context, graph, &system);
+    let report = emit::report::contact(&context, graph, (root, &gradient), &system);
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(x, t) with x' = S(x) ∇H.
+fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = proof::structure(graph, &lowered.structure);
+    let damping = analyze::damping(graph, lowered.damping);
+    check::structure(energy, (&structure, damping.as_ref()), graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
+    let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
+    flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
+    let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref()).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Structure(&structure)), &system);
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// f(x, t), and what it keeps.
+fn vector_field(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let mut flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
+    let found = proof::integrals(graph, &flow);
+    check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
+    flow.search(graph, None, |symbol| context.user_name(symbol));
+    let system = derive::flow(graph, &flow, &lowered.partial, None).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 

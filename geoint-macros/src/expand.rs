@@ -73,11 +73,7 @@ pub(crate) fn energy_function(args: TokenStream, item: TokenStream) -> TokenStre
 pub(crate) fn resume(input: TokenStream) -> TokenStream {
     let parser = |input: syn::parse::ParseStream<'_>| Ok((input.parse::<Ident>()?, input.parse::<Source>()?));
     let resumed = parser.parse2(input).map_err(Into::into).and_then(|(attribute, source)| {
-        let form = match attribute.to_string().as_str() {
-            "hamiltonian" => Form::Hamiltonian,
-            "contact_hamiltonian" => Form::Contact,
-            _ => return link::offered(&source),
-        };
+        let Some(form) = Form::of_attribute(&attribute.to_string()) else { return link::offered(&source) };
         derived(parse::energy(form, source.args.clone(), syn::parse2(source.item.clone())?)?, &source)
     });
     resumed.unwrap_or_else(|errors| errors.into_tokens())

@@ -81,6 +81,7 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
+/// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
 /// # The body
@@ -159,9 +160,124 @@ use proc_macro::TokenStream;
 /// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
+///
+/// # Another phase space
+///
+/// `structure = S` is for energies H(x) of coordinates x that are no positions and momenta: x' = S(x) ∇H(x) with a skew matrix S. The
+/// coordinates are one argument, `x`, and the state is `FlowState { t, x }`.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Predators and prey.
+/// #[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
+/// fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64, d: f64) -> f64 {
+///     d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
+/// }
+///
+/// let system = LotkaVolterra { a: 2.0, b: 1.0, c: 1.0, d: 1.0 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([1.0, 0.5]));
+/// let energy = system.energy(&sim.state());
+/// sim.advance(1000)?;
+/// assert!((system.energy(&sim.state()) - energy).abs() < 1e-13);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// S is one of
+///
+/// - `so3`: x' = x × ∇H, for three coordinates or an array of such;
+/// - `se3`: m' = m × ∂H/∂m + γ × ∂H/∂γ, γ' = γ × ∂H/∂m for x = (m, γ);
+/// - `canonical`: the halves of x are positions and momenta;
+/// - `nambu(C)`: x' = ∇C × ∇H for three coordinates and a second function C;
+/// - an array of arrays, which is proven to be skew;
+/// - a closure `|i, j| …` of indices, that is asked for i < j.
+///
+/// `DiscreteGradient` takes x₁ = x₀ + h S((x₀ + x₁)/2) ∇̄H: it keeps H, and every function C of degree 2 at most with S∇C = 0, to
+/// rounding for every h. `FourthOrder` keeps H. `REPORT` says whether S is a Poisson structure. `damping = C` makes x' = (S − C) ∇H of it.
 #[proc_macro_attribute]
 pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Hamiltonian, args.into(), item.into()).into()
+}
+
+/// Makes an integrable system from a vector field, x' = f(x) or x' = f(x, t), and keeps the first integrals that are named.
+///
+/// The function stays as it is, and a struct is added as by [`macro@hamiltonian`]. The state is `FlowState { t, x }`.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Euler's equations of a free body, in angular velocities.
+/// #[vector_field(keeps(
+///     energy = (a * x[0] * x[0] + b * x[1] * x[1] + c * x[2] * x[2]) / 2.0,
+///     momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0,
+/// ))]
+/// fn euler_top(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
+///     [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
+/// }
+///
+/// let top = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+/// let start = FlowState::new([0.5, 0.8, -0.4]);
+/// let mut sim = top.integrator(DiscreteGradient, 0.1, start);
+/// sim.advance(1000)?;
+/// assert!((top.energy(&sim.state()) - top.energy(&start)).abs() < 1e-14);
+/// assert!((top.momentum(&sim.state()) - top.momentum(&start)).abs() < 1e-14);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Arguments of the function
+///
+/// `x` has one of the types that `q` may have under [`macro@hamiltonian`], and the function returns the same shape. `t` is time. Every
+/// other argument is a parameter.
+///
+/// # What is kept
+///
+/// `keeps(name = I, …)` names functions I of x, parameters and t, in the language of the body. That each is constant is proven when the
+/// program is compiled: f·∇I + ∂I/∂t = 0, by multiplying out, at every state at which all of it is defined. A function that is not
+/// constant is an error, which shows what remains of that. So is one that was not proven to be constant; `keeps(assume(name = I))`
+/// accepts it, and `REPORT` then says that it is assumed.
+///
+/// What is kept under the name `energy` is the energy of runs as well: `sim.energy()`; of other fields that is not a number.
+///
+/// `keeps(name = I, but = b)` is for what a loss or a force b(x) changes alone: (f − b)·∇I = 0 is proven, and a step of
+/// `DiscreteGradient` changes I by h b(m)·∇̄I exactly, m the middle of the step.
+///
+/// ```
+/// # use geoint_runtime::prelude::*;
+/// /// Lorenz 1984: a conservative core, loss and forcing; |x|²/2 changes by exactly what the last two do.
+/// #[vector_field(keeps(half_square = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0, but = [a * (f - x[0]), g - x[1], -x[2]]))]
+/// fn lorenz84(x: [f64; 3], a: f64, b: f64, f: f64, g: f64) -> [f64; 3] {
+///     [
+///         -x[1] * x[1] - x[2] * x[2] + a * (f - x[0]),
+///         x[0] * x[1] - b * x[0] * x[2] + g - x[1],
+///         b * x[0] * x[1] + x[0] * x[2] - x[2],
+///     ]
+/// }
+/// # let mut sim = Lorenz84 { a: 0.25, b: 4.0, f: 8.0, g: 1.0 }.integrator(DiscreteGradient, 0.01, FlowState::new([1.0, 0.5, -0.3]));
+/// # sim.step()?;
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Steps
+///
+/// With the discrete gradients ḡ of all integrals in the columns of G, `DiscreteGradient` takes
+///
+/// x₁ = x₀ + h (F − G (GᵀG)⁻¹ GᵀF), F = f((x₀ + x₁)/2),
+///
+/// which is symmetric, of order 2, and keeps all integrals to rounding for every h. `FourthOrder` takes the same with
+/// F = (f(x₀) + 4 f(c) + f(x₁))/6, c = (x₀ + x₁)/2 + h/8 (f(x₀) − f(x₁)), of order 4. Where gradients vanish or depend on each other, as
+/// in permanent rotations, those that say nothing new take no part. M. Dahlby, B. Owren & T. Yaguchi, J. Phys. A 44 (2011) 305205.
+///
+/// Without `keeps` there are the methods for every field: Runge–Kutta methods, `ImplicitMidpoint` and `Gauss`.
+///
+/// # Arguments of the attribute
+///
+/// - `name = Type`: the name of the struct.
+/// - `x = y`, `t = time`: other names for coordinates and time.
+/// - `keeps(…)`: see above.
+/// - `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for [`macro@hamiltonian`].
+#[proc_macro_attribute]
+pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::expand(parse::Form::Field, args.into(), item.into()).into()
 }
 
 /// Makes an integrable system from a contact Hamiltonian H(q, p, s), or H(q, p, s, t): energy that is lost or driven.

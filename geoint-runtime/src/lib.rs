@@ -141,7 +141,7 @@ pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -190,7 +190,7 @@ pub mod prelude {
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
         Kahan, MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError,
         StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian,
-        energy_function, hamiltonian,
+        energy_function, hamiltonian, vector_field,
     };
 }
 

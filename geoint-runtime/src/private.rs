@@ -1,13 +1,14 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite};
-pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate, Square, State};
+pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate, Snapshot, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,

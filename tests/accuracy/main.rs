@@ -2,6 +2,7 @@
 
 mod language;
 mod derivatives;
+mod first_integrals;
 mod slopes;
 mod tables;
 mod modified;

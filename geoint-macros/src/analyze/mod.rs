@@ -24,8 +24,11 @@ pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads};
-#[cfg_attr(not(test), allow(unused_imports, reason = "for the attributes of fields, which come next"))]
-pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, claims, identity, liouville, search};
+#[cfg_attr(
+    not(test),
+    allow(unused_imports, reason = "liouville is for fields that are Hamiltonian, which come next")
+)]
+pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
@@ -85,7 +88,7 @@ impl Structure {
 
     /// The same facts with damping, unless all of its coefficients are zero.
     pub(crate) fn damped(mut self, graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Structure {
-        self.damping = matrix.and_then(|matrix| damping::damping(graph, matrix));
+        self.damping = damping(graph, matrix);
         if let Some(damping) = &self.damping {
             let spared = |i: u32| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
             self.cyclic.retain(|i| spared(*i));
@@ -122,6 +125,17 @@ impl Structure {
     pub(crate) fn conserves_energy(&self) -> bool {
         self.autonomous && self.damping.is_none()
     }
+}
+
+/// Damping, unless all of its coefficients are zero.
+pub(crate) fn damping(graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Option<Damping> {
+    matrix.and_then(|matrix| damping::damping(graph, matrix))
+}
+
+/// Whether nodes are polynomials of a degree at most in x.
+pub(crate) fn is_polynomial(graph: &Graph, roots: &[Id], degree: u32) -> bool {
+    let degrees = Degrees::of(graph, Symbol::is_coordinate);
+    roots.iter().all(|root| degrees.get(*root).is_some_and(|d| d <= degree))
 }
 
 /// The terms of a sum, those of sums in it included.

@@ -1,6 +1,6 @@
 //! What is derived from H(r, m, t) of rigid bodies.
 
-use super::domain::Domain;
+use super::domain::{Domain, Roots};
 use super::system::FlowKernel;
 use crate::analyze::{self, momenta_of_body as momenta};
 use crate::diff;
@@ -81,7 +81,7 @@ pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Part
         turns,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
-        domain: Domain::of(graph, (found.energy, Form::Bodies), partial, None),
+        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, None),
     }
 }
 

@@ -1,6 +1,6 @@
 //! What is derived from H(q, p, t).
 
-use super::domain::Domain;
+use super::domain::{Domain, Roots};
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure, reads};
@@ -15,7 +15,12 @@ use crate::schedule::{Kernel, Levels};
 const FEW: u32 = 3;
 
 /// Derives everything that some method needs.
-pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Partial], degrees: u32) -> System {
+pub(crate) fn canonical(
+    graph: &mut Graph,
+    structure: &Structure,
+    partial: &[Partial],
+    degrees: u32,
+) -> (System, Gradient) {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
     let drag = structure
@@ -37,19 +42,25 @@ pub(crate) fn canonical(graph: &mut Graph, structure: &Structure, partial: &[Par
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
     ];
-    System {
-        energy: structure.energy,
+    let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
-        slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat()),
-        gradient,
+        slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat())),
         rate,
-        splitting,
+        splitting: Some(splitting),
         modified,
         pieces: None,
-        implicit: Implicit::Canonical(fields.kernels(graph, structure)),
-        domain: Domain::of(graph, (structure.energy, Form::Hamiltonian), partial, structure.damping.as_ref()),
-    }
+        implicit: Implicit::Field(fields.kernels(graph, structure)),
+        integrals: None,
+        domain: Domain::of(
+            graph,
+            Roots::of_energy(&structure.energy),
+            Form::Hamiltonian,
+            partial,
+            structure.damping.as_ref(),
+        ),
+    };
+    (system, gradient)
 }
 
 /// The flows of V and T by derivatives of −hV and hT, not −h and h times those of V and T: then h meets the constants of every term and

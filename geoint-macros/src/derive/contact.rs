@@ -1,6 +1,6 @@
 //! What is derived from H(q, p, s, t).
 
-use super::domain::Domain;
+use super::domain::{Domain, Roots};
 use super::implicit;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
 use crate::analyze;
@@ -19,7 +19,7 @@ pub(crate) fn contact(
     (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
     partial: &[Partial],
     (degrees, lift): (u32, bool),
-) -> System {
+) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
     let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
     let pieces = match found {
@@ -36,19 +36,19 @@ pub(crate) fn contact(
     };
     // Positions and momenta move without s.
     let conformal = !analyze::reads(graph, gradient.s).state();
-    System {
-        energy,
+    let system = System {
         proven: if conformal { vec!["ConformalContact"] } else { vec![] },
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
-        slopes: Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat()),
-        gradient,
+        slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
         rate,
-        splitting,
+        splitting: Some(splitting),
         modified,
         pieces: Some(pieces),
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
-        domain: Domain::of(graph, (energy, Form::Contact), partial, None),
-    }
+        integrals: None,
+        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
+    };
+    (system, gradient)
 }
 
 /// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.

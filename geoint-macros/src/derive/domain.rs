@@ -21,6 +21,22 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) jumps: Option<Jumps<K>>,
 }
 
+/// What a system is computed from.
+#[derive(Clone, Copy)]
+pub(crate) struct Roots<'a> {
+    pub(super) all: &'a [Id],
+    /// Those of which discrete gradients are taken: what jumps where a condition changes, and notices poles.
+    pub(super) divided: &'a [Id],
+}
+
+impl<'a> Roots<'a> {
+    /// Of an energy alone.
+    pub(super) fn of_energy(energy: &'a Id) -> Roots<'a> {
+        let energy = std::slice::from_ref(energy);
+        Roots { all: energy, divided: energy }
+    }
+}
+
 /// A condition under which the energy is undefined.
 #[derive(Clone, Debug)]
 pub(crate) struct Check {
@@ -40,10 +56,11 @@ pub(crate) enum Sign {
 }
 
 impl Domain {
-    /// Derives what is tested of an energy in which some nodes are not defined everywhere.
+    /// Derives what is tested of nodes some of which are not defined everywhere.
     pub(super) fn of(
         graph: &mut Graph,
-        (energy, form): (Id, Form),
+        roots: Roots<'_>,
+        form: Form,
         partial: &[Partial],
         damping: Option<&Damping>,
     ) -> Domain {
@@ -64,13 +81,13 @@ impl Domain {
             matrix = damping.open_matrix();
         }
         let arguments = checks.iter().map(|check| check.argument).chain(matrix).collect();
-        let examined = is_examined(graph, energy, partial);
+        let examined = is_examined(graph, roots.all, partial);
         Domain {
             arguments: Kernel::new(Levels::One, arguments),
             checks,
             examined,
-            poles: Poles::of(graph, (energy, form), partial),
-            jumps: Jumps::of(graph, energy),
+            poles: Poles::of(graph, (roots.divided, form), partial),
+            jumps: Jumps::of(graph, roots.divided),
         }
     }
 }
@@ -96,8 +113,8 @@ impl Check {
 
 /// Whether steps may lead over an edge of the domain and back unseen: a function that is not defined everywhere was simplified away, or a
 /// method with merged flows may pass.
-fn is_examined(graph: &mut Graph, energy: Id, partial: &[Partial]) -> bool {
-    let computed: HashSet<Id> = graph.reachable(&[energy]).into_iter().collect();
+fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[Partial]) -> bool {
+    let computed: HashSet<Id> = graph.reachable(roots).into_iter().collect();
     partial.iter().any(|Partial { node, condition }| {
         analyze::reads(graph, *node).state()
             && !checks_of(graph, *node).is_empty()

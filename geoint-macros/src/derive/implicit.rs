@@ -49,14 +49,15 @@ impl Fields {
                 levels: Levels::Prepared,
                 routines: vec![roots(&field), velocity.to_vec(), acceleration.to_vec()],
             },
-            discrete: Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] },
+            discrete: Some(Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] }),
+            fourth: None,
             coordinates: field.unknowns,
             increments: discrete.unknowns,
         }
     }
 }
 
-fn roots(field: &Field) -> Vec<Id> {
+pub(super) fn roots(field: &Field) -> Vec<Id> {
     field.f.iter().chain(field.jacobian.iter().flatten()).copied().collect()
 }
 
@@ -126,11 +127,21 @@ pub(super) fn steps(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<(&'stati
 
 /// Φ and 1 − ∂Φ/∂d, and what a solution adds.
 fn step(graph: &mut Graph, Equation { field, end }: Equation) -> StepKernel<Kernel> {
-    let (zero, one) = (graph.zero(), graph.integer(1));
-    let mut image = field.f;
-    for (i, row) in field.jacobian.iter().enumerate() {
-        image.extend(row.iter().enumerate().map(|(j, entry)| graph.sub(if i == j { one } else { zero }, *entry)));
-    }
+    let one = graph.integer(1);
+    let image = image(graph, &field, one);
     let kernel = Kernel { levels: Levels::Iterated, routines: vec![image, end] };
     StepKernel { unknowns: field.unknowns, kernel }
+}
+
+/// Φ = scale·f and 1 − ∂Φ/∂d.
+pub(super) fn image(graph: &mut Graph, field: &Field, scale: Id) -> Vec<Id> {
+    let (zero, one) = (graph.zero(), graph.integer(1));
+    let mut image: Vec<Id> = field.f.iter().map(|f| graph.mul(scale, *f)).collect();
+    for (i, row) in field.jacobian.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate() {
+            let entry = graph.mul(scale, *entry);
+            image.push(graph.sub(if i == j { one } else { zero }, entry));
+        }
+    }
+    image
 }

@@ -10,14 +10,17 @@ mod implicit;
 mod canonical;
 mod contact;
 mod bodies;
+mod flow;
+pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
+pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, StepKernel, System,
-    Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel,
+    System, Undamped,
 };

@@ -109,8 +109,8 @@ impl Collected {
 
 impl Poles {
     /// The poles of an energy, if there are any.
-    pub(super) fn of(graph: &mut Graph, (energy, form): (Id, Form), partial: &[Partial]) -> Option<Poles> {
-        let all = analyze::poles(graph, energy, partial);
+    pub(super) fn of(graph: &mut Graph, (divided, form): (&[Id], Form), partial: &[Partial]) -> Option<Poles> {
+        let all = analyze::poles(graph, divided, partial);
         if all.is_empty() {
             return None;
         }
@@ -165,9 +165,9 @@ impl<K> Margins<K> {
 }
 
 impl Jumps {
-    /// The conditions of an energy that read the state, if there are any.
-    pub(super) fn of(graph: &mut Graph, energy: Id) -> Option<Jumps> {
-        let all = analyze::jumps(graph, energy);
+    /// The conditions of energies that read the state, if there are any.
+    pub(super) fn of(graph: &mut Graph, energies: &[Id]) -> Option<Jumps> {
+        let all: Vec<Jump> = energies.iter().flat_map(|energy| analyze::jumps(graph, *energy)).collect();
         let routines = all.iter().map(|jump| vec![jump.side, jump.height]).collect();
         (!all.is_empty()).then(|| Jumps {
             sides: Kernel::new(Levels::One, all.iter().map(|jump| jump.side).collect()),

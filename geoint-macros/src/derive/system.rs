@@ -2,7 +2,6 @@
 
 use super::domain::Domain;
 use crate::analyze::MeanValue;
-use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock, Family};
@@ -10,24 +9,23 @@ use crate::split::{self, Clock, Family};
 /// What a system offers.
 #[derive(Debug)]
 pub(crate) struct System<K = Kernel> {
-    /// The energy as a node.
-    pub(crate) energy: Id,
-    /// ∂H/∂q, ∂H/∂p and ∂H/∂s as nodes.
-    pub(crate) gradient: Gradient,
     /// The traits of what was proven, and needs no kernel.
     pub(crate) proven: Vec<&'static str>,
     /// H; nothing if momenta are not followed.
     pub(crate) value: Option<K>,
-    /// ∇H.
-    pub(crate) slopes: K,
-    /// q', p' and s', where they are not those of H alone.
+    /// ∇H; nothing where the state is not moved by H in q and p.
+    pub(crate) slopes: Option<K>,
+    /// q', p' and s', where they are not those of H alone; x'.
     pub(crate) rate: Option<K>,
-    pub(crate) splitting: Result<KickDrift<K>, Missing>,
+    /// Kick and drift; of energies in q and p.
+    pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
     /// The flows whose composition is a step; of contact systems.
     pub(crate) pieces: Option<Result<Vec<PieceKernel<K>>, Missing>>,
     pub(crate) implicit: Implicit<K>,
+    /// What a flow keeps.
+    pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
 }
@@ -99,12 +97,28 @@ pub(crate) struct PieceKernel<K> {
 /// The equations of implicit methods.
 #[derive(Debug)]
 pub(crate) enum Implicit<K> {
-    Canonical(FieldKernels<K>),
+    /// Of a field.
+    Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
 }
 
-/// The field of implicit methods for (q, p), or for q alone.
+/// Functions of x that a flow keeps, or whose change is known.
+#[derive(Debug)]
+pub(crate) struct Integrals<K = Kernel> {
+    pub(crate) names: Vec<String>,
+    /// Whether users call each by its name.
+    pub(crate) functions: Vec<bool>,
+    pub(crate) values: K,
+    /// Those that are kept.
+    pub(crate) constant: Vec<usize>,
+    /// The gradients of these, one after the other.
+    pub(crate) slopes: K,
+    /// What these change by over an increment.
+    pub(crate) changes: K,
+}
+
+/// The field of implicit methods for (q, p), for q alone, or for x.
 #[derive(Debug)]
 pub(crate) struct FieldKernels<K> {
     /// The coordinates that are solved for, and their increments.
@@ -115,7 +129,9 @@ pub(crate) struct FieldKernels<K> {
     /// f with its derivative; ∂T/∂p; M⁻¹p.
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
-    pub(crate) discrete: K,
+    pub(crate) discrete: Option<K>,
+    /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
+    pub(crate) fourth: Option<K>,
     /// Whether Newton's iteration has a kernel of its own.
     pub(crate) folded: bool,
     /// Whether the equation of a step is linear.
@@ -152,10 +168,8 @@ impl System {
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
         System {
-            energy: self.energy,
-            gradient: self.gradient,
             proven: self.proven,
-            splitting: self.splitting.map(|splitting| splitting.map(&mut plan)),
+            splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),
@@ -165,7 +179,8 @@ impl System {
             domain: self.domain.map(&mut plan),
             value: self.value.map(&mut plan),
             rate: self.rate.map(&mut plan),
-            slopes: plan(self.slopes),
+            slopes: self.slopes.map(&mut plan),
+            integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
         }
     }
 }
@@ -202,15 +217,29 @@ impl<K> PieceKernel<K> {
     }
 }
 
+impl<K> Integrals<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Integrals<L> {
+        Integrals {
+            names: self.names,
+            functions: self.functions,
+            constant: self.constant,
+            values: of(self.values),
+            slopes: of(self.slopes),
+            changes: of(self.changes),
+        }
+    }
+}
+
 impl<K> Implicit<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Implicit<L> {
         match self {
-            Implicit::Canonical(field) => Implicit::Canonical(FieldKernels {
+            Implicit::Field(field) => Implicit::Field(FieldKernels {
                 coordinates: field.coordinates,
                 increments: field.increments,
                 second_order: field.second_order,
                 collocation: of(field.collocation),
-                discrete: of(field.discrete),
+                discrete: field.discrete.map(&mut *of),
+                fourth: field.fourth.map(&mut *of),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,

@@ -107,7 +107,7 @@ fn right_side(
 }
 
 /// Cᵢⱼ where it takes energy, as far as that is seen in two coordinates: not a number where it feeds some.
-fn taking(graph: &mut Graph, matrix: &[Vec<Id>], i: usize, j: usize) -> Id {
+pub(crate) fn taking(graph: &mut Graph, matrix: &[Vec<Id>], i: usize, j: usize) -> Id {
     let [entry, first, second] = [matrix[i][j], matrix[i][i], matrix[j][j]];
     // Numbers have been checked.
     if graph.is_zero(entry) || [entry, first, second].iter().all(|id| graph.as_number(*id).is_some()) {

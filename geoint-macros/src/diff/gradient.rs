@@ -3,7 +3,7 @@
 use super::forward::jacobian;
 use super::{slope, sweep};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol};
 
 /// The partial derivatives of a node with respect to positions, momenta and the action.
 #[derive(Clone, Debug)]
@@ -32,23 +32,45 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
     Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
 }
 
+/// The tree discrete gradient of I(x, t) by x, and its divided difference in time: I(x + dx, t + h/2) − I(x, t − h/2) = ḡ·dx + h·rate.
+pub(crate) fn discrete_gradient_and_rate(graph: &mut Graph, root: Id, degrees: u32) -> (Vec<Id>, Id) {
+    let (t, h) = (graph.symbol(Symbol::T), graph.symbol(Symbol::H));
+    let half = graph.scale(Number::HALF, h);
+    let start = graph.sub(t, half);
+    let root = time_as_coordinate(graph, root);
+    let entries = slope::Slopes::default().gradient(graph, root);
+    let zero = graph.zero();
+    let mut entry = |i: u32| {
+        let entry = entries.get(&Symbol::Q(i)).copied().unwrap_or(zero);
+        coordinate_as_time(graph, entry, start)
+    };
+    ((0..degrees).map(&mut entry).collect(), entry(TIME))
+}
+
 /// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.
 pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
-    // A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
-    const TIME: u32 = u32::MAX;
-    let stands_for = |symbol| match symbol {
-        Symbol::T => Some(Symbol::Q(TIME)),
-        _ => None,
-    };
-    let back = |symbol| match symbol {
-        Symbol::Q(TIME) => Some(Symbol::T),
-        Symbol::Dq(TIME) => Some(Symbol::H),
-        _ => None,
-    };
-    let root = rename(graph, root, stands_for);
+    let root = time_as_coordinate(graph, root);
     let entries = slope::Slopes::default().gradient(graph, root);
     let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
-    rename(graph, mean, back)
+    let start = graph.symbol(Symbol::T);
+    coordinate_as_time(graph, mean, start)
+}
+
+/// A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
+const TIME: u32 = u32::MAX;
+
+fn time_as_coordinate(graph: &mut Graph, root: Id) -> Id {
+    rename(graph, root, |symbol| (symbol == Symbol::T).then_some(Symbol::Q(TIME)))
+}
+
+/// Back, for a step of length h that starts at a time.
+fn coordinate_as_time(graph: &mut Graph, node: Id, start: Id) -> Id {
+    let back = |graph: &mut Graph, symbol| match symbol {
+        Symbol::Q(TIME) => Some(start),
+        Symbol::Dq(TIME) => Some(graph.symbol(Symbol::H)),
+        _ => None,
+    };
+    Substitution::new(back).apply(graph, node)
 }
 
 /// A node with some symbols called otherwise.

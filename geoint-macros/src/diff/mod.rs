@@ -2,6 +2,7 @@
 
 pub(crate) mod contact;
 pub(crate) mod field;
+pub(crate) mod flow;
 mod force_gradient;
 mod forward;
 pub(crate) mod modified;
@@ -12,6 +13,4 @@ mod gradient;
 
 pub(crate) use force_gradient::gradient_kick;
 pub(crate) use forward::jacobian;
-#[cfg(test)]
-pub(crate) use gradient::discrete_gradient;
-pub(crate) use gradient::{Gradient, gradient, mean_rate, partial};
+pub(crate) use gradient::{Gradient, discrete_gradient, gradient, mean_rate, partial};

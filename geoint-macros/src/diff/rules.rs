@@ -147,6 +147,10 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             let square = square(g, value);
             vec![g.neg(square)]
         }
+        Function::RecipAbove => {
+            let square = square(g, value);
+            vec![g.neg(square), g.zero()]
+        }
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost => vec![one, g.zero()],

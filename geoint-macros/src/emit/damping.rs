@@ -3,19 +3,9 @@
 use super::kernel::Context;
 use crate::analyze::Damping;
 use crate::ir::{Id, Symbol, print::Printer};
-use crate::parse::Energy;
 use proc_macro2::TokenStream;
 use quote::quote;
 use std::fmt::Write;
-
-/// The user's function with its damping inside, where rustc checks it as it does the body, and where an argument that nothing
-/// else reads is read.
-pub(super) fn function(energy: &Energy) -> Option<TokenStream> {
-    let damping = energy.damping.as_ref()?;
-    let mut item = energy.item.clone();
-    item.block.stmts.insert(0, syn::parse_quote!(let _ = || { let _ = #damping; };));
-    Some(quote!(#item))
-}
 
 /// The statement that tests a matrix of which it is not known yet whether it is positive semidefinite.
 pub(super) fn matrix_test(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
@@ -25,6 +15,12 @@ pub(super) fn matrix_test(context: &Context<'_>, values: &[TokenStream]) -> Toke
     let rows = values.chunks(context.energy.degrees() as usize).map(|row| quote!([#(#row),*]));
     let message = "damping that is not positive semidefinite";
     quote!(if !is_positive_semidefinite([#(#rows),*]) { return ::core::option::Option::Some(#message); })
+}
+
+/// A vector as users write it.
+pub(super) fn coefficients<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, entries: &[Id]) -> String {
+    let entries: Vec<String> = entries.iter().map(|id| printer.excerpt(*id)).collect();
+    format!("[{}]", entries.join(", "))
 }
 
 /// What becomes of the energy.

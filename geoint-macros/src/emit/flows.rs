@@ -78,7 +78,7 @@ pub(super) fn flow(
     let (slots, prepare, body) =
         (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
-        Form::Hamiltonian | Form::Bodies => quote!(_: &mut ()),
+        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(_: &mut ()),
         Form::Contact => quote!(s: &mut R),
     };
     let prepare = quote! {

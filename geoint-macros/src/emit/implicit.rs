@@ -27,9 +27,9 @@ fn momenta(degrees: u32) -> Vec<Symbol> {
 }
 
 /// `impl DiscreteField`.
-pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
+pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let name = self_type(context);
-    let FieldKernels { increments, discrete: plan, .. } = field;
+    let FieldKernels { increments, .. } = field;
     let unknown = context.unknown_type(increments.len());
     let places = context.unknown_places(increments.len());
     let parameters = context.stored(plan, 0);
@@ -101,6 +101,76 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>) 
                 let mut drift = <#unknown as Array>::zero();
                 #drift
                 drift
+            }
+        }
+    }
+}
+
+/// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
+pub(super) fn canonical_fourth_order(context: &Context<'_>) -> TokenStream {
+    let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    quote! {
+        impl<R: Real> FourthOrderField<R> for #name {
+            type Proof = ();
+            type FourthParameters = fourth_order::ParametersOf<Self, R>;
+            type FourthStart = fourth_order::Begun<#array>;
+
+            #[inline]
+            fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+                fourth_order::parameters(self, h)
+            }
+            #[inline(always)]
+            fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &#phase) -> Self::FourthStart {
+                fourth_order::begin(self, parameters, t, z)
+            }
+            #[inline(always)]
+            fn fourth_slope(
+                &self,
+                parameters: &Self::FourthParameters,
+                start: &Self::FourthStart,
+                d: &#phase,
+                image: &mut #phase,
+                matrix: &mut Square<#phase>,
+            ) {
+                fourth_order::slope(self, parameters, start, d, image, matrix);
+            }
+        }
+    }
+}
+
+/// `impl FourthOrderField`.
+pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+    let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
+    let places = context.unknown_places(field.increments.len());
+    let parameters = context.stored(plan, 0);
+    let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let image = context
+        .planned(&plan.last[0], (&field.increments, "d"), |values| write_field(["image", "matrix"], &places, &values));
+    quote! {
+        impl<R: Real> FourthOrderField<R> for #name {
+            type Proof = ();
+            type FourthParameters = [R; #prepared];
+            type FourthStart = [R; #started];
+
+            #[inline]
+            fn fourth_parameters(&self, h: R) -> [R; #prepared] {
+                #parameters
+            }
+            #[inline(always)]
+            fn fourth_begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
+                #begin
+            }
+            #[inline(always)]
+            fn fourth_slope(
+                &self,
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                image: &mut #unknown,
+                matrix: &mut Square<#unknown>,
+            ) {
+                #image
             }
         }
     }

@@ -66,18 +66,18 @@ impl<'a> Context<'a> {
     /// The array type of all coordinates.
     pub(crate) fn phase(&self) -> TokenStream {
         let array = self.array();
-        quote!([#array; 2])
+        if self.energy.form.is_flow() { array } else { quote!([#array; 2]) }
     }
 
     /// The statement that gives parts of the point `z` the names that routines read.
     pub(crate) fn parts(&self) -> TokenStream {
-        quote!(let [q, p] = z;)
+        if self.energy.form.is_flow() { quote!(let q = z;) } else { quote!(let [q, p] = z;) }
     }
 
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
         match self.energy.form {
-            Form::Hamiltonian | Form::Bodies => quote!(()),
+            Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(()),
             Form::Contact => quote!(R),
         }
     }

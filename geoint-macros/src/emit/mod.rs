@@ -7,6 +7,7 @@ mod attributes;
 mod bodies;
 mod damping;
 mod domain;
+mod flow;
 mod flows;
 mod implicit;
 mod kernel;
@@ -19,7 +20,7 @@ mod system;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, IMPORTED};
+use crate::parse::{Energy, Form, IMPORTED};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -27,31 +28,59 @@ use quote::{format_ident, quote};
 
 /// The user's function as it is. Coordinates and parameters may be many: clippy would not have it beyond seven.
 pub(crate) fn function(energy: &Energy, item: TokenStream) -> TokenStream {
-    let function = damping::function(energy).unwrap_or(item);
+    let function = checked(energy).unwrap_or(item);
     if energy.item.sig.inputs.len() > 7 { quote!(#[allow(clippy::too_many_arguments)] #function) } else { function }
+}
+
+/// The function with the expressions of its attribute inside, where rustc checks them as it does the body, and where an argument that
+/// nothing else reads is read.
+fn checked(energy: &Energy) -> Option<TokenStream> {
+    let mut item = energy.item.clone();
+    let used = energy.expressions().map(|expr| match expr {
+        // Entries of a structure, by their indices.
+        syn::Expr::Closure(_) => {
+            let float = &energy.float;
+            quote! {
+                fn entries(_: impl ::core::ops::Fn(usize, usize) -> #float) {}
+                entries(#expr);
+            }
+        }
+        _ => quote!(let _ = #expr;),
+    });
+    let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();
+    let some = !statements.is_empty();
+    item.block.stmts.splice(0..0, statements);
+    some.then(|| quote!(#item))
 }
 
 /// Everything that is emitted beside the user's function, of any form.
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, report);
+    let form = context.energy.form;
+    let flow = form.is_flow().then(|| flow::inherent(context, system));
+    let inherent = system::inherent(context, (system.value.is_some() || form == Form::Contact, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found));
-    let flows = flows::splitting(context, graph, &system.splitting);
+    let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
+    let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
-        Implicit::Canonical(field) => {
-            let discrete = implicit::discrete_field(context, field);
+        Implicit::Field(field) => {
+            let discrete = field.discrete.as_ref().map(|plan| implicit::discrete_field(context, field, plan));
+            let fourth = match &field.fourth {
+                Some(plan) => Some(implicit::fourth_order(context, field, plan)),
+                None => system.proven.contains(&"Conservative").then(|| implicit::canonical_fourth_order(context)),
+            };
             let collocation = implicit::collocation(context, field);
-            quote!(#discrete #collocation)
+            quote!(#discrete #fourth #collocation)
         }
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
-    around(context, report, &quote!(#inherent #space #pieces #flows #modified #implicit))
+    around(context, report, &quote!(#inherent #space #integrals #pieces #flows #modified #implicit))
 }
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, report);
+    let inherent = system::inherent(context, (true, None), report);
     let bodies = bodies::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }

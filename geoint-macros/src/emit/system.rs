@@ -52,20 +52,30 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
 
 /// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
 /// open.
-pub(super) fn inherent(context: &Context<'_>, report: &str) -> TokenStream {
+pub(super) fn inherent(
+    context: &Context<'_>,
+    (energy, flow): (bool, Option<TokenStream>),
+    report: &str,
+) -> TokenStream {
     let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let state = state(*form);
+    let energy = energy.then(|| {
+        quote! {
+            /// The energy of a state.
+            pub fn energy(&self, state: &#state<#coordinates>) -> #float {
+                PhaseSpace::energy(self, state)
+            }
+        }
+    });
     quote! {
         impl #name {
             /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
             /// skipped and why.
             pub const REPORT: &'static str = #report;
 
-            /// The energy of a state.
-            pub fn energy(&self, state: &#state<#coordinates>) -> #float {
-                PhaseSpace::energy(self, state)
-            }
+            #energy
+            #flow
 
             /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
             ///
@@ -100,6 +110,7 @@ fn state(form: Form) -> TokenStream {
         Form::Hamiltonian => quote!(State),
         Form::Bodies => quote!(BodyState),
         Form::Contact => quote!(ContactState),
+        Form::Structured | Form::Field => quote!(FlowState),
     }
 }
 
@@ -111,7 +122,7 @@ pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
 
 /// The energy with its gradient and where it is defined, and the traits of what was proven.
 pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {
-    let (name, array, action) = (self_type(context), context.array(), context.action());
+    let (name, action) = (self_type(context), context.action());
     let (phase, parts, state) = (context.phase(), context.parts(), state(context.energy.form));
     let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
     // Momenta that are not followed give no energy.
@@ -120,42 +131,9 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, graph, &system.domain);
-    let (form, given, receives, returned) = match context.energy.form {
-        Form::Hamiltonian | Form::Bodies => (quote!(Hamiltonian), quote!(_: &()), quote!(), quote!()),
-        Form::Contact => (quote!(ContactSystem), quote!(s: &R), quote!(s: &R,), quote!(ds: &mut R,)),
-    };
-    let slopes = context.values(&system.slopes, |values| halves(context, &values));
-    let field = (context.energy.form == Form::Hamiltonian).then(|| {
-        let body = match &system.rate {
-            Some(rate) => context.values(rate, |values| halves(context, &values)),
-            None => quote!(canonical_rate(self, t, z, slopes);),
-        };
-        quote! {
-            impl<R: Real> DifferentialEquation<R> for #name {
-                type Proof = ();
-                #[inline(always)]
-                fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
-                    #parts
-                    #body
-                }
-            }
-        }
-    });
-    let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
-        let body = context.values(rate, |values| halves(context, &values));
-        quote! {
-            #[inline]
-            fn rate(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
-                #parts
-                #body
-            }
-        }
-    });
-    let autonomous = system.proven.contains(&"Autonomous").then(|| {
-        quote!(
-            const AUTONOMOUS: bool = true;
-        )
-    });
+    let given = if context.energy.form == Form::Contact { quote!(s: &R) } else { quote!(_: &()) };
+    let rate = vector_field(context, system);
+    let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -171,11 +149,61 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
             #domain
         }
+        #rate
+        #gradient
+    }
+}
+
+/// `impl DifferentialEquation`; nothing for contact systems.
+fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStream> {
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let body = match (context.energy.form, &system.rate) {
+        (Form::Contact, _) => return None,
+        (Form::Hamiltonian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
+        (_, Some(rate)) => context.values(rate, |values| write("slopes", &context.coordinates(), &values)),
+        (_, None) => quote!(canonical_rate(self, t, z, slopes);),
+    };
+    Some(quote! {
+        impl<R: Real> DifferentialEquation<R> for #name {
+            type Proof = ();
+            #[inline(always)]
+            fn rate(&self, t: R, z: &#phase, slopes: &mut #phase) {
+                #parts
+                #body
+            }
+        }
+    })
+}
+
+/// `impl CotangentSpace`, and the gradient of an energy on it.
+fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> TokenStream {
+    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
+    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let (form, receives, returned) = match context.energy.form {
+        Form::Contact => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
+        _ => (quote!(Hamiltonian), quote!(), quote!()),
+    };
+    let autonomous = system.proven.contains(&"Autonomous").then(|| {
+        quote!(
+            const AUTONOMOUS: bool = true;
+        )
+    });
+    let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
+        let body = context.values(rate, |values| halves(context, &values));
+        quote! {
+            #[inline]
+            fn rate(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                #parts
+                #body
+            }
+        }
+    });
+    let slopes = context.values(slopes, |values| halves(context, &values));
+    quote! {
         impl<R: Real> CotangentSpace<R> for #name {
             type Coordinates = #coordinates;
             type Array = #array;
         }
-        #field
         impl<R: Real> #form<R> for #name {
             type Proof = ();
             #autonomous

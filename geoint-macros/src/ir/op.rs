@@ -157,6 +157,8 @@ functions! {
     Signum signum(x) Neither Everywhere, x.signum();
     // Helpers of divided differences, in the runtime's module `slope`; users cannot write them.
     RecipPositive recip_positive(x) Neither Everywhere;
+    // Of projections.
+    RecipAbove recip_above(x, y) Neither Everywhere;
     // Of damping.
     NotNegative not_negative(x) Neither Everywhere;
     Bounded bounded(x, y) Neither Everywhere;

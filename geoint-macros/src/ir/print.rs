@@ -41,6 +41,11 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
         self.graph
     }
 
+    /// What users call a symbol.
+    pub(crate) fn named(&self, symbol: Symbol) -> String {
+        (self.name)(symbol)
+    }
+
     /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
         self.left.set(MOST_NODES);

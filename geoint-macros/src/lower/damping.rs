@@ -4,6 +4,7 @@ use super::Lowering;
 use super::value::Value;
 use crate::ir::Id;
 use crate::parse::Shape;
+use quote::ToTokens;
 use syn::Expr;
 
 impl Lowering {
@@ -40,7 +41,7 @@ impl Lowering {
     }
 
     /// Collects the numbers in nested arrays; their extents from outside in, unless rows differ.
-    fn numbers(&mut self, expr: &Expr, value: Value, entries: &mut Vec<Id>) -> Option<Vec<usize>> {
+    pub(super) fn numbers(&mut self, expr: &impl ToTokens, value: Value, entries: &mut Vec<Id>) -> Option<Vec<usize>> {
         match value {
             Value::Vector(ids) => {
                 entries.extend(&ids);

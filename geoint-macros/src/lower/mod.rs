@@ -10,6 +10,7 @@ mod call;
 mod constants;
 mod damping;
 mod expr;
+mod flow;
 mod language;
 mod loops;
 mod method;
@@ -21,7 +22,8 @@ mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
-use crate::parse::{Argument, Energy};
+use crate::parse::{Argument, Energy, Form};
+pub(crate) use flow::{Integral, Skew};
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -34,8 +36,14 @@ use value::{Callable, Value};
 /// A body as a graph.
 pub(crate) struct Lowered {
     pub(crate) graph: Graph,
-    /// The energy.
+    /// The energy; the first entry of a field.
     pub(crate) energy: Id,
+    /// All entries of a field.
+    pub(crate) field: Vec<Id>,
+    /// S of x' = S(x) ∇H.
+    pub(crate) structure: Skew,
+    /// What a field is said to keep.
+    pub(crate) keeps: Vec<Integral>,
     /// The square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
     /// The pieces that the user wants, and where they are written.
@@ -100,10 +108,17 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     }
     let arguments = lowering.scopes.clone();
     let value = lowering.block(&energy.item.block);
-    let root = lowering.real(&energy.item.block, value);
-    // Damping and pieces see the arguments as they were given.
+    let (block, shape) = (&energy.item.block, &energy.coordinates.shape);
+    let field = match energy.form {
+        Form::Field => lowering.entries(block, value, shape),
+        _ => vec![lowering.real(block, value)],
+    };
+    // Damping, pieces and whatever else an attribute says see the arguments as they were given.
     lowering.scopes = arguments;
-    let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, &energy.coordinates.shape));
+    let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, shape));
+    let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Q(i))).collect();
+    let structure = energy.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
+    let keeps = energy.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
     let group = |lowering: &mut Lowering, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
@@ -117,7 +132,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
     });
     let partial = partial.collect();
-    errors.or(Lowered { graph, energy: root, damping, groups, places, partial, constants })
+    errors.or(Lowered { graph, energy: field[0], field, structure, keeps, damping, groups, places, partial, constants })
 }
 
 /// The evaluator.

@@ -81,8 +81,8 @@ impl Lowering {
     /// v + 2w u×v + 2 u×(u×v), as nalgebra computes it; the vector part is u.
     pub(super) fn rotated(&mut self, [i, j, k, w]: &[Id; 4], v: &[Id; 3]) -> [Id; 3] {
         let u = [*i, *j, *k];
-        let twice = self.cross(&u, v).map(|x| self.graph.scale(Number::integer(2), x));
-        let second = self.cross(&u, &twice);
+        let twice = self.cross_product(&u, v).map(|x| self.graph.scale(Number::integer(2), x));
+        let second = self.cross_product(&u, &twice);
         let graph = &mut self.graph;
         core::array::from_fn(|n| {
             let first = graph.mul(*w, twice[n]);
@@ -90,7 +90,7 @@ impl Lowering {
         })
     }
 
-    fn cross(&mut self, a: &[Id; 3], b: &[Id; 3]) -> [Id; 3] {
+    fn cross_product(&mut self, a: &[Id; 3], b: &[Id; 3]) -> [Id; 3] {
         let graph = &mut self.graph;
         core::array::from_fn(|i| {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);

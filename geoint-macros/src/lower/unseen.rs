@@ -12,7 +12,7 @@ pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
     let float = &energy.float;
     let mut unseen = Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors };
     unseen.visit_block(&energy.item.block);
-    energy.damping.iter().for_each(|damping| unseen.visit_expr(damping));
+    energy.expressions().for_each(|expr| unseen.visit_expr(expr));
     functions(&mut unseen, &energy.functions);
 }
 

@@ -146,7 +146,11 @@ fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
 type Default = (Role, &'static str, &'static str);
 
 fn defaults(form: Form) -> &'static [Default] {
-    if form == Form::Bodies { &OF_BODIES } else { &OF_ENERGIES }
+    match form {
+        Form::Bodies => &OF_BODIES,
+        Form::Structured | Form::Field => &OF_FLOWS,
+        Form::Hamiltonian | Form::Contact => &OF_ENERGIES,
+    }
 }
 
 const OF_BODIES: [Default; 2] = [(Role::AngularMomentum, "m", "the angular momenta"), (Role::Time, "t", "time")];
@@ -157,6 +161,8 @@ const OF_ENERGIES: [Default; 4] = [
     (Role::Action, "s", "the action"),
     (Role::Time, "t", "time"),
 ];
+
+const OF_FLOWS: [Default; 2] = [(Role::Position, "x", "the coordinates"), (Role::Time, "t", "time")];
 
 const ACTION: &str = "`s` is the action of a contact system: for a system that dissipates by it use `#[contact_hamiltonian]`; a \
                       parameter needs another name";
@@ -180,6 +186,16 @@ fn is_velocity(name: &Ident) -> bool {
     let name = name.trim_start_matches('_');
     ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
 }
+
+const FIELD_COORDINATES: &str = "the coordinates are missing: call an argument `x`, or name one with `x = …`; an energy H(q, p) goes under \
+                                 `#[hamiltonian]`";
+
+const STRUCTURED_COORDINATES: &str = "with `structure` the coordinates are one argument: call it `x`, or name one with `x = …`; an energy of \
+                                      positions `q` and momenta `p` goes without `structure`";
+
+const WITHOUT_STRUCTURE: &str = "an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H, `structure = so3` (also `se3`, \
+                                 `canonical`, `nambu(C)`, `|i, j| …` for i < j, or an array of arrays); positions and momenta are \
+                                 called `q` and `p`";
 
 const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
 
@@ -214,6 +230,22 @@ pub(super) fn coordinates(
     };
     if form == Form::Bodies {
         return body(item, arguments, errors);
+    }
+    if form.is_flow() {
+        return find(Role::Position, "x", &|errors| {
+            let message = match form {
+                Form::Field => FIELD_COORDINATES,
+                _ => STRUCTURED_COORDINATES,
+            };
+            errors.at(&item.sig.ident, message);
+        });
+    }
+    let unstructured = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
+    if let (Form::Hamiltonian, None, Some(x)) =
+        (form, arguments.iter().find(|(role, _)| [Role::Position, Role::Momentum].contains(role)), unstructured())
+    {
+        errors.at(x, WITHOUT_STRUCTURE);
+        return None;
     }
     let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
     let p = find(Role::Momentum, "p", &|errors| {

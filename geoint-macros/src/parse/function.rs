@@ -1,7 +1,7 @@
 //! Functions from outside of an energy: what stands under `#[energy_function]`.
 
-use super::Outside;
 use super::options::Options;
+use super::{Form, Outside};
 use crate::diagnostics::{Diagnostics, Result};
 use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
@@ -95,7 +95,7 @@ fn function(path: String, source: TokenStream) -> Result<Function> {
 /// Whether an attribute leaves its function as it is, and is one of these here.
 fn is_ours(path: &Path) -> bool {
     let last = path.segments.last().map(|segment| segment.ident.to_string());
-    last.is_some_and(|name| ["hamiltonian", "contact_hamiltonian", "energy_function"].contains(&name.as_str()))
+    last.is_some_and(|name| Form::of_attribute(&name).is_some() || name == "energy_function")
 }
 
 /// A path as one writes it.

@@ -2,6 +2,7 @@
 
 mod arguments;
 mod function;
+mod flow;
 mod names;
 mod options;
 mod outside;
@@ -9,6 +10,7 @@ mod runtime;
 mod shape;
 mod signature;
 
+pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 pub(crate) use names::IMPORTED;
 pub(crate) use options::Requirement;
@@ -21,10 +23,10 @@ use arguments::{arguments, coordinates};
 use names::{camel_case, is_taken};
 use options::Options;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use signature::{plain_function, returned_float};
+use signature::{plain_function, returned_float, returns_shape_of};
 use std::rc::Rc;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, ItemFn, Path, Type};
+use syn::{Attribute, Expr, ItemFn, Path, Type};
 
 /// What kind of system an attribute makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,15 +35,30 @@ pub(crate) enum Form {
     Contact,
     /// H(r, m, t) of rigid bodies: attitudes and angular momenta.
     Bodies,
+    /// H(x, t) with a structure S: x' = S(x) ∇H.
+    Structured,
+    /// f(x, t): x' = f.
+    Field,
 }
 
 impl Form {
     /// The name of the attribute.
     pub(crate) fn attribute(self) -> &'static str {
         match self {
-            Form::Hamiltonian | Form::Bodies => "hamiltonian",
+            Form::Hamiltonian | Form::Structured | Form::Bodies => "hamiltonian",
             Form::Contact => "contact_hamiltonian",
+            Form::Field => "vector_field",
         }
+    }
+
+    /// The form of an attribute, before its arguments are read.
+    pub(crate) fn of_attribute(name: &str) -> Option<Form> {
+        [Form::Hamiltonian, Form::Contact, Form::Field].into_iter().find(|form| form.attribute() == name)
+    }
+
+    /// Whether the state is x alone, without momenta.
+    pub(crate) fn is_flow(self) -> bool {
+        matches!(self, Form::Structured | Form::Field)
     }
 }
 
@@ -55,7 +72,7 @@ pub(crate) struct Energy {
     pub(crate) runtime: TokenStream,
     /// `f64` or `f32`.
     pub(crate) float: Ident,
-    /// The shape and type that q and p share.
+    /// The shape and type of x, or that q and p share.
     pub(crate) coordinates: Argument,
     /// All arguments in the order of the signature.
     pub(crate) arguments: Vec<(Role, Argument)>,
@@ -64,6 +81,10 @@ pub(crate) struct Energy {
     pub(crate) damping: Option<syn::Expr>,
     /// How a contact Hamiltonian is to be split into pieces, in terms of the arguments.
     pub(crate) split: Option<Vec<syn::Expr>>,
+    /// S of x' = S(x) ∇H, in terms of the arguments.
+    pub(crate) structure: Option<StructureForm>,
+    /// What a vector field keeps, in terms of the arguments.
+    pub(crate) keeps: Vec<Kept>,
     /// Whether momenta of a contact Hamiltonian are not followed.
     pub(crate) lift: Option<Span>,
     /// Constants and aliases of the file.
@@ -108,9 +129,16 @@ impl Energy {
         self.arguments.iter().filter(|(role, _)| *role == Role::Parameter).map(|(_, argument)| argument)
     }
 
-    /// The number of degrees of freedom.
+    /// The number of degrees of freedom; of coordinates, where there are no momenta.
     pub(crate) fn degrees(&self) -> u32 {
         self.coordinates.shape.len() as u32
+    }
+
+    /// Expressions of the attribute in the language of the body.
+    pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
+        let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
+        let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
+        self.damping.iter().chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -154,14 +182,24 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
 /// Reads the attribute's arguments and the signature.
 pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
     let options = (|input: ParseStream<'_>| Options::parse(Some(form), input)).parse2(args)?;
-    let form = if options.roles.iter().any(|(role, _)| *role == Role::Attitude) { Form::Bodies } else { form };
+    let form = if options.structure.is_some() {
+        Form::Structured
+    } else if options.roles.iter().any(|(role, _)| *role == Role::Attitude) {
+        Form::Bodies
+    } else {
+        form
+    };
     let mut errors = Diagnostics::default();
-    plain_function(&item, &options.outside, &mut errors);
+    plain_function(form, &item, &options.outside, &mut errors);
     // What follows from a parameter of the signature is not a mistake of its own.
     let mut errors = errors.or(Diagnostics::default())?;
-    let float = returned_float(&item, &options.outside, &mut errors);
+    let float = returned_float(form, &item, &options.outside, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
+    if let (Form::Field, Some(x)) = (form, &coordinates) {
+        returns_shape_of(x, &item, &options.outside, &float, &mut errors);
+    }
+    flow::names(&options.keeps, &mut errors);
     let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
         errors.at(&name, "`R` is the scalar of generated code; give the struct another name: `name = …`");
@@ -175,7 +213,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     }
     match coordinates {
         Some(coordinates) => {
-            let Options { requirements, damping, split, lift, outside, with, .. } = options;
+            let Options { requirements, damping, structure, keeps, split, lift, outside, with, .. } = options;
             errors.or(Energy {
                 form,
                 name,
@@ -185,6 +223,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 arguments,
                 requirements,
                 damping,
+                structure,
+                keeps,
                 split,
                 lift,
                 outside: Rc::new(outside),

@@ -23,7 +23,10 @@ pub(crate) const IMPORTED: &[&str] = &[
     "QuadraticField",
     "DifferentialEquation",
     "DiscreteField",
+    "FirstIntegrals",
+    "FlowState",
     "ForceGradient",
+    "FourthOrderField",
     "Hamiltonian",
     "ImplicitStep",
     "Integrator",
@@ -40,18 +43,23 @@ pub(crate) const IMPORTED: &[&str] = &[
     "QuadraticKinetic",
     "Real",
     "Separable",
+    "Snapshot",
     "Square",
     "State",
     "canonical_rate",
+    "fourth_order",
     "is_positive_semidefinite",
     "modified_verlet",
     "gradient_kick",
     "slope",
 ];
 
+/// What emitted code declares for itself.
+const DECLARED: &[&str] = &["NamedFunctions"];
+
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {
-    IMPORTED.iter().any(|taken| name == taken)
+    IMPORTED.iter().chain(DECLARED).any(|taken| name == taken)
 }
 
 /// `henon_heiles` → `HenonHeiles`.

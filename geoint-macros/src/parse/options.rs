@@ -1,5 +1,6 @@
 //! The arguments of the attribute.
 
+use super::flow::{self, Kept, StructureForm};
 use super::outside::Outside;
 use super::{Form, Role};
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
@@ -17,6 +18,8 @@ pub(super) struct Options {
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
+    pub(super) structure: Option<StructureForm>,
+    pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
     pub(super) lift: Option<Span>,
     pub(super) outside: Outside,
@@ -24,11 +27,14 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `attitude = argument`, `m = argument`, `damping = coefficients`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
                        `t = argument`, `split = \"terms | terms\"`, `lift`, `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
+
+const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = argument`, `t = argument`, `keeps(integral = …, but = […])`, \
+                     `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -47,7 +53,8 @@ impl Options {
                 return Err(syn::Error::new_spanned(&key, format!("`{key}` is given twice")));
             }
             given.push(key.clone());
-            let (energy, contact) = (form.is_some(), form == Some(Form::Contact));
+            let (system, contact, field) = (form.is_some(), form == Some(Form::Contact), form == Some(Form::Field));
+            let energy = system && !field;
             match key.to_string().as_str() {
                 "with" => options.with = super::function::with(input)?,
                 "require" if energy && !contact => {
@@ -87,12 +94,21 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                name @ ("name" | "q" | "p" | "s" | "t" | "attitude" | "m") if energy && takes(contact, name) => {
+                "structure" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    options.structure = Some(StructureForm::new(input.parse()?));
+                }
+                "structure" if field => {
+                    let message = "x' = S(x) ∇H follows from an energy: put H under `#[hamiltonian(structure = …)]`";
+                    return Err(syn::Error::new_spanned(key, message));
+                }
+                "keeps" if field => options.keeps = flow::keeps(input)?,
+                name @ ("name" | "q" | "p" | "s" | "t" | "x" | "attitude" | "m") if system && takes(form, name) => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
                         "name" => options.name = Some(value),
-                        "q" => options.roles.push((Role::Position, value)),
+                        "q" | "x" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
                         "s" => options.roles.push((Role::Action, value)),
                         "attitude" => options.roles.push((Role::Attitude, value)),
@@ -102,8 +118,9 @@ impl Options {
                 }
                 _ => {
                     let message = match form {
-                        Some(Form::Hamiltonian | Form::Bodies) => HAMILTONIAN,
+                        Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
+                        Some(Form::Field) => FIELD,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));
@@ -116,15 +133,22 @@ impl Options {
         options.consistent()
     }
 
-    /// Rigid bodies have an attitude and angular momenta, in place of positions and momenta, and are not damped.
+    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, in place of
+    /// positions and momenta, and are not damped.
     fn consistent(self) -> syn::Result<Self> {
-        let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name);
-        let wrong = match (role(Role::Attitude), role(Role::AngularMomentum)) {
-            (None, Some(m)) => Some((m.span(), WITHOUT_ATTITUDE)),
-            (None, None) => None,
-            (Some(_), _) if self.damping.is_some() => self.damping.as_ref().map(|expr| (expr.span(), DAMPED_BODY)),
-            (Some(_), _) if !self.requirements.is_empty() => Some((self.requirements[0].1, ALWAYS_SEPARABLE)),
-            (Some(_), _) => role(Role::Position).or(role(Role::Momentum)).map(|name| (name.span(), NO_CENTRES)),
+        let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
+        let required = self.requirements.first().map(|(_, span)| *span);
+        let damped = self.damping.as_ref().map(Spanned::span);
+        let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
+        let wrong = match (&self.structure, attitude) {
+            (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
+            (Some(_), None) => role(Role::Momentum).or(required).map(|span| (span, NO_MOMENTA)),
+            (None, None) => m.map(|m| (m, WITHOUT_ATTITUDE)),
+            (None, Some(_)) => {
+                let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
+                let damped = damped.map(|span| (span, DAMPED_BODY));
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(position)
+            }
         };
         wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
         Ok(self)
@@ -132,13 +156,20 @@ impl Options {
 }
 
 /// Whether an attribute has a name for the struct or for an argument.
-fn takes(contact: bool, name: &str) -> bool {
+fn takes(form: Option<Form>, name: &str) -> bool {
     match name {
-        "s" => contact,
-        "attitude" | "m" => !contact,
+        "q" | "p" => form != Some(Form::Field),
+        "s" => form == Some(Form::Contact),
+        "x" => form != Some(Form::Contact),
+        "attitude" | "m" => form == Some(Form::Hamiltonian),
         _ => true,
     }
 }
+
+const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
+
+const BODY_WITH_STRUCTURE: &str =
+    "with `attitude` the state is that of rigid bodies, whose structure is known: leave `structure` out";
 
 const WITHOUT_ATTITUDE: &str =
     "`m = …` names the angular momentum of a rigid body: say which argument is its attitude, `attitude = …`";
@@ -148,7 +179,7 @@ const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energie
 const ALWAYS_SEPARABLE: &str =
     "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
 
-const NO_CENTRES: &str = "with `attitude` the state is the attitude and the angular momentum alone";
+const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {

@@ -1,14 +1,15 @@
 //! The signature as a whole: what kind of function it is, and what it returns.
 
 use super::Outside;
-use super::shape::float_type;
+use super::shape::{float_type, plain, shape};
+use super::{Argument, Form};
 use crate::diagnostics::Diagnostics;
 use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
-use syn::{ItemFn, ReturnType, Type};
+use syn::{GenericArgument, ItemFn, PathArguments, ReturnType, Type};
 
 /// An energy is a plain function of numbers.
-pub(super) fn plain_function(item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) {
+pub(super) fn plain_function(form: Form, item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) {
     let signature = &item.sig;
     let mut refuse = |syntax: &dyn ToTokens, message: &str| errors.at(&syntax.to_token_stream(), message);
     if let Some(token) = &signature.asyncness {
@@ -37,7 +38,8 @@ pub(super) fn plain_function(item: &ItemFn, outside: &Outside, errors: &mut Diag
     if let Some(receiver) = signature.receiver() {
         refuse(receiver, "an energy cannot have a receiver: make every quantity an argument");
     }
-    if let ReturnType::Type(_, ty) = &signature.output
+    if form != Form::Field
+        && let ReturnType::Type(_, ty) = &signature.output
         && has_several(&outside.resolve(ty))
     {
         refuse(ty, VECTOR_FIELD);
@@ -45,16 +47,60 @@ pub(super) fn plain_function(item: &ItemFn, outside: &Outside, errors: &mut Diag
 }
 
 /// The float type that the function returns; every other number must have it too.
-pub(super) fn returned_float(item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) -> Ident {
+pub(super) fn returned_float(form: Form, item: &ItemFn, outside: &Outside, errors: &mut Diagnostics) -> Ident {
+    let (float, message): (fn(&Type) -> Option<Ident>, _) =
+        if form == Form::Field { (float_inside, FIELD) } else { (float_type, ONE_NUMBER) };
     match &item.sig.output {
-        ReturnType::Type(_, ty) => match float_type(&outside.resolve(ty)) {
+        ReturnType::Type(_, ty) => match float(&outside.resolve(ty)) {
             Some(float) => return float,
-            None => errors.at(ty, ONE_NUMBER),
+            None => errors.at(ty, message),
         },
-        ReturnType::Default => errors.at(&item.sig.ident, ONE_NUMBER),
+        ReturnType::Default => errors.at(&item.sig.ident, message),
     }
     format_ident!("f64")
 }
+
+/// The float type of which a type is made.
+fn float_inside(ty: &Type) -> Option<Ident> {
+    match ty {
+        Type::Array(array) => float_inside(&array.elem),
+        Type::Paren(inner) => float_inside(&inner.elem),
+        Type::Group(inner) => float_inside(&inner.elem),
+        Type::Path(path) => float_type(ty).or_else(|| match &path.path.segments.last()?.arguments {
+            PathArguments::AngleBracketed(arguments) => arguments.args.iter().find_map(|argument| match argument {
+                GenericArgument::Type(ty) => float_inside(ty),
+                _ => None,
+            }),
+            _ => None,
+        }),
+        _ => None,
+    }
+}
+
+/// A vector field has an entry for every coordinate.
+pub(super) fn returns_shape_of(
+    x: &Argument,
+    item: &ItemFn,
+    outside: &Outside,
+    float: &Ident,
+    errors: &mut Diagnostics,
+) {
+    let ReturnType::Type(_, ty) = &item.sig.output else { return };
+    let same = shape(&outside.resolve(ty), float).is_ok_and(|shape| shape == x.shape);
+    if !same {
+        let (name, shape) = (&x.name, plain(&x.ty));
+        let energy = if float_type(&outside.resolve(ty)).is_some() { OF_AN_ENERGY } else { "" };
+        errors.at(
+            ty,
+            format!("a vector field has an entry for every coordinate: it returns `{shape}`, as `{name}` is{energy}"),
+        );
+    }
+}
+
+const FIELD: &str = "a vector field returns an entry for every coordinate, in the type of `x`: `-> [f64; 3]`";
+
+const OF_AN_ENERGY: &str =
+    "; an energy H(x) goes under `#[hamiltonian(structure = …)]`, and H(q, p) under `#[hamiltonian]`";
 
 /// Whether a type is one of several numbers.
 fn has_several(ty: &Type) -> bool {
@@ -74,6 +120,5 @@ fn has_several(ty: &Type) -> bool {
 
 const ONE_NUMBER: &str = "an energy returns one number: `-> f64` or `-> f32`";
 
-const VECTOR_FIELD: &str = "an energy returns one number: `-> f64` or `-> f32`. A vector field X has one too: q' = X(q) follows from the \
-                            energy p·X(q), by implicit methods under `#[hamiltonian]`, and by flows of its terms, without \
-                            momenta, under `#[contact_hamiltonian(lift)]`";
+const VECTOR_FIELD: &str = "an energy returns one number: `-> f64` or `-> f32`. A vector field x' = f(x) goes under `#[vector_field]`; by \
+                            flows of its terms, under `#[contact_hamiltonian(lift)]` as p·f(q)";

@@ -44,8 +44,12 @@ fn every_function_has_its_derivative() {
             let x = argument(entry.function, &mut noise);
             // Helpers do not state where they are defined; all are between these two.
             let x = if entry.public { x } else { 0.5 + x.abs() };
-            // Of two in order, the first is below all of that or the second above.
-            let other = if entry.function == Function::AtMost { [4.0, 0.25][place] } else { 0.75 };
+            // Of two in order, the first is below all of that or the second above; so are a number and the square of one.
+            let other = match entry.function {
+                Function::AtMost => [4.0, 0.25][place],
+                Function::Bounded => [1e3, 0.25][place],
+                _ => 0.75,
+            };
             let mut args = vec![graph.number(crate::ir::Number::float(other)); entry.arity];
             args[place] = q;
             let value = graph.call(entry.function, &args);

@@ -11,6 +11,7 @@ mod slopes;
 mod edges;
 mod trees;
 mod schedules;
+mod integrals;
 mod meaning;
 mod pieces;
 mod poles;

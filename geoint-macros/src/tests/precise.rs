@@ -137,6 +137,7 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         Function::NotNegative
         | Function::Bounded
         | Function::RecipPositive
+        | Function::RecipAbove
         | Function::Root
         | Function::Sinc
         | Function::SincDerivative

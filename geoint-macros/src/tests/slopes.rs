@@ -93,6 +93,7 @@ fn ranges(function: Function) -> Vec<Range> {
         Function::NotNegative
         | Function::Bounded
         | Function::RecipPositive
+        | Function::RecipAbove
         | Function::Root
         | Function::Sinc
         | Function::SincDerivative

@@ -45,3 +45,16 @@ fn coupled() {
     };
     check(quote!(), item, &expect_file!["snapshots/coupled.rs"]);
 }
+
+/// A field with an integral: both mean velocities with their derivatives.
+#[test]
+fn field() {
+    let item = quote! {
+        fn turning(x: [f64; 2], w: f64) -> [f64; 2] {
+            [-w * x[1], w * x[0]]
+        }
+    };
+    let args = quote!(keeps(radius = x[0] * x[0] + x[1] * x[1]));
+    let file = syn::parse2(expand::expand(Form::Field, args, item)).expect("what is emitted is Rust");
+    expect_file!["snapshots/field.rs"].assert_eq(&prettyplease::unparse(&file));
+}

@@ -48,3 +48,14 @@ pub fn abs_derivative<R: Real>(a: R, b: R) -> R {
     let size = a.abs() + b.abs();
     (a.abs() - a * b.signum()) / size / size
 }
+
+/// 1/x of the square x of what is left of a vector whose square was y: zero where that is rounding alone, or so small that it has lost
+/// digits. NaN if it is infinite.
+#[inline(always)]
+pub fn recip_above<R: Real>(x: R, y: R) -> R {
+    // 10⁻¹⁴ of the length, in double precision.
+    let rounding = 45.0 * R::epsilon();
+    let bound = R::from_f64(rounding * rounding) * y + R::from_f64(R::smallest());
+    let [value] = R::choose(x.less_equal(bound), || [R::from_f64(0.0)], || [R::from_f64(1.0) / x]);
+    value + R::from_f64(0.0) * x
+}

@@ -146,10 +146,7 @@ impl<A: Array> Newton<A> {
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
-        let mut first = 1.0;
         for iterations in 1..=MAX_ITERATIONS {
-            // That of the guess: it is known earlier, and within the test it differs by nothing that matters.
-            let size = squares(&x, origin);
             let (next, mut delta) = (derivative(&x, &mut matrix), x);
             delta.add_scaled(minus, &next);
             let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
@@ -160,16 +157,13 @@ impl<A: Array> Newton<A> {
             lost.add_scaled(minus, &x);
             lost.add_scaled(minus, &delta);
             // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
-            if iterations == 1 && within(&delta, size, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
+            if iterations == 1 && self.sizes.exceed(&delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
             let correction = self.sizes.relative(&delta, origin, &x);
-            // In units of the state as it is, as corrections are compared with the reach.
-            let now = Sizes::new().relative(&delta, origin, &x);
             if iterations == 2 {
-                self.see(now, first);
+                self.see(correction, corrections.last());
             }
-            first = now;
             let verdict = corrections.judge::<A::Real>(correction);
             let image = |x: &A| derivative(x, &mut matrix);
             if verdict == Verdict::Solved || verdict == Verdict::Stuck && patient && self.is_noise(origin, &x, image) {
@@ -251,25 +245,4 @@ fn aside<A: Array>(explicit: impl Fn() -> A) -> A {
     let guess = explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }
-}
-
-/// |origin| + |x|, squared, of every entry: an entry near zero leaves the decision to the second correction.
-#[inline(always)]
-fn squares<A: Array>(x: &A, origin: &A) -> impl Fn(usize) -> f64 + use<A> {
-    let (x, origin) = (*x, *origin);
-    move |i: usize| {
-        let size = sum(&origin, &x, i);
-        size * size
-    }
-}
-
-/// Whether every entry of `delta`, squared, is at most `bound` of what it corrects.
-#[inline(always)]
-fn within<A: Array>(delta: &A, size: impl Fn(usize) -> f64, bound: f64) -> bool {
-    let mut within = true;
-    for i in 0..A::LEN {
-        let change = delta.as_slice()[i].magnitude();
-        within &= change * change <= bound * size(i);
-    }
-    within
 }

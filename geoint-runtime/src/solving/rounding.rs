@@ -52,7 +52,7 @@ impl Corrections {
 
     /// Corrections that follow are relative to something else.
     pub(crate) fn restart(&mut self) {
-        *self = Corrections { iterations: self.iterations, ..Self::of_order(self.order) };
+        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, ..*self };
     }
 
     /// The last one, relative to what it corrects; infinite if there is none.
@@ -64,21 +64,20 @@ impl Corrections {
     /// The verdict on the next correction, `relative` to what it corrects.
     #[inline(always)]
     pub(crate) fn judge<R: Real>(&mut self, relative: f64) -> Verdict {
+        let (first, shrunk) = (self.before == f64::INFINITY, relative / self.before);
         self.iterations += 1;
-        let shrunk = relative / self.before;
-        let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
-        let solved = next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative);
-        let first = self.before == f64::INFINITY;
         self.before = relative;
+        if first {
+            self.smallest = relative;
+            return if relative == 0.0 { Verdict::Solved } else { Verdict::Continue };
+        }
+        let next = relative * if self.order == 2 { shrunk * shrunk } else { shrunk };
+        if next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
+            return Verdict::Solved;
+        }
         self.stuck = if relative < self.smallest { 0 } else { self.stuck + 1 };
         self.smallest = self.smallest.min(relative);
-        if relative == 0.0 || solved && !first {
-            Verdict::Solved
-        } else if self.stuck == MOST_STUCK {
-            Verdict::Stuck
-        } else {
-            Verdict::Continue
-        }
+        if self.stuck == MOST_STUCK { Verdict::Stuck } else { Verdict::Continue }
     }
 
     /// The refusal of an iteration that ends here without a solution.

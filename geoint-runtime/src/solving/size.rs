@@ -96,6 +96,17 @@ impl<A: Array> Sizes<A> {
         x.as_slice().iter().enumerate().map(square).sum()
     }
 
+    /// Whether the square of every entry of `delta` is at most `bound` of that of its size.
+    #[inline(always)]
+    pub(crate) fn exceed(&self, delta: &A, bound: f64) -> bool {
+        let mut exceed = true;
+        for i in 0..A::LEN {
+            let (change, size) = (delta.as_slice()[i].magnitude(), self.of(i));
+            exceed &= change * change <= bound * (size * size);
+        }
+        exceed
+    }
+
     /// The largest entry of `delta`, each relative to the size of the entry of `origin + x` that it corrects. At most 1 where an
     /// entry has no size but the correction; not a number if `delta` is none.
     #[inline(always)]
@@ -103,7 +114,10 @@ impl<A: Array> Sizes<A> {
         largest((0..A::LEN).map(|i| {
             let change = delta.as_slice()[i].magnitude();
             // Nothing to correct is no correction, even of zero.
-            if change == 0.0 { 0.0 } else { change / self.of(i).max(sum(origin, x, i) + change) }
+            // `f64::max` would take three instructions more, and lose what is not a number.
+            let (size, now) = (self.of(i), sum(origin, x, i) + change);
+            let size = if size > now { size } else { now };
+            if change == 0.0 { 0.0 } else { change / size }
         }))
     }
 }

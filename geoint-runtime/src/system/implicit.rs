@@ -72,6 +72,7 @@ pub enum Mean {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`",
     label = "this method is for those",
+    note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> {

@@ -165,7 +165,7 @@ pub fn canonical_rate<S: Hamiltonian<R>, R: Real>(system: &S, t: R, z: &S::Phase
     label = "this method keeps the energy, and must not be used where damping takes it away",
     note = "methods for damped systems: `DiscreteGradient`, `ImplicitMidpoint`, `Gauss`"
 )]
-pub trait Conservative<R: Real = f64>: Hamiltonian<R> {
+pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

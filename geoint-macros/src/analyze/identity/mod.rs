@@ -120,10 +120,7 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
         multiplied::Verdict::Left(rest) => Some(rest),
         multiplied::Verdict::TooLong => None,
     };
-    // What is made of symbols and numbers alone is certainly not zero.
-    let certain = rest.as_ref().is_some_and(|rest| rest.certain);
-    let points = if certain { residues::Verdict::NotZero } else { residues::residues(graph, root) };
-    let why = match points {
+    let why = match residues::residues(graph, root) {
         residues::Verdict::Zero(bound) => return Identity::Zero(Proof::Points(bound)),
         residues::Verdict::Branch => Why::Branch,
         residues::Verdict::NotZero => Why::Relation,

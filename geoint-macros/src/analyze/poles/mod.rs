@@ -32,9 +32,9 @@ pub(crate) struct Pole {
     pub(crate) reads_state: bool,
 }
 
-/// The poles of an energy in which some nodes are not defined everywhere. Left out are those which a step cannot cross without ending
+/// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which a step cannot cross without ending
 /// outside the domain of the energy, as that of ln q.
-pub(crate) fn poles(graph: &mut Graph, energy: Id, partial: &[Partial]) -> Vec<Pole> {
+pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
     let mut all = vec![];
     for Partial { node, condition } in partial {
         for Denominator { term, one_sided, only_if } in denominators(graph, *node) {
@@ -42,7 +42,7 @@ pub(crate) fn poles(graph: &mut Graph, energy: Id, partial: &[Partial]) -> Vec<P
             all.push((*node, term, one_sided, condition));
         }
     }
-    let computed: HashSet<Id> = graph.reachable(&[energy]).into_iter().collect();
+    let computed: HashSet<Id> = graph.reachable(divided).into_iter().collect();
     let zeros = Zeros::new(graph);
     let mut found: Vec<Pole> = vec![];
     let mut joined = vec![];

@@ -100,6 +100,7 @@ impl Slopes {
                 return args.iter().copied().zip(self.of_two(g, id, function, x, args[1])).collect();
             }
             Function::RecipPositive
+            | Function::RecipAbove
             | Function::Root
             | Function::Sinc
             | Function::SincDerivative

@@ -5,17 +5,23 @@ use super::super::kernel::Context;
 use super::counted;
 use crate::analyze::{self, MeanValue, Split, Structure};
 use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::diff::Gradient;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
 use crate::schedule::Plan;
 use std::fmt::Write;
 
 /// The report. Lines are short enough for a terminal unless a formula is not.
-pub(crate) fn canonical(context: &Context<'_>, graph: &Graph, structure: &Structure, system: &System<Plan>) -> String {
+pub(crate) fn canonical(
+    context: &Context<'_>,
+    graph: &Graph,
+    structure: &Structure,
+    (system, gradient): (&System<Plan>, &Gradient),
+) -> String {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let mut text = String::new();
     // Writing to a string cannot fail.
-    let _ = sections(&mut text, context, &printer, structure, system);
+    let _ = sections(&mut text, context, &printer, structure, (system, gradient));
     text
 }
 
@@ -24,7 +30,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     context: &Context<'_>,
     printer: &Printer<'_, F>,
     structure: &Structure,
-    system: &System<Plan>,
+    (system, gradient): (&System<Plan>, &Gradient),
 ) -> std::fmt::Result {
     let energy = context.energy;
     let name_of = |role: Role| {
@@ -32,7 +38,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     };
     let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
     writeln!(text, "H = {}", printer.formula(structure.energy))?;
-    for (symbols, slopes) in [(&q, &system.gradient.q), (&p, &system.gradient.p)] {
+    for (symbols, slopes) in [(&q, &gradient.q), (&p, &gradient.p)] {
         for (i, slope) in slopes.iter().enumerate() {
             let indices: String = energy.coordinates.shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
             writeln!(text, "∂H/∂{symbols}{indices} = {}", formula(printer, *slope))?;
@@ -55,7 +61,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
             writeln!(text, "- not separable, {q} and {p} are coupled by: {}", printer.excerpt(*term))?
         }
     }
-    let velocities = &system.gradient.p;
+    let velocities = &gradient.p;
     let moves = structure.resting.len() < velocities.len();
     if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
         writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
@@ -84,12 +90,14 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     conserved(text, printer, structure, &unread)?;
 
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
-    writeln!(text, "- gradient of H: {}", counted(system.slopes.operations()))?;
-    if let Ok(flows) = &system.splitting {
+    if let Some(slopes) = &system.slopes {
+        writeln!(text, "- gradient of H: {}", counted(slopes.operations()))?;
+    }
+    if let Some(Ok(flows)) = &system.splitting {
         writeln!(text, "- kick: {}", counted(flows.kick.kernel.operations()))?;
         writeln!(text, "- drift: {}", counted(flows.drift.kernel.operations()))?;
     }
-    if let Implicit::Canonical(field) = &system.implicit {
+    if let Implicit::Field(field) = &system.implicit {
         implicit(text, field)?;
     }
 
@@ -121,7 +129,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
 /// What implicit steps cost, and how they are solved.
 fn implicit(text: &mut String, field: &FieldKernels<Plan>) -> std::fmt::Result {
     writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
-    writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(field.discrete.operations()))?;
+    if let Some(discrete) = &field.discrete {
+        writeln!(text, "- Newton iteration of the discrete gradient: {}", counted(discrete.operations()))?;
+    }
 
     writeln!(text, "\nImplicit steps")?;
     let unknowns = field.coordinates.len();

@@ -4,17 +4,18 @@ use super::super::kernel::Context;
 use super::counted;
 use crate::analyze;
 use crate::derive::{Implicit, KickDrift, System, Undamped};
-use crate::ir::{Graph, Symbol, print::Printer};
+use crate::diff::Gradient;
+use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;
 use std::fmt::{Result as Written, Write};
 
 /// The report.
-pub(crate) fn contact(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> String {
+pub(crate) fn contact(context: &Context<'_>, graph: &Graph, energy: (Id, &Gradient), system: &System<Plan>) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
-    let _ = structure(&mut text, &printer, graph, system)
+    let _ = structure(&mut text, &printer, energy, system)
         .and_then(|()| pieces(&mut text, &printer, system))
         .and_then(|()| implicit(&mut text, context.energy.degrees(), system));
     text
@@ -23,44 +24,46 @@ pub(crate) fn contact(context: &Context<'_>, graph: &Graph, system: &System<Plan
 fn structure<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    graph: &Graph,
+    (energy, gradient): (Id, &Gradient),
     system: &System<Plan>,
 ) -> Written {
-    writeln!(text, "H = {}", printer.formula(system.energy))?;
+    let graph = printer.graph();
+    writeln!(text, "H = {}", printer.formula(energy))?;
     writeln!(text, "\nStructure")?;
-    let reads = analyze::reads(graph, system.gradient.s);
-    let explicit = if analyze::reads(graph, system.energy).t { " + ∂H/∂t" } else { "" };
-    match graph.is_zero(system.gradient.s) {
+    let reads = analyze::reads(graph, gradient.s);
+    let explicit = if analyze::reads(graph, energy).t { " + ∂H/∂t" } else { "" };
+    match graph.is_zero(gradient.s) {
         true => {
             writeln!(text, "- ∂H/∂s = 0: nothing is lost, H' = {}", if explicit.is_empty() { "0" } else { "∂H/∂t" })?
         }
-        false => writeln!(text, "- ∂H/∂s = {}, and H' = −H ∂H/∂s{explicit}", printer.excerpt(system.gradient.s))?,
+        false => writeln!(text, "- ∂H/∂s = {}, and H' = −H ∂H/∂s{explicit}", printer.excerpt(gradient.s))?,
     }
     match reads.state() {
         true => writeln!(text, "- s acts back on positions or momenta")?,
         false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
     }
     match &system.splitting {
-        Ok(KickDrift { gradient_kick: Ok(_), .. }) => {
+        Some(Ok(KickDrift { gradient_kick: Ok(_), .. })) => {
             writeln!(text, "- T + g·s + V with quadratic T: kick and drift exist, and all tables have their order")
         }
-        Ok(KickDrift { undamped: Some(Undamped { kick: Some(_), .. }), .. }) => {
+        Some(Ok(KickDrift { undamped: Some(Undamped { kick: Some(_), .. }), .. })) => {
             writeln!(
                 text,
                 "- T + g·s + V: kick and drift exist, with the damping in the kick, because T is no quadratic form; tables of \
                  Runge–Kutta–Nyström type need one"
             )
         }
-        Ok(KickDrift { gradient_kick: Err(missing), .. }) => {
+        Some(Ok(KickDrift { gradient_kick: Err(missing), .. })) => {
             let term = printer.excerpt(missing.term);
             writeln!(
                 text,
                 "- T + g·s + V: kick and drift exist; tables of Runge–Kutta–Nyström type would lose their order by {term}"
             )
         }
-        Err(missing) => {
+        Some(Err(missing)) => {
             writeln!(text, "- not T + g·s + V, so that kick and drift do not exist: {}", printer.excerpt(missing.term))
         }
+        None => Ok(()),
     }
 }
 

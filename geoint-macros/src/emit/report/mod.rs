@@ -3,11 +3,13 @@
 mod bodies;
 mod canonical;
 mod contact;
+mod flow;
 
 use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
+pub(crate) use flow::{Source, flow};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

@@ -25,7 +25,15 @@ pub(super) fn token_text() -> impl Strategy<Value = String> {
     })
 }
 
-pub(super) const ENERGIES: [(Form, &str); 5] = [
+pub(super) const ENERGIES: [(Form, &str); 6] = [
+    (
+        Form::Field,
+        "fn top(x: [f64; 3], t: f64, a: f64, w: Vector3<f64>) -> [f64; 3] {
+        let [u, v, _] = x;
+        let torque = if u > a { w.x * t.cos() } else { 0.0 };
+        [(a - w.y) * v * x[2] + torque, (w.z - a) * x[2] * u, -u * v / (1.0 + a * a)]
+    }",
+    ),
     (
         Form::Hamiltonian,
         "/// Pendulum.

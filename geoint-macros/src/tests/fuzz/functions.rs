@@ -153,8 +153,8 @@ fn statement() -> impl Strategy<Value = String> {
 /// The action among the arguments.
 fn action(form: Form) -> &'static str {
     match form {
-        Form::Hamiltonian => "",
         Form::Contact => "s: f64,",
+        _ => "",
     }
 }
 

@@ -66,11 +66,12 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-        Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        DifferentialEquation, DiscreteField, FirstIntegrals, FlowState, ForceGradient,
+        FourthOrderField, Hamiltonian, ImplicitStep, Integrator, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -203,10 +204,6 @@ const _: () = {
             values(index, &[], t, z, s)
         }
     }
-    impl<R: Real> CotangentSpace<R> for Spring {
-        type Coordinates = R;
-        type Array = [R; 1];
-    }
     impl<R: Real> DifferentialEquation<R> for Spring {
         type Proof = ();
         #[inline(always)]
@@ -214,6 +211,10 @@ const _: () = {
             let [q, p] = z;
             canonical_rate(self, t, z, slopes);
         }
+    }
+    impl<R: Real> CotangentSpace<R> for Spring {
+        type Coordinates = R;
+        type Array = [R; 1];
     }
     impl<R: Real> Hamiltonian<R> for Spring {
         type Proof = ();
@@ -710,6 +711,35 @@ const _: () = {
         fn drift(&self, prepared: &[R; 0], p: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             let mut drift = <[[R; 1]; 2] as Array>::zero();
             drift
+        }
+    }
+    impl<R: Real> FourthOrderField<R> for Spring {
+        type Proof = ();
+        type FourthParameters = fourth_order::ParametersOf<Self, R>;
+        type FourthStart = fourth_order::Begun<[R; 1]>;
+        #[inline]
+        fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+            fourth_order::parameters(self, h)
+        }
+        #[inline(always)]
+        fn fourth_begin(
+            &self,
+            parameters: &Self::FourthParameters,
+            t: R,
+            z: &[[R; 1]; 2],
+        ) -> Self::FourthStart {
+            fourth_order::begin(self, parameters, t, z)
+        }
+        #[inline(always)]
+        fn fourth_slope(
+            &self,
+            parameters: &Self::FourthParameters,
+            start: &Self::FourthStart,
+            d: &[[R; 1]; 2],
+            image: &mut [[R; 1]; 2],
+            matrix: &mut Square<[[R; 1]; 2]>,
+        ) {
+            fourth_order::slope(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Spring {

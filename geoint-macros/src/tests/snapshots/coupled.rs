@@ -63,11 +63,12 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-        Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        DifferentialEquation, DiscreteField, FirstIntegrals, FlowState, ForceGradient,
+        FourthOrderField, Hamiltonian, ImplicitStep, Integrator, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -139,10 +140,6 @@ const _: () = {
             ::core::option::Option::None
         }
     }
-    impl<R: Real> CotangentSpace<R> for Coupled {
-        type Coordinates = [R; 2];
-        type Array = [R; 2];
-    }
     impl<R: Real> DifferentialEquation<R> for Coupled {
         type Proof = ();
         #[inline(always)]
@@ -151,8 +148,13 @@ const _: () = {
             canonical_rate(self, t, z, slopes);
         }
     }
+    impl<R: Real> CotangentSpace<R> for Coupled {
+        type Coordinates = [R; 2];
+        type Array = [R; 2];
+    }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Proof = ();
+        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 2]; 2], slopes: &mut [[R; 2]; 2]) {
             let [q, p] = z;
@@ -373,6 +375,35 @@ const _: () = {
         fn drift(&self, prepared: &[R; 0], p: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             let mut drift = <[[R; 2]; 2] as Array>::zero();
             drift
+        }
+    }
+    impl<R: Real> FourthOrderField<R> for Coupled {
+        type Proof = ();
+        type FourthParameters = fourth_order::ParametersOf<Self, R>;
+        type FourthStart = fourth_order::Begun<[R; 2]>;
+        #[inline]
+        fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+            fourth_order::parameters(self, h)
+        }
+        #[inline(always)]
+        fn fourth_begin(
+            &self,
+            parameters: &Self::FourthParameters,
+            t: R,
+            z: &[[R; 2]; 2],
+        ) -> Self::FourthStart {
+            fourth_order::begin(self, parameters, t, z)
+        }
+        #[inline(always)]
+        fn fourth_slope(
+            &self,
+            parameters: &Self::FourthParameters,
+            start: &Self::FourthStart,
+            d: &[[R; 2]; 2],
+            image: &mut [[R; 2]; 2],
+            matrix: &mut Square<[[R; 2]; 2]>,
+        ) {
+            fourth_order::slope(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Coupled {

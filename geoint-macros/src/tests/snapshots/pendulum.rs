@@ -76,11 +76,12 @@ const _: () = {
         Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
         ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
         ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, ForceGradient, Hamiltonian, ImplicitStep,
-        Integrator, Inverted, Mean, MechanicalContact, Method, ModifiedEnergy,
-        PhaseSpace, PieceClock, ProofAnd, QuadraticKinetic, Real, Separable, Square,
-        State, canonical_rate, is_positive_semidefinite, modified_verlet, gradient_kick,
-        slope,
+        DifferentialEquation, DiscreteField, FirstIntegrals, FlowState, ForceGradient,
+        FourthOrderField, Hamiltonian, ImplicitStep, Integrator, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -166,10 +167,6 @@ const _: () = {
             ::core::option::Option::None
         }
     }
-    impl<R: Real> CotangentSpace<R> for Pendulum<R> {
-        type Coordinates = R;
-        type Array = [R; 1];
-    }
     impl<R: Real> DifferentialEquation<R> for Pendulum<R> {
         type Proof = ();
         #[inline(always)]
@@ -178,8 +175,13 @@ const _: () = {
             canonical_rate(self, t, z, slopes);
         }
     }
+    impl<R: Real> CotangentSpace<R> for Pendulum<R> {
+        type Coordinates = R;
+        type Array = [R; 1];
+    }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();
+        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
             let [q, p] = z;
@@ -466,6 +468,35 @@ const _: () = {
             v0 = prepared_3 * dp0;
             drift[0] = v0;
             drift
+        }
+    }
+    impl<R: Real> FourthOrderField<R> for Pendulum<R> {
+        type Proof = ();
+        type FourthParameters = fourth_order::ParametersOf<Self, R>;
+        type FourthStart = fourth_order::Begun<[R; 1]>;
+        #[inline]
+        fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+            fourth_order::parameters(self, h)
+        }
+        #[inline(always)]
+        fn fourth_begin(
+            &self,
+            parameters: &Self::FourthParameters,
+            t: R,
+            z: &[[R; 1]; 2],
+        ) -> Self::FourthStart {
+            fourth_order::begin(self, parameters, t, z)
+        }
+        #[inline(always)]
+        fn fourth_slope(
+            &self,
+            parameters: &Self::FourthParameters,
+            start: &Self::FourthStart,
+            d: &[[R; 1]; 2],
+            image: &mut [[R; 1]; 2],
+            matrix: &mut Square<[[R; 1]; 2]>,
+        ) {
+            fourth_order::slope(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {

@@ -6,7 +6,7 @@ use super::matrix::{Matrix, dot, entries, moved, product, scaled, turned};
 use crate::method::Unwatched;
 use crate::scalar::{Real, zero};
 use crate::space::{Array, Square};
-use crate::system::{Collocation, Conservative, DiscreteField, FourthOrderField};
+use crate::system::{Collocation, Conservative, DiscreteField};
 
 /// What depends on parameters and h.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,8 @@ pub struct Parameters<C, P, R> {
     h: R,
 }
 
-type ParametersOf<S, R> = Parameters<<S as Collocation<R>>::Constants, <S as DiscreteField<R>>::Parameters, R>;
+/// [`Parameters`] of a system.
+pub type ParametersOf<S, R> = Parameters<<S as Collocation<R>>::Constants, <S as DiscreteField<R>>::Parameters, R>;
 
 /// Where a step starts: the time of its middle, the point, and f there.
 #[derive(Clone, Copy, Debug)]
@@ -26,87 +27,88 @@ pub struct Begun<A: Array> {
     rate: [A; 2],
 }
 
-/// F − Mḡ (ḡ·F)/(ḡ·Mḡ) for H that does not depend on time, else F. Lengths of a correction need a metric M, because positions and momenta
-/// have different units: that of [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an
-/// oscillator is its inverse.
-impl<S: DiscreteField<R> + Conservative<R>, R: Real> FourthOrderField<R> for S {
-    type Proof = <S as Conservative<R>>::Proof;
-    type FourthParameters = ParametersOf<S, R>;
-    type FourthStart = Begun<S::Array>;
+/// [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) of a canonical system.
+pub fn parameters<S: DiscreteField<R> + Conservative<R>, R: Real>(system: &S, h: R) -> ParametersOf<S, R> {
+    Parameters { constants: system.constants(), kernel: system.parameters(h), h }
+}
 
-    fn fourth_parameters(&self, h: R) -> ParametersOf<S, R> {
-        Parameters { constants: self.constants(), kernel: self.parameters(h), h }
+/// [`FourthOrderField::fourth_begin`](crate::system::FourthOrderField::fourth_begin).
+#[inline(always)]
+pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
+    system: &S,
+    parameters: &ParametersOf<S, R>,
+    t: R,
+    z: &S::Phase,
+) -> Begun<S::Array> {
+    let half = R::from_f64(0.5) * parameters.h;
+    let mut unwatched = Unwatched;
+    let rate = turned(&energy(system, parameters, t, &mut unwatched).gradient(t - half, z).g);
+    Begun { t, z: *z, rate }
+}
+
+/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − Mḡ (ḡ·F)/(ḡ·Mḡ) for H that does not depend on
+/// time, else F. Lengths of a correction need a metric M, because positions and momenta have different units: that of
+/// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
+#[inline(always)]
+pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
+    system: &S,
+    parameters: &ParametersOf<S, R>,
+    &Begun { t, z, rate }: &Begun<S::Array>,
+    d: &S::Phase,
+    image: &mut S::Phase,
+    matrix: &mut Square<S::Phase>,
+) {
+    let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
+    let mut unwatched = Unwatched;
+    let mut energy = energy(system, parameters, t, &mut unwatched);
+    let mut end = energy.gradient(t + half * h, &moved(&z, one, d));
+    let end_rate = turned(&end.g);
+    let change = moved(&rate, -one, &end_rate);
+    let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
+
+    // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, where ∂c/∂d = 1/2 − h/8 J∇²H₁.
+    let mut velocity = moved(&rate, one, &end_rate);
+    velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
+    let velocity = scaled(sixth, &velocity);
+    let mut by_end = Matrix::zero();
+    let end_rows = turned_rows(&mut end.derivative);
+    for (i, row) in by_end.rows().iter_mut().enumerate() {
+        let bent = third.derivative.rows()[i];
+        let mut along = <S::Phase as Array>::zero();
+        for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
+            along.add_scaled(*bent, end_row);
+        }
+        *row = moved(&scaled(half, &bent), -eighth * h, &along);
+    }
+    let mut slope = turned_rows(&mut by_end);
+    for (slope, end_row) in slope.rows().iter_mut().zip(end_rows.rows_of()) {
+        *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), slope));
     }
 
-    #[inline(always)]
-    fn fourth_begin(&self, parameters: &ParametersOf<S, R>, t: R, z: &S::Phase) -> Begun<S::Array> {
-        let half = R::from_f64(0.5) * parameters.h;
-        let mut unwatched = Unwatched;
-        let rate = turned(&energy(self, parameters, t, &mut unwatched).gradient(t - half, z).g);
-        Begun { t, z: *z, rate }
+    let (mut mean, weights) = (velocity, metric(h, &mut third));
+    if S::AUTONOMOUS {
+        let Slope { g, derivative: mut of_g } = energy.tree(&z, d);
+        let weighted = product(&[weights[1], weights[0]], &g);
+        let square = dot(&g, &weighted);
+        if square != zero() {
+            let excess = dot(&g, &velocity) / square;
+            mean = moved(&velocity, -excess, &weighted);
+            // ∂(ḡ·F)/∂d and ∂(ḡ·Mḡ)/∂d; what M adds is of the order of the excess.
+            let mut power = of_g.transpose_times(&moved(&velocity, -(excess + excess), &weighted));
+            power.add_scaled(one, &slope.transpose_times(&g));
+            let power = scaled(one / square, &power);
+            let exchanged = [weights[1], weights[0]];
+            for (i, row) in slope.rows().iter_mut().enumerate() {
+                let m = Array::as_slice(&exchanged)[i];
+                row.add_scaled(-excess * m, &of_g.rows()[i]);
+                row.add_scaled(-Array::as_slice(&weighted)[i], &power);
+            }
+        }
     }
-
-    #[inline(always)]
-    fn fourth_slope(
-        &self,
-        parameters: &ParametersOf<S, R>,
-        &Begun { t, z, rate }: &Begun<S::Array>,
-        d: &S::Phase,
-        image: &mut S::Phase,
-        matrix: &mut Square<S::Phase>,
-    ) {
-        let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
-        let mut unwatched = Unwatched;
-        let mut energy = energy(self, parameters, t, &mut unwatched);
-        let mut end = energy.gradient(t + half * h, &moved(&z, one, d));
-        let end_rate = turned(&end.g);
-        let change = moved(&rate, -one, &end_rate);
-        let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
-
-        // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, where ∂c/∂d = 1/2 − h/8 J∇²H₁.
-        let mut velocity = moved(&rate, one, &end_rate);
-        velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
-        let velocity = scaled(sixth, &velocity);
-        let mut by_end = Matrix::zero();
-        let end_rows = turned_rows(&mut end.derivative);
-        for (i, row) in by_end.rows().iter_mut().enumerate() {
-            let bent = third.derivative.rows()[i];
-            let mut along = <S::Phase as Array>::zero();
-            for (bent, end_row) in Array::as_slice(&bent).iter().zip(end_rows.rows_of()) {
-                along.add_scaled(*bent, end_row);
-            }
-            *row = moved(&scaled(half, &bent), -eighth * h, &along);
-        }
-        let mut slope = turned_rows(&mut by_end);
-        for (slope, end_row) in slope.rows().iter_mut().zip(end_rows.rows_of()) {
-            *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), slope));
-        }
-
-        let (mut mean, weights) = (velocity, metric(h, &mut third));
-        if S::AUTONOMOUS {
-            let Slope { g, derivative: mut of_g } = energy.tree(&z, d);
-            let weighted = product(&[weights[1], weights[0]], &g);
-            let square = dot(&g, &weighted);
-            if square != zero() {
-                let excess = dot(&g, &velocity) / square;
-                mean = moved(&velocity, -excess, &weighted);
-                // ∂(ḡ·F)/∂d and ∂(ḡ·Mḡ)/∂d; what M adds is of the order of the excess.
-                let mut power = of_g.transpose_times(&moved(&velocity, -(excess + excess), &weighted));
-                power.add_scaled(one, &slope.transpose_times(&g));
-                let power = scaled(one / square, &power);
-                let exchanged = [weights[1], weights[0]];
-                for (i, row) in slope.rows().iter_mut().enumerate() {
-                    let m = Array::as_slice(&exchanged)[i];
-                    row.add_scaled(-excess * m, &of_g.rows()[i]);
-                    row.add_scaled(-Array::as_slice(&weighted)[i], &power);
-                }
-            }
-        }
-        *image = scaled(h, &mean);
-        for (i, (row, slope)) in <S::Phase>::entries::<S::Phase>(matrix).iter_mut().zip(slope.rows()).enumerate() {
-            *row = scaled(-h, slope);
-            entries(row)[i] += one;
-        }
+    *image = scaled(h, &mean);
+    for (i, (row, slope)) in <S::Phase>::entries::<S::Phase>(matrix).iter_mut().zip(slope.rows()).enumerate() {
+        *row = scaled(-h, slope);
+        entries(row)[i] += one;
     }
 }
 

@@ -22,7 +22,8 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
-mod canonical;
+#[doc(hidden)]
+pub mod canonical;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;

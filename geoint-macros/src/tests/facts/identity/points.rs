@@ -114,6 +114,9 @@ fn relations_between_functions() {
         (q - p).atan() + (p - q).atan(), "zero";
         (q * q + 1.0).atan() + (1.0 / (q * q + 1.0)).atan() - std::f64::consts::FRAC_PI_2, "relation";
         q.asin().sin() - q, "relation";
+        // Zero inside of a function.
+        ((2.0 * q).sin() - 2.0 * q.sin() * q.cos()).atan(), "points";
+        ((2.0 * q).cos() + 2.0 * q.sin().powi(2) + p).ln() - (1.0 + p).ln(), "points";
         p.atan2(q) - (p / q).atan(), "wrong";
     }
 }

@@ -1,0 +1,194 @@
+//! What is derived of a flow x' = f(x, t), and of one that an energy makes, x' = S(x) ∇H.
+
+use super::domain::{Domain, Roots};
+use super::implicit;
+use super::proof;
+use super::system::{FieldKernels, Implicit, Integrals, System};
+use crate::analyze::{self, Damping, MeanValue, claims, search};
+use crate::diff;
+use crate::diff::field::{Field, taking};
+use crate::diff::flow::{self, Conserved, Order};
+use crate::ir::{Graph, Id, Partial, Symbol, print::Printer};
+use crate::lower::Integral;
+use crate::parse::{Form, Kept};
+use crate::schedule::{Kernel, Levels};
+use std::collections::HashSet;
+
+/// A flow before its methods are derived.
+#[derive(Debug)]
+pub(crate) struct Flow {
+    pub(crate) form: Form,
+    /// f.
+    pub(crate) field: Vec<Id>,
+    /// H with S − C, if x' = (S − C) ∇H.
+    pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
+    /// What steps keep.
+    pub(crate) kept: Vec<Named>,
+    /// What is constant as well, and not listed.
+    pub(crate) also: Vec<Id>,
+}
+
+/// A function that is kept, or whose change is known.
+#[derive(Clone, Debug)]
+pub(crate) struct Named {
+    pub(crate) name: String,
+    pub(crate) conserved: Conserved,
+    pub(crate) origin: Origin,
+}
+
+/// Who says that a function is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// The user, and it was proven.
+    Listed,
+    /// The user alone.
+    Assumed,
+    /// It is the energy.
+    Energy,
+    /// It was found.
+    Found,
+}
+
+impl Flow {
+    /// x' = f(x, t), and what it is said to keep.
+    pub(crate) fn of_field<'a>(field: &[Id], keeps: impl Iterator<Item = (&'a Kept, &'a Integral)>) -> Flow {
+        let named = |(kept, integral): (&Kept, &Integral)| Named {
+            name: kept.name.to_string(),
+            conserved: Conserved { value: integral.value, but: integral.but.clone() },
+            origin: if kept.assumed { Origin::Assumed } else { Origin::Listed },
+        };
+        Flow { form: Form::Field, field: field.to_vec(), energy: None, kept: keeps.map(named).collect(), also: vec![] }
+    }
+
+    /// x' = (S − C) ∇H, and what it keeps.
+    pub(crate) fn structured(graph: &mut Graph, energy: Id, structure: &[Vec<Id>], damping: Option<&Damping>) -> Flow {
+        let n = structure.len();
+        let gradient = diff::gradient(graph, energy, n as u32).q;
+        let damped = damping.map(|damping| {
+            let mut matrix = structure.to_vec();
+            for (i, row) in matrix.iter_mut().enumerate() {
+                for (j, entry) in row.iter_mut().enumerate() {
+                    let taken = taking(graph, &damping.matrix, i, j);
+                    *entry = graph.sub(*entry, taken);
+                }
+            }
+            let loss = flow::times(graph, &damping.matrix, &gradient).into_iter().map(|loss| graph.neg(loss)).collect();
+            (matrix, loss)
+        });
+        let (matrix, but) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
+        let field = flow::times(graph, &matrix, &gradient);
+        let kept = Named { name: "energy".into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
+        let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
+        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![] }
+    }
+
+    /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
+    /// Casimirs, which are constant along the rows of S; and all the rest for the report.
+    pub(crate) fn search(&mut self, graph: &mut Graph, rows: Option<&[Vec<Id>]>, name: impl Fn(Symbol) -> String) {
+        let x = proof::coordinates(self.field.len());
+        let casimirs = rows.is_some();
+        let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else {
+            return;
+        };
+        let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
+        let found: Vec<_> = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
+        let known: Vec<Id> = self.kept.iter().map(|kept| kept.conserved.value).collect();
+        let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
+        let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
+        let Some(dependent) = claims::dependent(graph, &x, &all) else { return };
+        let new = found.into_iter().enumerate().filter(|(i, _)| !dependent.integrals.contains(&(known.len() + i)));
+        for (_, kept) in new {
+            // A logarithm that nothing else takes would leave steps with fewer states than the flow has.
+            let everywhere =
+                graph.reachable(&[kept.value]).iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
+            if everywhere && (casimirs || kept.linear && !known.is_empty()) {
+                let name = Printer::new(graph, &name).excerpt(kept.value);
+                let conserved = Conserved { value: kept.value, but: None };
+                self.kept.push(Named { name, conserved, origin: Origin::Found });
+            } else {
+                self.also.push(kept.value);
+            }
+        }
+    }
+}
+
+/// Derives everything that some method needs.
+pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping: Option<&Damping>) -> System {
+    let Flow { form, field, energy, kept, .. } = found;
+    let n = field.len() as u32;
+    let coordinates: Vec<Symbol> = (0..n).map(Symbol::Q).collect();
+    let conserved: Vec<Conserved> = kept.iter().map(|kept| kept.conserved.clone()).collect();
+    let collocation =
+        Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates, f: field.clone() };
+    let discrete = match energy {
+        Some((energy, matrix)) => Some(flow::structured(graph, *energy, matrix)),
+        None if conserved.is_empty() => None,
+        None => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
+    };
+    let fourth = (!conserved.is_empty()).then(|| {
+        let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
+        let h = graph.symbol(Symbol::H);
+        let equation = implicit::image(graph, &field, h);
+        Kernel::new(Levels::Iterated, equation)
+    });
+    // Of a field, what it keeps under that name.
+    let named = kept.iter().find(|kept| kept.name == "energy").map(|kept| kept.conserved.value);
+    let value = energy.as_ref().map(|(energy, _)| *energy).or(named);
+    let mut values: Vec<Id> = value.into_iter().chain(conserved.iter().map(|kept| kept.value)).collect();
+    values.sort();
+    values.dedup();
+    let all = [&field[..], &values].concat();
+    let quadratic = analyze::is_polynomial(graph, field, 2);
+    System {
+        proven: if quadratic { vec!["QuadraticField"] } else { vec![] },
+        value: value.map(|value| Kernel::new(Levels::One, vec![value])),
+        slopes: None,
+        rate: Some(Kernel::new(Levels::One, field.clone())),
+        splitting: None,
+        modified: None,
+        pieces: None,
+        integrals: integrals(graph, kept, n),
+        domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
+        implicit: Implicit::Field(FieldKernels {
+            coordinates: collocation.unknowns.clone(),
+            increments: (0..n).map(Symbol::Dq).collect(),
+            second_order: false,
+            folded: false,
+            linear: false,
+            mean_value: MeanValue::NotClosed(field[0]),
+            collocation: Kernel {
+                levels: Levels::Prepared,
+                routines: vec![implicit::roots(&collocation), vec![], vec![]],
+            },
+            discrete: discrete.map(|field| Kernel {
+                levels: Levels::Iterated,
+                routines: vec![implicit::roots(&field), vec![], vec![]],
+            }),
+            fourth,
+        }),
+    }
+}
+
+/// The functions that users call, and those of them that are constant, with their gradients.
+fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
+    if kept.is_empty() {
+        return None;
+    }
+    let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
+    let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
+    let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
+    let mut change = |i: &usize| {
+        let slopes = diff::discrete_gradient(graph, values[*i], n).q;
+        let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
+        flow::times(graph, &[slopes], &increments)[0]
+    };
+    let changes = constant.iter().map(&mut change).collect();
+    Some(Integrals {
+        names: kept.iter().map(|kept| kept.name.clone()).collect(),
+        functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
+        constant,
+        values: Kernel::new(Levels::One, values),
+        slopes: Kernel::new(Levels::One, slopes),
+        changes: Kernel::new(Levels::One, changes),
+    })
+}

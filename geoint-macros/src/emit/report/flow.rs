@@ -1,0 +1,165 @@
+//! What was found of a flow x' = f(x, t), in words.
+
+use super::super::damping::coefficients;
+use super::super::kernel::Context;
+use super::counted;
+use crate::analyze::{Identity, Proof};
+use crate::derive::proof::{Integrals, Structure};
+use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
+use crate::ir::{Graph, Symbol, print::Printer};
+use crate::schedule::Plan;
+use std::fmt::{Result as Written, Write};
+
+/// Why a flow keeps what it keeps.
+#[derive(Clone, Copy)]
+pub(crate) enum Source<'a> {
+    /// S is skew.
+    Structure(&'a Structure),
+    /// It was proven of each function.
+    Field(&'a Integrals),
+}
+
+/// The report.
+pub(crate) fn flow(
+    context: &Context<'_>,
+    graph: &Graph,
+    (flow, source): (&Flow, Source<'_>),
+    system: &System<Plan>,
+) -> String {
+    let mut text = String::new();
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    // Writing to a string cannot fail.
+    let _ = equations(&mut text, context, &printer, flow)
+        .and_then(|()| match source {
+            Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
+            Source::Field(_) => Ok(()),
+        })
+        .and_then(|()| kept(&mut text, &printer, flow, source))
+        .and_then(|()| operations(&mut text, flow, system));
+    text
+}
+
+fn equations<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    flow: &Flow,
+) -> Written {
+    if let Some((energy, _)) = &flow.energy {
+        writeln!(text, "H = {}", printer.formula(*energy))?;
+    }
+    (0..).zip(&flow.field).try_for_each(|(i, f)| {
+        let name = context.user_name(Symbol::Q(i));
+        writeln!(text, "{name}' = {}", printer.excerpt(*f))
+    })
+}
+
+fn of_structure<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    structure: &Structure,
+) -> Written {
+    writeln!(text, "\nStructure")?;
+    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
+    writeln!(text, "- x' = S ∇H with skew S")?;
+    for (i, row) in structure.matrix.iter().enumerate() {
+        for (j, entry) in row.iter().enumerate().skip(i + 1).filter(|(_, entry)| !printer.graph().is_zero(**entry)) {
+            writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(*entry))?;
+        }
+    }
+    match &structure.poisson {
+        Ok(()) => writeln!(text, "- a Poisson structure: Jacobi's identity holds"),
+        Err(([i, j, k], verdict)) => {
+            let rest = verdict.rest().map_or_else(String::new, |rest| format!(" leave {}", printer.excerpt(rest.rest)));
+            let word = if matches!(verdict, Identity::Wrong(_)) { "not" } else { "not proven to be" };
+            writeln!(text, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
+        }
+    }
+}
+
+fn kept<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    flow: &Flow,
+    source: Source<'_>,
+) -> Written {
+    writeln!(text, "\nIntegrals")?;
+    for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
+        let value = printer.excerpt(conserved.value);
+        let word = match (origin, source) {
+            (Origin::Listed, Source::Field(found)) => how(found.kept[i].as_ref()),
+            (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
+            (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
+            (Origin::Energy, _) => "kept, because S is skew".into(),
+            (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
+        };
+        let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
+        match &conserved.but {
+            None => writeln!(text, "- {name}{value}: {word}")?,
+            Some(b) => {
+                let change = coefficients(printer, b);
+                writeln!(text, "- {name}{value}, but for b·∇I with b = {change}: {word}")?;
+            }
+        }
+    }
+    for value in &flow.also {
+        writeln!(text, "- {}: constant as well, not listed", printer.excerpt(*value))?;
+    }
+    if flow.kept.is_empty() && flow.also.is_empty() {
+        writeln!(text, "- none was listed, and none was found")?;
+    }
+    Ok(())
+}
+
+/// How it was proven that a function is kept.
+fn how(verdict: Option<&Identity>) -> String {
+    match verdict {
+        Some(Identity::Zero(Proof::Multiplied)) => "kept, proven by multiplying out".into(),
+        Some(Identity::Zero(Proof::Points(bound))) => format!(
+            "kept, proven at {} points of finite fields: what is not kept passes with a probability of at most 2^-{}",
+            bound.points, bound.bits
+        ),
+        _ => "assumed".into(),
+    }
+}
+
+fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written {
+    writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
+    if let Some(rate) = &system.rate {
+        writeln!(text, "- x': {}", counted(rate.operations()))?;
+    }
+    let Implicit::Field(field) = &system.implicit else { return Ok(()) };
+    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(field.collocation.operations()))?;
+    if let Some(discrete) = &field.discrete {
+        writeln!(text, "- Newton iteration of `DiscreteGradient`: {}", counted(discrete.operations()))?;
+    }
+    if let Some(fourth) = &field.fourth {
+        writeln!(text, "- Newton iteration of `FourthOrder`: {}", counted(fourth.operations()))?;
+    }
+    writeln!(text, "\nImplicit steps")?;
+    let n = flow.field.len();
+    let solver = match n {
+        1 => "Newton's iteration for one number".into(),
+        2..=MOST_UNKNOWNS => "Newton's iteration with elimination".to_string(),
+        _ => format!(
+            "the fixed point while it attracts, Newton's iteration elsewhere: measured to be faster beyond {MOST_UNKNOWNS}"
+        ),
+    };
+    writeln!(text, "- unknowns {n}: {solver}")?;
+    if flow.kept.is_empty() {
+        return Ok(());
+    }
+    let list = |ids: Vec<&str>| ids.join(", ");
+    let names = list(flow.kept.iter().map(|named| named.name.as_str()).collect());
+    match &flow.energy {
+        None => writeln!(text, "- `DiscreteGradient` and `FourthOrder` keep {names}, to rounding"),
+        Some(_) if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
+            writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
+        }
+        Some(_) => writeln!(
+            text,
+            "- `DiscreteGradient` keeps the energy to rounding, and every C of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
+        ),
+    }
+}

@@ -1,0 +1,612 @@
+fn turning(x: [f64; 2], w: f64) -> [f64; 2] {
+    let _ = || {
+        let _ = x[0] * x[0] + x[1] * x[1];
+    };
+    [-w * x[1], w * x[0]]
+}
+#[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
+#[derive(
+    ::core::clone::Clone,
+    ::core::marker::Copy,
+    ::core::fmt::Debug,
+    ::core::cmp::PartialEq
+)]
+/**
+# What was derived
+
+```text
+x[0]' = -x[1]·w
+x[1]' = x[0]·w
+
+Integrals
+- radius = x[0]² + x[1]²: kept, proven by multiplying out
+
+Operations (a sine with its cosine counts as two)
+- x': sums and products 3
+- stage of a Newton iteration of collocation: sums and products 2
+- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1
+- Newton iteration of `FourthOrder`: sums and products 66, functions 1
+
+Implicit steps
+- unknowns 2: Newton's iteration with elimination
+- `DiscreteGradient` and `FourthOrder` keep radius, to rounding
+```*/
+struct Turning<R = f64> {
+    ///The parameter `w` of the energy.
+    pub w: R,
+}
+#[allow(
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery,
+    clippy::restriction,
+    deprecated,
+    missing_docs,
+    private_bounds,
+    unreachable_pub,
+    unused_imports,
+    unused_mut,
+    unused_variables,
+    reason = "generated code"
+)]
+const _: () = {
+    use ::geoint_runtime::private::{
+        Adaptive, Array, Autonomous, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, ContactPiece, ContactPieces,
+        ContactState, ContactSystem, CotangentSpace, QuadraticField,
+        DifferentialEquation, DiscreteField, FirstIntegrals, FlowState, ForceGradient,
+        FourthOrderField, Hamiltonian, ImplicitStep, Integrator, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, slope,
+    };
+    const _: fn() = || {
+        let _ = turning;
+    };
+    impl Turning {
+        /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
+        /// skipped and why.
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n";
+        /// x' at a state.
+        pub fn field(&self, state: &FlowState<[f64; 2]>) -> [f64; 2] {
+            let (t, z, ()) = Snapshot::parts(*state);
+            let mut slopes = <<Turning as PhaseSpace<f64>>::Phase as Array>::zero();
+            DifferentialEquation::rate(self, t, &z, &mut slopes);
+            <FlowState<[f64; 2]> as Snapshot>::of(t, slopes, ()).x
+        }
+        ///The integral `radius` of a state.
+        pub fn radius(&self, state: &FlowState<[f64; 2]>) -> f64 {
+            let (t, z, ()) = Snapshot::parts(*state);
+            NamedFunctions::values(self, t, &z)[0]
+        }
+        /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
+        pub fn integrator<M: Method<Self, f64, Proof = P>, P>(
+            self,
+            method: M,
+            h: f64,
+            state: FlowState<[f64; 2]>,
+        ) -> <P as ProofAnd<Integrator<Self, M, f64>>>::Both {
+            Integrator::new(self, method, h, state)
+        }
+        /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+        ///
+        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+        pub fn adaptive<M: Method<Self, f64, Proof = P>, P>(
+            self,
+            method: M,
+            tolerance: f64,
+            state: FlowState<[f64; 2]>,
+        ) -> <P as ProofAnd<Adaptive<Self, M, f64>>>::Both {
+            Adaptive::new(self, method, tolerance, state)
+        }
+    }
+    impl<R: Real> QuadraticField<R> for Turning<R> {
+        type Proof = ();
+    }
+    impl<R: Real> PhaseSpace<R> for Turning<R> {
+        type State = FlowState<[R; 2]>;
+        type Phase = [R; 2];
+        type Action = ();
+        #[inline]
+        fn hamiltonian(&self, t: R, z: &[R; 2], _: &()) -> R {
+            let q = z;
+            R::from_f64(f64::NAN)
+        }
+        fn outside_domain(
+            &self,
+            t: R,
+            z: &[R; 2],
+            s: &(),
+        ) -> ::core::option::Option<&'static str> {
+            let q = z;
+            ::core::option::Option::None
+        }
+    }
+    impl<R: Real> DifferentialEquation<R> for Turning<R> {
+        type Proof = ();
+        #[inline(always)]
+        fn rate(&self, t: R, z: &[R; 2], slopes: &mut [R; 2]) {
+            let q = z;
+            let (q1, a0, q0, v0, v1, v2);
+            q1 = q[1];
+            a0 = self.w;
+            q0 = q[0];
+            v0 = q1 * a0;
+            v1 = -v0;
+            v2 = q0 * a0;
+            slopes[0] = v1;
+            slopes[1] = v2;
+        }
+    }
+    trait NamedFunctions<R: Real>: PhaseSpace<R> {
+        fn values(&self, t: R, z: &Self::Phase) -> [R; 1];
+    }
+    impl<R: Real> NamedFunctions<R> for Turning<R> {
+        #[inline]
+        fn values(&self, t: R, z: &[R; 2]) -> [R; 1] {
+            let q = z;
+            let (q0, q1, v0, v1, v2);
+            q0 = q[0];
+            q1 = q[1];
+            v0 = q0 * q0;
+            v1 = q1 * q1;
+            v2 = v0 + v1;
+            [v2]
+        }
+    }
+    impl<R: Real> FirstIntegrals<R> for Turning<R> {
+        type Proof = ();
+        type Values = [R; 1];
+        const NAMES: &'static [&'static str] = &["radius"];
+        #[inline]
+        fn integrals(&self, t: R, z: &[R; 2]) -> [R; 1] {
+            let all = NamedFunctions::values(self, t, z);
+            [all[0]]
+        }
+        #[inline]
+        fn slopes(&self, t: R, z: &[R; 2]) -> [[R; 2]; 1] {
+            let q = z;
+            let mut slopes = [<[R; 2] as Array>::zero(); 1];
+            let (k0, q0, q1, v0, v1);
+            k0 = R::from_f64(2.0);
+            q0 = q[0];
+            q1 = q[1];
+            v0 = k0 * q0;
+            v1 = k0 * q1;
+            slopes[0][0] = v0;
+            slopes[0][1] = v1;
+            slopes
+        }
+        #[inline]
+        fn changes(&self, t: R, z: &[R; 2], dz: &[R; 2]) -> [R; 1] {
+            let q = z;
+            let (k0, q0, dq0, q1, dq1, v0, v1, v2, v3);
+            k0 = R::from_f64(2.0);
+            q0 = q[0];
+            dq0 = dz[0];
+            q1 = q[1];
+            dq1 = dz[1];
+            v0 = k0.multiply_add(q0, dq0);
+            v1 = k0.multiply_add(q1, dq1);
+            v2 = dq0 * v0;
+            v3 = dq1.multiply_add(v1, v2);
+            [v3]
+        }
+    }
+    impl<R: Real> DiscreteField<R> for Turning<R> {
+        type Proof = ();
+        type Parameters = [R; 4];
+        type Start = [R; 4];
+        type Inverse = ();
+        const MEAN: Mean = Mean::NotClosed;
+        #[inline]
+        fn parameters(&self, h: R) -> [R; 4] {
+            let (a0, k1, v0, v1, v2);
+            a0 = self.w;
+            k1 = R::from_f64(0.5);
+            v0 = -a0;
+            v1 = k1 * a0;
+            v2 = -v1;
+            [v0, a0, v1, v2]
+        }
+        #[inline(always)]
+        fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 2]) -> [R; 4] {
+            let (k0, q0, q1, v0, v1);
+            k0 = R::from_f64(2.0);
+            q0 = y[0];
+            q1 = y[1];
+            v0 = k0 * q0;
+            v1 = k0 * q1;
+            [q1, v0, v1, q0]
+        }
+        #[inline(always)]
+        fn slope(
+            &self,
+            prepared: &[R; 4],
+            start: &[R; 4],
+            d: &[R; 2],
+            f: &mut [R; 2],
+            jacobian: &mut Square<[R; 2]>,
+        ) {
+            let (
+                k0,
+                dq1,
+                start_0,
+                start_1,
+                dq0,
+                start_2,
+                prepared_1,
+                start_3,
+                prepared_0,
+                k9,
+                prepared_2,
+                prepared_3,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+                v13,
+                v14,
+                v15,
+                v16,
+                v17,
+                v18,
+                v19,
+                v20,
+                v21,
+                v22,
+                v23,
+                v24,
+                v25,
+                v26,
+                v27,
+                v28,
+                v29,
+                v30,
+                v31,
+                v32,
+            );
+            k0 = R::from_f64(0.5);
+            dq1 = d[1];
+            start_0 = start[0];
+            start_1 = start[1];
+            dq0 = d[0];
+            start_2 = start[2];
+            prepared_1 = prepared[1];
+            start_3 = start[3];
+            prepared_0 = prepared[0];
+            k9 = R::from_f64(2.0);
+            prepared_2 = prepared[2];
+            prepared_3 = prepared[3];
+            v0 = k0.multiply_add(dq1, start_0);
+            v1 = start_1 + dq0;
+            v2 = v1 * v1;
+            v3 = start_2 + dq1;
+            v4 = v3 * v3;
+            v5 = v2 + v4;
+            v6 = slope::recip_above(v5, v5);
+            v7 = prepared_1 * v0;
+            v8 = k0.multiply_add(dq0, start_3);
+            v9 = prepared_1 * v8;
+            v10 = v3 * v9;
+            v11 = -v1;
+            v12 = v11.multiply_add(v7, v10);
+            v13 = v12 * v6;
+            v14 = prepared_0 * v0;
+            v15 = v11.multiply_add(v13, v14);
+            v16 = -v3;
+            v17 = v16.multiply_add(v13, v9);
+            v18 = k9 * v1;
+            v19 = prepared_2.multiply_add(v3, v14);
+            v20 = -v18;
+            v21 = v20.multiply_add(v13, v19);
+            v22 = v6 * v21;
+            v23 = -v13;
+            v24 = v11.multiply_add(v22, v23);
+            v25 = k9 * v3;
+            v26 = prepared_3.multiply_add(v1, v9);
+            v27 = -v25;
+            v28 = v27.multiply_add(v13, v26);
+            v29 = v6 * v28;
+            v30 = v11.multiply_add(v29, prepared_3);
+            v31 = v16.multiply_add(v22, prepared_2);
+            v32 = v16.multiply_add(v29, v23);
+            f[0] = v15;
+            f[1] = v17;
+            jacobian[0][0] = v24;
+            jacobian[0][1] = v30;
+            jacobian[1][0] = v31;
+            jacobian[1][1] = v32;
+        }
+        #[inline(always)]
+        fn drift(&self, prepared: &[R; 4], p: &[R; 2]) -> [R; 2] {
+            let mut drift = <[R; 2] as Array>::zero();
+            drift
+        }
+    }
+    impl<R: Real> FourthOrderField<R> for Turning<R> {
+        type Proof = ();
+        type FourthParameters = [R; 12];
+        type FourthStart = [R; 8];
+        #[inline]
+        fn fourth_parameters(&self, h: R) -> [R; 12] {
+            let (
+                k0,
+                a0,
+                k2,
+                k3,
+                k4,
+                k5,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+            );
+            k0 = R::from_f64(0.16666666666666666);
+            a0 = self.w;
+            k2 = R::from_f64(0.6666666666666666);
+            k3 = R::from_f64(0.125);
+            k4 = R::from_f64(0.08333333333333333);
+            k5 = R::from_f64(0.5);
+            v0 = k0 * a0;
+            v1 = -v0;
+            v2 = k2 * a0;
+            v3 = -v2;
+            v4 = k3 * h;
+            v5 = -a0;
+            v6 = -h;
+            v7 = a0 * a0;
+            v8 = k4 * h;
+            v9 = v8 * v7;
+            v10 = k5 * a0;
+            v11 = -v10;
+            [h, v1, v3, v4, v5, v0, v2, a0, v6, v9, v10, v11]
+        }
+        #[inline(always)]
+        fn fourth_begin(&self, prepared: &[R; 12], t: R, y: &[R; 2]) -> [R; 8] {
+            let (prepared_1, q1, prepared_7, q0, k4, prepared_5, v0, v1, v2, v3, v4, v5);
+            prepared_1 = prepared[1];
+            q1 = y[1];
+            prepared_7 = prepared[7];
+            q0 = y[0];
+            k4 = R::from_f64(2.0);
+            prepared_5 = prepared[5];
+            v0 = prepared_1 * q1;
+            v1 = prepared_7 * q0;
+            v2 = k4 * q0;
+            v3 = k4 * q1;
+            v4 = prepared_5 * q0;
+            v5 = prepared_7 * q1;
+            [v0, q1, v1, q0, v2, v3, v4, v5]
+        }
+        #[inline(always)]
+        fn fourth_slope(
+            &self,
+            prepared: &[R; 12],
+            start: &[R; 8],
+            d: &[R; 2],
+            image: &mut [R; 2],
+            matrix: &mut Square<[R; 2]>,
+        ) {
+            let (
+                start_1,
+                dq1,
+                start_3,
+                dq0,
+                prepared_4,
+                start_2,
+                k6,
+                prepared_3,
+                start_4,
+                start_5,
+                prepared_1,
+                start_0,
+                prepared_2,
+                prepared_7,
+                start_7,
+                prepared_5,
+                start_6,
+                prepared_6,
+                prepared_0,
+                prepared_9,
+                prepared_10,
+                prepared_8,
+                k22,
+                prepared_11,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+                v13,
+                v14,
+                v15,
+                v16,
+                v17,
+                v18,
+                v19,
+                v20,
+                v21,
+                v22,
+                v23,
+                v24,
+                v25,
+                v26,
+                v27,
+                v28,
+                v29,
+                v30,
+                v31,
+                v32,
+                v33,
+                v34,
+                v35,
+                v36,
+                v37,
+                v38,
+                v39,
+                v40,
+                v41,
+                v42,
+                v43,
+            );
+            start_1 = start[1];
+            dq1 = d[1];
+            start_3 = start[3];
+            dq0 = d[0];
+            prepared_4 = prepared[4];
+            start_2 = start[2];
+            k6 = R::from_f64(0.5);
+            prepared_3 = prepared[3];
+            start_4 = start[4];
+            start_5 = start[5];
+            prepared_1 = prepared[1];
+            start_0 = start[0];
+            prepared_2 = prepared[2];
+            prepared_7 = prepared[7];
+            start_7 = start[7];
+            prepared_5 = prepared[5];
+            start_6 = start[6];
+            prepared_6 = prepared[6];
+            prepared_0 = prepared[0];
+            prepared_9 = prepared[9];
+            prepared_10 = prepared[10];
+            prepared_8 = prepared[8];
+            k22 = R::from_f64(1.0);
+            prepared_11 = prepared[11];
+            v0 = start_1 + dq1;
+            v1 = start_3 + dq0;
+            v2 = prepared_4.multiply_add(v1, start_2);
+            v3 = k6.multiply_add(dq1, start_1);
+            v4 = prepared_3.multiply_add(v2, v3);
+            v5 = start_4 + dq0;
+            v6 = v5 * v5;
+            v7 = start_5 + dq1;
+            v8 = v7 * v7;
+            v9 = v6 + v8;
+            v10 = slope::recip_above(v9, v9);
+            v11 = prepared_1.multiply_add(v0, start_0);
+            v12 = prepared_2.multiply_add(v4, v11);
+            v13 = prepared_7 * v0;
+            v14 = v13 - start_7;
+            v15 = k6.multiply_add(dq0, start_3);
+            v16 = prepared_3.multiply_add(v14, v15);
+            v17 = prepared_5.multiply_add(v1, start_6);
+            v18 = prepared_6.multiply_add(v16, v17);
+            v19 = v5 * v12;
+            v20 = v7.multiply_add(v18, v19);
+            v21 = v20 * v10;
+            v22 = -v5;
+            v23 = v22.multiply_add(v21, v12);
+            v24 = prepared_0 * v23;
+            v25 = -v7;
+            v26 = v25.multiply_add(v21, v18);
+            v27 = prepared_0 * v26;
+            v28 = -v20;
+            v29 = v28.multiply_add(v10, prepared_9);
+            v30 = prepared_10.multiply_add(v7, v23);
+            v31 = v5.multiply_add(v29, v30);
+            v32 = v10 * v31;
+            v33 = v22.multiply_add(v32, v29);
+            v34 = prepared_8.multiply_add(v33, k22);
+            v35 = prepared_11.multiply_add(v5, v26);
+            v36 = v7.multiply_add(v29, v35);
+            v37 = v10 * v36;
+            v38 = v22.multiply_add(v37, prepared_11);
+            v39 = prepared_8 * v38;
+            v40 = v25.multiply_add(v32, prepared_10);
+            v41 = prepared_8 * v40;
+            v42 = v25.multiply_add(v37, v29);
+            v43 = prepared_8.multiply_add(v42, k22);
+            image[0] = v24;
+            image[1] = v27;
+            matrix[0][0] = v34;
+            matrix[0][1] = v39;
+            matrix[1][0] = v41;
+            matrix[1][1] = v43;
+        }
+    }
+    impl<R: Real> Collocation<R> for Turning<R> {
+        type Proof = ();
+        type Unknown = [R; 2];
+        type Constants = [R; 2];
+        const DERIVATIVE: usize = 1;
+        #[inline]
+        fn constants(&self) -> [R; 2] {
+            let (a0, v0);
+            a0 = self.w;
+            v0 = -a0;
+            [v0, a0]
+        }
+        #[inline(always)]
+        fn start(z: &[R; 2]) -> ([R; 2], [R; 2]) {
+            (*z, *z)
+        }
+        #[inline(always)]
+        fn velocity(&self, prepared: &[R; 2], p: &[R; 2]) -> [R; 2] {
+            let mut velocity = <[R; 2] as Array>::zero();
+            velocity
+        }
+        #[inline(always)]
+        fn field(
+            &self,
+            prepared: &[R; 2],
+            t: R,
+            y: &[R; 2],
+            f: &mut [R; 2],
+            jacobian: &mut Square<[R; 2]>,
+        ) {
+            let (prepared_0, q1, prepared_1, q0, k4, v0, v1);
+            prepared_0 = prepared[0];
+            q1 = y[1];
+            prepared_1 = prepared[1];
+            q0 = y[0];
+            k4 = R::from_f64(0.0);
+            v0 = prepared_0 * q1;
+            v1 = prepared_1 * q0;
+            f[0] = v0;
+            f[1] = v1;
+            jacobian[0][0] = k4;
+            jacobian[0][1] = prepared_0;
+            jacobian[1][0] = prepared_1;
+            jacobian[1][1] = k4;
+        }
+        #[inline(always)]
+        fn add(&self, prepared: &[R; 2], w: R, f: &[R; 2], y: &mut [R; 2]) {
+            y[0] = w.multiply_add(f[0], y[0]);
+            y[1] = w.multiply_add(f[1], y[1]);
+        }
+        #[inline(always)]
+        fn increments(change: &[R; 2], impulse: &[R; 2]) -> [R; 2] {
+            *change
+        }
+    }
+};
