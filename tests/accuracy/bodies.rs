@@ -166,6 +166,7 @@ fn every_table_of_the_catalogue_has_its_order() {
     catalogue::separable(&mut orders);
     catalogue::quadratic_kinetic(&mut orders);
     catalogue::force_gradient(&mut orders);
+    catalogue::principal_axes(&mut orders);
     assert!(orders.0.is_empty(), "{:#?}", orders.0);
 }
 

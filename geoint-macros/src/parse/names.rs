@@ -8,8 +8,8 @@ use syn::ext::IdentExt;
 pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
-    "BodyState",
     "Autonomous",
+    "BodyState",
     "Collocation",
     "ConformalContact",
     "Conservative",

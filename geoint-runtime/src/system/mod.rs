@@ -105,8 +105,8 @@ pub(crate) fn has_attitudes<S: PhaseSpace<R>, R: Real>() -> bool {
     !S::attitudes(&mut S::Phase::zero()).is_empty()
 }
 
-/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState), or
-/// [`FlowState`](crate::FlowState).
+/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState),
+/// [`FlowState`](crate::FlowState), or [`BodyState`](crate::BodyState).
 pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;
 
 /// A phase space with a momentum beside each position: z = [q, p].
