@@ -166,7 +166,7 @@ pub use method::gauss::{Gauss, ImplicitMidpoint};
 pub use method::kahan::Kahan;
 #[doc(inline)]
 pub use method::splitting::{
-    Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
+    FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
 };
 pub use method::tables::*;
 #[doc(inline)]
@@ -177,23 +177,23 @@ pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
-pub use space::{ContactState, Coordinates, FlowState, State};
+pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
-    ModifiedEnergy, PhaseSpace, Pieces, QuadraticKinetic, Rates, Separable, VectorField,
+    ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
-        Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue,
-        Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
-        hamiltonian, vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
+        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
+        Kahan, MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError,
+        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian,
+        energy_function, hamiltonian, vector_field,
     };
 }
 

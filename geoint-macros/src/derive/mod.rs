@@ -9,9 +9,11 @@ mod system;
 mod implicit;
 mod canonical;
 mod contact;
+mod bodies;
 mod flow;
 pub(crate) mod proof;
 
+pub(crate) use bodies::{Bodies, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};

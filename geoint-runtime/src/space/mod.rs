@@ -1,6 +1,7 @@
 //! Points of phase space: as users write them, as kernels see them, and while they move.
 
 mod array;
+mod body;
 mod coordinates;
 mod double_word;
 mod per_coordinate;
@@ -9,6 +10,8 @@ mod state;
 mod summation;
 
 pub use array::{Array, Square};
+pub use body::{Attitudes, BodyState};
+pub(crate) use body::{normalisation, wrong_length};
 pub use coordinates::Coordinates;
 pub use double_word::DoubleWord;
 pub use per_coordinate::PerCoordinate;
