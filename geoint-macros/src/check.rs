@@ -45,6 +45,24 @@ pub(crate) fn requests(
     errors.or(())
 }
 
+/// Reports the term by which an energy is not that of rigid bodies.
+pub(crate) fn bodies(
+    energy: &Energy,
+    found: std::result::Result<analyze::Bodies, (Id, &'static str)>,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<analyze::Bodies> {
+    found.map_err(|(term, why)| {
+        let mut errors = Diagnostics::default();
+        let span = energy.item.sig.ident.span();
+        // A term may have been put together from several that were written.
+        let place = places.get(&term).copied().unwrap_or((span, span));
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, name).excerpt(term)));
+        errors
+    })
+}
+
 /// Damping that is none.
 fn flaw_of_damping<F: Fn(Symbol) -> String>(
     energy: &Energy,

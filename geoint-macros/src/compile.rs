@@ -12,6 +12,7 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     match energy.form {
         Form::Hamiltonian => hamiltonian(energy),
         Form::Contact => contact_hamiltonian(energy),
+        Form::Bodies => bodies(energy),
         Form::Structured => structured_hamiltonian(energy),
         Form::Field => vector_field(energy),
     }
@@ -84,4 +85,17 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let graph = &*graph;
     let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(r, m, t) of rigid bodies.
+fn bodies(energy: &Energy) -> Result<TokenStream> {
+    let mut lowered = lower::body(energy)?;
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found = analyze::bodies(graph, lowered.energy, energy.degrees() / 4); // T and V, or the term in the way
+    let found = check::bodies(energy, found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::bodies(&context, graph, &found, &system);
+    Ok(emit::items_of_bodies(&context, graph, &system, &report))
 }

@@ -161,6 +161,42 @@ use proc_macro::TokenStream;
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
 ///
+/// # Rigid bodies
+///
+/// `attitude = r` is for energies of rigid bodies: r, a `UnitQuaternion` of nalgebra, turns vectors of the body into vectors of space, and
+/// m is the angular momentum in the frame of the body, a `Vector3`. Arrays of both are several bodies. The state is
+/// `BodyState { t, r, m }`.
+///
+/// ```
+/// use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+/// use geoint_runtime::prelude::*;
+///
+/// /// A heavy body about a fixed point; c is its weight times the centre of mass, in the frame of the body.
+/// #[hamiltonian(attitude = r)]
+/// fn heavy_body(r: UnitQuaternion<f64>, m: Vector3<f64>, inertia: [f64; 3], c: Vector3<f64>) -> f64 {
+///     (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0 + (r * c).z
+/// }
+///
+/// let system = HeavyBody { inertia: [1.0, 2.0, 3.0], c: Vector3::new(0.3, -0.2, 0.7) };
+/// let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.5, 1.6, -1.2));
+/// let mut sim = system.integrator(BlanesMoanSrkn14a, 0.25, start);
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-9);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The equations are r' = ½ r⊗(0, ω) and m' = m × ω + τ with ω = ∂H/∂m and the torque τᵢ = −½ (r⊗eᵢ)·∂H/∂r. The energy has to be
+/// T(m) + V(r, t), with a T that is quadratic in the momentum of each body with constant coefficients; the term that is something else
+/// is named. T may have a full tensor of inertia, and terms linear in m (wheels that spin). A kick adds hτ to m, a drift is the exact flow
+/// of the free body, so that all tables of kicks and drifts have their order: those of Runge–Kutta–Nyström type and with force gradients
+/// too. `FiveRotations` is Verlet's method with rotations about the principal axes in place of the exact flow. Explicit Runge–Kutta
+/// methods, compensated sums and adaptive steps are there as well.
+///
+/// Of an attitude the body may use `r * v`, `r.inverse() * v`, `r * s`, `r / s`, `transform_vector`, `inverse_transform_vector`,
+/// `rotation_to`, `dot`, `imag`, `scalar`, its numbers `r.i`, `r.j`, `r.k`, `r.w`, and `r.coords`. A quaternion whose length is not 1
+/// at the start of a run is refused (`StepError::NotNormalised`); in a run it is normalised once in 1024 steps.
+///
 /// # Another phase space
 ///
 /// `structure = S` is for energies H(x) of coordinates x that are no positions and momenta: x' = S(x) ∇H(x) with a skew matrix S. The

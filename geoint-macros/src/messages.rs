@@ -31,3 +31,12 @@ pub(crate) const DAMPED: &str =
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
                                         order; use a table for every separable energy, such as `BlanesMoan6`";
+
+pub(crate) const BODY_COUPLED: &str = "this term couples attitude and angular momentum; the energy of rigid bodies is T(m) + V(r), \
+                                       with both in the frame of the body";
+
+pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the angular momentum with constant coefficients, so that \
+                                             the drift is not that of a free rigid body";
+
+pub(crate) const BODIES_COUPLED: &str = "this term couples the angular momenta of two bodies, so that the drift is not that of free \
+                                         rigid bodies";

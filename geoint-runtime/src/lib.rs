@@ -22,7 +22,8 @@
 //! ```
 //!
 //! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
-//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems).
+//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), and
+//! [differential equations with first integrals](#vector-fields-and-first-integrals).
 //!
 #![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
 //!
@@ -33,6 +34,8 @@
 #![doc = include_str!("../docs/contact.md")]
 //!
 #![doc = include_str!("../docs/figures/contact_compared.svg")]
+//!
+#![doc = include_str!("../docs/flows.md")]
 //!
 //! # What a method needs
 //!
@@ -163,7 +166,7 @@ pub use method::kahan::Kahan;
 pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
 #[doc(inline)]
 pub use method::splitting::{
-    Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
+    FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
 };
 pub use method::tables::*;
 #[doc(inline)]
@@ -174,23 +177,23 @@ pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
-pub use space::{ContactState, Coordinates, FlowState, State};
+pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
-    ModifiedEnergy, PhaseSpace, Pieces, QuadraticKinetic, Rates, Separable, VectorField,
+    ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FlowState, FourthOrder, Gauss, Gonzalez,
-        Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue,
-        Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State,
-        StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory,
-        contact_hamiltonian, energy_function, hamiltonian, vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
+        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
+        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
+        Kahan, MeanValue, Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4,
+        Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, vector_field,
     };
 }
 

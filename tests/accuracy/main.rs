@@ -11,6 +11,7 @@ mod corrected;
 mod geometry;
 mod discrete_gradients;
 mod mean_value;
+mod bodies;
 mod branches;
 mod clock;
 mod quotients;

@@ -3,7 +3,7 @@
 use super::quadratic::{UNIT, Variable};
 use super::weights::Weight;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
-use crate::parse::Shape;
+use crate::parse::{Leaf, Shape};
 
 /// A linear or quadratic function of the state.
 pub(super) struct Generator {
@@ -87,7 +87,9 @@ pub(super) fn name(coordinates: &Shape, summands: &[Summand<'_>]) -> String {
             None => "total momentum".into(),
         },
         // The entries of a plain array may be points of a line.
-        Kind::Momentum(_) if total && summands.len() == n && !coordinates.vector => "total momentum".into(),
+        Kind::Momentum(_) if total && summands.len() == n && coordinates.leaf != Leaf::Vector => {
+            "total momentum".into()
+        }
         Kind::Momentum(_) => "momentum".into(),
         Kind::Position => "position".into(),
     }

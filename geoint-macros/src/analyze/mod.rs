@@ -5,6 +5,7 @@ mod degree;
 mod dependence;
 mod terms;
 mod separable;
+mod bodies;
 mod leaves;
 mod quadratic;
 mod equations;
@@ -19,6 +20,7 @@ mod identity;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
+pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};

@@ -9,10 +9,12 @@ mod system;
 mod implicit;
 mod canonical;
 mod contact;
+mod bodies;
 mod flow;
 mod parts;
 pub(crate) mod proof;
 
+pub(crate) use bodies::{Bodies, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};

@@ -203,7 +203,7 @@ impl System {
 }
 
 impl<K> FlowKernel<K> {
-    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> FlowKernel<L> {
+    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> FlowKernel<L> {
         FlowKernel { changes: self.changes, kernel: of(self.kernel) }
     }
 }

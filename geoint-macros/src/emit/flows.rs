@@ -64,17 +64,21 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
     }
 }
 
-fn slots(flow: &FlowKernel<Plan>) -> Literal {
+pub(super) fn slots(flow: &FlowKernel<Plan>) -> Literal {
     Literal::usize_unsuffixed(flow.kernel.slots[0])
 }
 
 /// The type of what is prepared for a flow, the function that prepares it, and the flow.
-fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (TokenStream, TokenStream, TokenStream) {
+pub(super) fn flow(
+    context: &Context<'_>,
+    name: &str,
+    flow_kernel: &FlowKernel<Plan>,
+) -> (TokenStream, TokenStream, TokenStream) {
     let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
     let (slots, prepare, body) =
         (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
-        Form::Hamiltonian | Form::Structured | Form::Field => quote!(_: &mut ()),
+        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(_: &mut ()),
         Form::Contact => quote!(s: &mut R),
     };
     let prepare = quote! {

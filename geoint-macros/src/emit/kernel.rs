@@ -77,7 +77,7 @@ impl<'a> Context<'a> {
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
         match self.energy.form {
-            Form::Hamiltonian | Form::Structured | Form::Field => quote!(()),
+            Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(()),
             Form::Contact => quote!(R),
         }
     }
@@ -159,6 +159,11 @@ impl<'a> Context<'a> {
             let argument = self.energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
             argument.map_or_else(String::new, |a| indexed(a.name.to_string(), &a.shape, i as usize))
         };
+        if self.energy.form == Form::Bodies
+            && let Some(name) = self.body_name(symbol)
+        {
+            return name;
+        }
         match symbol {
             Symbol::Q(i) => of_role(Role::Position, i),
             Symbol::P(i) => of_role(Role::Momentum, i),
@@ -180,6 +185,18 @@ impl<'a> Context<'a> {
                 self.constants[rest].to_string().replace(' ', "")
             }
         }
+    }
+
+    /// What users call a number of an attitude, or of an angular momentum.
+    fn body_name(&self, symbol: Symbol) -> Option<String> {
+        let (role, index, numbers) = match symbol {
+            Symbol::Q(i) => (Role::Attitude, i, ["i", "j", "k", "w"]),
+            Symbol::P(i) => (Role::AngularMomentum, i, ["x", "y", "z", ""]),
+            _ => return None,
+        };
+        let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;
+        let body = if argument.shape.extents.len() == 1 { String::new() } else { format!("[{}]", index / 4) };
+        Some(format!("{}{body}.{}", argument.name, numbers[index as usize % 4]))
     }
 
     /// What a symbol is called where `unknowns` are in the array `increment` or `y`.

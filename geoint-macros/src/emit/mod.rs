@@ -4,6 +4,7 @@
 //! user's own signature names.
 
 mod attributes;
+mod bodies;
 mod damping;
 mod domain;
 mod flow;
@@ -17,9 +18,9 @@ mod steps;
 mod straight_line;
 mod system;
 
-use crate::derive::{Implicit, System};
+use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, IMPORTED};
+use crate::parse::{Energy, Form, IMPORTED};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -54,7 +55,9 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
 
 /// Everything that is emitted beside the user's function, of any form.
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, system, report);
+    let form = context.energy.form;
+    let flow = form.is_flow().then(|| flow::inherent(context, system));
+    let inherent = system::inherent(context, (system.value.is_some() || form == Form::Contact, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
@@ -73,6 +76,13 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
     around(context, report, &quote!(#inherent #space #integrals #(#pieces)* #flows #modified #implicit))
+}
+
+/// The same of rigid bodies.
+pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
+    let inherent = system::inherent(context, (true, None), report);
+    let bodies = bodies::bodies(context, graph, found);
+    around(context, report, &quote!(#inherent #bodies))
 }
 
 /// The struct with its docs, and implementations, in a scope of their own.

@@ -2,11 +2,10 @@
 
 use super::attributes;
 use super::domain::domain;
-use super::flow;
 use super::kernel::{Context, write};
 use crate::derive::{Modified, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, Form, over_scalar};
+use crate::parse::{Energy, Form, Leaf, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
@@ -27,25 +26,40 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
             quote!(#[doc = #doc] pub #name: #ty)
         })
         .collect();
+    // Quaternions are compared for scalars alone, which a derived comparison does not ask for.
+    let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
+        let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
+        quote! {
+            impl<R: #runtime::private::Real> ::core::cmp::PartialEq for #name<R> {
+                fn eq(&self, other: &Self) -> bool {
+                    #(self.#fields == other.#fields)&&*
+                }
+            }
+        }
+    });
+    let equal = compared.is_none().then(|| quote!(, ::core::cmp::PartialEq));
     // Numbers are equal to numbers, but not all of them to themselves.
     let derives = quote! {
         #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug, ::core::cmp::PartialEq)]
+        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug #equal)]
     };
     if fields.is_empty() {
         quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
     } else {
-        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* })
+        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* } #compared)
     }
 }
 
 /// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
 /// open.
-pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>, report: &str) -> TokenStream {
+pub(super) fn inherent(
+    context: &Context<'_>,
+    (energy, flow): (bool, Option<TokenStream>),
+    report: &str,
+) -> TokenStream {
     let Energy { name, float, coordinates, form, .. } = context.energy;
     let coordinates = &coordinates.ty;
     let state = state(*form);
-    let energy = system.value.is_some() || *form == Form::Contact;
     let energy = energy.then(|| {
         quote! {
             /// The energy of a state.
@@ -54,7 +68,6 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>, report: &st
             }
         }
     });
-    let flow = form.is_flow().then(|| flow::inherent(context, system));
     quote! {
         impl #name {
             /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
@@ -95,6 +108,7 @@ pub(super) fn inherent(context: &Context<'_>, system: &System<Plan>, report: &st
 fn state(form: Form) -> TokenStream {
     match form {
         Form::Hamiltonian => quote!(State),
+        Form::Bodies => quote!(BodyState),
         Form::Contact => quote!(ContactState),
         Form::Structured | Form::Field => quote!(FlowState),
     }
@@ -204,7 +218,7 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
 }
 
 /// `slopes[0][i] = …; slopes[1][i] = …;`, and `*ds = …;` if there is one more value.
-fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
+pub(super) fn halves(context: &Context<'_>, values: &[TokenStream]) -> TokenStream {
     let places = context.coordinates();
     let (q, rest) = values.split_at(places.len());
     let (p, s) = rest.split_at(places.len());

@@ -9,7 +9,7 @@ use syn::BinOp;
 
 impl Lowering {
     pub(super) fn arithmetic(&mut self, syntax: &impl ToTokens, op: &BinOp, left: Value, right: Value) -> Value {
-        use Value::{Integer, Iterator, List, Opaque, Poison, Real, Truth, Tuple, Vector};
+        use Value::{Integer, Iterator, List, Opaque, Poison, Quaternion, Real, Truth, Tuple, Vector};
         match (left, right) {
             (Poison, _) | (_, Poison) => Poison,
             (Integer(a), Integer(b)) => self.integers(syntax, op, a, b),
@@ -32,6 +32,15 @@ impl Lowering {
                 let a = self.real(syntax, a);
                 Vector(b.iter().map(|b| self.graph.mul(a, *b)).collect())
             }
+            (Quaternion(r), Vector(v)) if v.len() == 3 && matches!(op, BinOp::Mul(_)) => {
+                Vector(self.rotated(&r, &[v[0], v[1], v[2]]).to_vec())
+            }
+            (Quaternion(a), Quaternion(b)) if matches!(op, BinOp::Mul(_)) => Quaternion(self.product(&a, &b)),
+            (Quaternion(a), Quaternion(b)) if matches!(op, BinOp::Div(_)) => {
+                let b = self.conjugate(&b);
+                Quaternion(self.product(&a, &b))
+            }
+            (Quaternion(_), _) | (_, Quaternion(_)) => self.refuse(syntax, super::quaternion::OPERATORS),
             // Whether these are integers is known to rustc alone, so that it has to do what they decide.
             (Opaque(a), Opaque(b)) if is_arithmetic(op) => Opaque(quote!((#a #op #b))),
             (Opaque(a), Integer(b)) if is_arithmetic(op) => {

@@ -3,7 +3,7 @@
 use super::language::{EXPRESSIONS, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
 use super::scope::{Found, Item};
 use super::value::{Callable, Value, axis};
-use super::{Lowering, constants};
+use super::{Lowering, constants, quaternion};
 use crate::ir::Number;
 use quote::{ToTokens, quote};
 use std::rc::Rc;
@@ -219,6 +219,10 @@ impl Lowering {
             (Member::Named(name), Value::Vector(ids)) => match axis(name).and_then(|i| ids.get(i)) {
                 Some(id) => Value::Real(*id),
                 None => self.refuse(&field.member, format!("a vector of length {} has no such component", ids.len())),
+            },
+            (Member::Named(name), Value::Quaternion(ids)) => match self.field_of_quaternion(name, &ids) {
+                Some(value) => value,
+                None => self.refuse(&field.member, quaternion::FIELDS),
             },
             (Member::Unnamed(index), Value::Tuple(items)) => match items.into_iter().nth(index.index as usize) {
                 Some(value) => value,

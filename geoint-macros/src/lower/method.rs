@@ -35,6 +35,7 @@ impl Lowering {
                 self.method_of_real(&call.method, &name, id, arguments)
             }
             Value::Vector(ids) => self.method_of_vector(call, &name, ids, arguments),
+            Value::Quaternion(ids) => self.method_of_quaternion(call, &name, &ids, &arguments),
             Value::List(items) => self.method_of_array(call, &name, &items, &arguments),
             Value::Iterator(items) => self.method_of_iterator(call, &name, &items, &arguments),
             Value::Integer(n) => match (name.as_str(), &arguments[..]) {
@@ -287,7 +288,7 @@ fn is_opaque(arguments: &[Value]) -> bool {
     arguments.iter().all(|value| matches!(value, Value::Opaque(_) | Value::Integer(_)))
 }
 
-fn dot(graph: &mut crate::ir::Graph, a: &[Id], b: &[Id]) -> Id {
+pub(super) fn dot(graph: &mut crate::ir::Graph, a: &[Id], b: &[Id]) -> Id {
     let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
     graph.sum(&products)
 }

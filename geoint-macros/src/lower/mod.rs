@@ -14,6 +14,7 @@ mod flow;
 mod language;
 mod loops;
 mod method;
+mod quaternion;
 mod scope;
 mod statement;
 mod unseen;

@@ -2,7 +2,7 @@
 
 use super::scope::Scopes;
 use crate::ir::Id;
-use crate::parse::Shape;
+use crate::parse::{Leaf, Shape};
 use proc_macro2::TokenStream;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -18,6 +18,8 @@ pub(super) enum Value {
     Truth(Id),
     /// A column vector of nalgebra.
     Vector(Vec<Id>),
+    /// A unit quaternion of nalgebra: i, j, k, w.
+    Quaternion([Id; 4]),
     /// An array.
     List(Rc<Vec<Value>>),
     /// A range, or an iterator over something.
@@ -78,6 +80,7 @@ impl Value {
             Value::Integer(_) => "an integer (write `2.0` for a number)",
             Value::Truth(_) => "a condition",
             Value::Vector(_) => "a vector",
+            Value::Quaternion(_) => "an attitude",
             Value::List(_) => "an array",
             Value::Iterator(_) => "an iterator",
             Value::Tuple(items) if items.is_empty() => "nothing: the last expression must be a value",
@@ -105,10 +108,11 @@ impl Value {
 pub(super) fn shaped(shape: &Shape, ids: &[Id]) -> Value {
     match shape.extents[..] {
         [] => Value::Real(ids[0]),
-        [_] if shape.vector => Value::Vector(ids.to_vec()),
+        [_] if shape.leaf == Leaf::Vector => Value::Vector(ids.to_vec()),
+        [4] if shape.leaf == Leaf::Quaternion => Value::Quaternion([ids[0], ids[1], ids[2], ids[3]]),
         [_] => Value::list(ids.iter().map(|id| Value::Real(*id)).collect()),
         [_, ref inner @ ..] => {
-            let inner = Shape { extents: inner.to_vec(), vector: shape.vector };
+            let inner = Shape { extents: inner.to_vec(), leaf: shape.leaf };
             Value::list(ids.chunks(inner.len()).map(|chunk| shaped(&inner, chunk)).collect())
         }
     }

@@ -1,7 +1,7 @@
 //! Arguments: who is q, p, s and t, and who is a parameter.
 
 use super::options::Options;
-use super::shape::{plain, shape};
+use super::shape::{Leaf, Shape, plain, shape};
 use super::{Argument, Form, Role};
 use crate::diagnostics::Diagnostics;
 use proc_macro2::{Ident, TokenStream, TokenTree};
@@ -146,8 +146,14 @@ fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
 type Default = (Role, &'static str, &'static str);
 
 fn defaults(form: Form) -> &'static [Default] {
-    if form.is_flow() { &OF_FLOWS } else { &OF_ENERGIES }
+    match form {
+        Form::Bodies => &OF_BODIES,
+        Form::Structured | Form::Field => &OF_FLOWS,
+        Form::Hamiltonian | Form::Contact => &OF_ENERGIES,
+    }
 }
+
+const OF_BODIES: [Default; 2] = [(Role::AngularMomentum, "m", "the angular momenta"), (Role::Time, "t", "time")];
 
 const OF_ENERGIES: [Default; 4] = [
     (Role::Position, "q", "the positions"),
@@ -222,6 +228,9 @@ pub(super) fn coordinates(
         }
         found
     };
+    if form == Form::Bodies {
+        return body(item, arguments, errors);
+    }
     if form.is_flow() {
         return find(Role::Position, "x", &|errors| {
             let message = match form {
@@ -253,6 +262,16 @@ pub(super) fn coordinates(
         });
     }
     let (q, p) = (q?, p?);
+    if q.shape.leaf == Leaf::Quaternion {
+        errors.at(
+            &q.ty,
+            format!(
+                "`{}` is the attitude of a rigid body: say so, `attitude = {}`, and call its angular momentum `m`",
+                q.name, q.name
+            ),
+        );
+        return None;
+    }
     if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
         errors.at(
             &p.ty,
@@ -266,3 +285,35 @@ pub(super) fn coordinates(
     }
     Some(q)
 }
+
+/// Attitudes as quaternions, one row a body, if angular momenta go with them.
+fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
+    let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
+    let r = find(Role::Attitude)?;
+    let Some(m) = find(Role::AngularMomentum) else {
+        errors.at(&item.sig.ident, ANGULAR_MOMENTUM);
+        return None;
+    };
+    if r.shape.leaf != Leaf::Quaternion {
+        errors.at(&r.ty, ATTITUDE);
+        return None;
+    }
+    let bodies = r.shape.len() / 4;
+    let momenta = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
+    if m.shape != momenta {
+        let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
+        let ty = match r.shape.extents.len() {
+            1 => format!("Vector3<{scalar}>"),
+            _ => format!("[Vector3<{scalar}>; {bodies}]"),
+        };
+        errors.at(&m.ty, format!("`{}` must be `{ty}`: the angular momentum of each body, in its own frame", m.name));
+        return None;
+    }
+    Some(Argument { shape: Shape { extents: vec![bodies, 4], leaf: Leaf::Quaternion }, ..r.clone() })
+}
+
+const ATTITUDE: &str =
+    "an attitude is `UnitQuaternion<f64>`, or an array of them: what turns vectors of a body into vectors of space";
+
+const ANGULAR_MOMENTUM: &str =
+    "the angular momentum is missing: call an argument `m`, or name one with `m = …`; it is in the frame of the body";

@@ -15,7 +15,7 @@ pub(crate) use function::{Function, Source, energy_function, function_options, p
 pub(crate) use names::IMPORTED;
 pub(crate) use options::Requirement;
 pub(crate) use outside::Outside;
-pub(crate) use shape::{Shape, over_scalar};
+pub(crate) use shape::{Leaf, Shape, over_scalar};
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::Symbol;
@@ -33,6 +33,8 @@ use syn::{Attribute, Expr, ItemFn, Path, Type};
 pub(crate) enum Form {
     Hamiltonian,
     Contact,
+    /// H(r, m, t) of rigid bodies: attitudes and angular momenta.
+    Bodies,
     /// H(x, t) with a structure S: x' = S(x) ∇H.
     Structured,
     /// f(x, t): x' = f.
@@ -43,7 +45,7 @@ impl Form {
     /// The name of the attribute.
     pub(crate) fn attribute(self) -> &'static str {
         match self {
-            Form::Hamiltonian | Form::Structured => "hamiltonian",
+            Form::Hamiltonian | Form::Structured | Form::Bodies => "hamiltonian",
             Form::Contact => "contact_hamiltonian",
             Form::Field => "vector_field",
         }
@@ -101,6 +103,10 @@ pub(crate) enum Role {
     Action,
     Time,
     Parameter,
+    /// The attitude of rigid bodies.
+    Attitude,
+    /// Their angular momenta.
+    AngularMomentum,
 }
 
 /// An argument with its name and type.
@@ -140,7 +146,9 @@ impl Energy {
         let before: usize =
             self.parameters().take_while(|other| other.name != argument.name).map(|other| other.shape.len()).sum();
         let symbol = |i: usize| match role {
-            Role::Position => Symbol::Q(i as u32),
+            Role::Position | Role::Attitude => Symbol::Q(i as u32),
+            // A pure quaternion.
+            Role::AngularMomentum => Symbol::P((4 * (i / 3) + i % 3) as u32),
             Role::Momentum => Symbol::P(i as u32),
             Role::Action => Symbol::S,
             Role::Time => Symbol::T,
@@ -174,7 +182,13 @@ pub(crate) fn nesting(item: &TokenStream) -> Result<()> {
 /// Reads the attribute's arguments and the signature.
 pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Energy> {
     let options = (|input: ParseStream<'_>| Options::parse(Some(form), input)).parse2(args)?;
-    let form = if options.structure.is_some() { Form::Structured } else { form };
+    let form = if options.structure.is_some() {
+        Form::Structured
+    } else if options.roles.iter().any(|(role, _)| *role == Role::Attitude) {
+        Form::Bodies
+    } else {
+        form
+    };
     let mut errors = Diagnostics::default();
     plain_function(form, &item, &options.outside, &mut errors);
     // What follows from a parameter of the signature is not a mistake of its own.

@@ -8,6 +8,7 @@ use syn::Token;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
+use syn::spanned::Spanned;
 
 /// What the arguments say.
 #[derive(Default)]
@@ -26,7 +27,7 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `structure = S` with `x = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -102,7 +103,7 @@ impl Options {
                     return Err(syn::Error::new_spanned(key, message));
                 }
                 "keeps" if field => options.keeps = flow::keeps(input)?,
-                name @ ("name" | "q" | "p" | "s" | "t" | "x") if system && takes(form, name) => {
+                name @ ("name" | "q" | "p" | "s" | "t" | "x" | "attitude" | "m") if system && takes(form, name) => {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
@@ -110,12 +111,14 @@ impl Options {
                         "q" | "x" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
                         "s" => options.roles.push((Role::Action, value)),
+                        "attitude" => options.roles.push((Role::Attitude, value)),
+                        "m" => options.roles.push((Role::AngularMomentum, value)),
                         _ => options.roles.push((Role::Time, value)),
                     }
                 }
                 _ => {
                     let message = match form {
-                        Some(Form::Hamiltonian | Form::Structured) => HAMILTONIAN,
+                        Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         Some(Form::Field) => FIELD,
                         None => FUNCTION,
@@ -130,16 +133,25 @@ impl Options {
         options.consistent()
     }
 
-    /// With a structure there are neither momenta nor a kinetic part.
+    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, in place of
+    /// positions and momenta, and are not damped.
     fn consistent(self) -> syn::Result<Self> {
-        if self.structure.is_none() {
-            return Ok(self);
-        }
-        let momenta = self.roles.iter().find(|(role, _)| *role == Role::Momentum).map(|(_, name)| name.span());
-        match momenta.or_else(|| self.requirements.first().map(|(_, span)| *span)) {
-            Some(span) => Err(syn::Error::new(span, "with `structure` there are no momenta: the state is `x` alone")),
-            None => Ok(self),
-        }
+        let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
+        let required = self.requirements.first().map(|(_, span)| *span);
+        let damped = self.damping.as_ref().map(Spanned::span);
+        let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
+        let wrong = match (&self.structure, attitude) {
+            (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
+            (Some(_), None) => role(Role::Momentum).or(required).map(|span| (span, NO_MOMENTA)),
+            (None, None) => m.map(|m| (m, WITHOUT_ATTITUDE)),
+            (None, Some(_)) => {
+                let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
+                let damped = damped.map(|span| (span, DAMPED_BODY));
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(position)
+            }
+        };
+        wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
+        Ok(self)
     }
 }
 
@@ -149,9 +161,25 @@ fn takes(form: Option<Form>, name: &str) -> bool {
         "q" | "p" => form != Some(Form::Field),
         "s" => form == Some(Form::Contact),
         "x" => form != Some(Form::Contact),
+        "attitude" | "m" => form == Some(Form::Hamiltonian),
         _ => true,
     }
 }
+
+const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
+
+const BODY_WITH_STRUCTURE: &str =
+    "with `attitude` the state is that of rigid bodies, whose structure is known: leave `structure` out";
+
+const WITHOUT_ATTITUDE: &str =
+    "`m = …` names the angular momentum of a rigid body: say which argument is its attitude, `attitude = …`";
+
+const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energies of `q` and `p`";
+
+const ALWAYS_SEPARABLE: &str =
+    "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
+
+const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {

@@ -8,8 +8,19 @@ use syn::{Expr, ExprLit, GenericArgument, Lit, Path, PathArguments, Type};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Shape {
     pub(crate) extents: Vec<usize>,
-    /// Whether the innermost level is a vector of nalgebra.
-    pub(crate) vector: bool,
+    /// What the innermost level is.
+    pub(crate) leaf: Leaf,
+}
+
+/// The innermost level of a type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Leaf {
+    /// A number, or an array of numbers.
+    Plain,
+    /// A vector of nalgebra.
+    Vector,
+    /// A unit quaternion of nalgebra: i, j, k, w.
+    Quaternion,
 }
 
 impl Shape {
@@ -32,7 +43,7 @@ impl Shape {
 }
 
 const TYPES: &str = "`f64`, `f32`, `[f64; N]`, `[[f64; D]; N]`, vectors of nalgebra such as `Vector3<f64>` or \
-                     `SVector<f64, 4>`, and arrays of them";
+                     `SVector<f64, 4>`, attitudes `UnitQuaternion<f64>`, and arrays of them";
 
 const INTEGERS: [&str; 12] = ["u8", "u16", "u32", "u64", "u128", "usize", "i8", "i16", "i32", "i64", "i128", "isize"];
 
@@ -60,10 +71,11 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                 if other != *float {
                     return refuse(ty, format!("all numbers of an energy have one type, here `{float}`"));
                 }
-                return Ok(Shape { extents: vec![], vector: false });
+                return Ok(Shape { extents: vec![], leaf: Leaf::Plain });
             }
             match vector(path, float)? {
-                Some(extent) => Ok(Shape { extents: vec![extent], vector: true }),
+                Some(extent) => Ok(Shape { extents: vec![extent], leaf: Leaf::Vector }),
+                None if is_quaternion(path, float) => Ok(Shape { extents: vec![4], leaf: Leaf::Quaternion }),
                 None if INTEGERS.iter().any(|integer| path.path.is_ident(integer)) => refuse(
                     ty,
                     "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
@@ -90,6 +102,18 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
         Type::Reference(_) => refuse(ty, format!("arguments are taken by value; an argument may be {TYPES}")),
         _ => refuse(ty, format!("an argument may be {TYPES}")),
     }
+}
+
+/// Whether a type is a unit quaternion of nalgebra.
+fn is_quaternion(path: &syn::TypePath, float: &Ident) -> bool {
+    path.path.segments.last().is_some_and(|last| {
+        let PathArguments::AngleBracketed(arguments) = &last.arguments else { return false };
+        let scalar = match arguments.args.first() {
+            Some(GenericArgument::Type(ty)) => float_type(ty),
+            _ => None,
+        };
+        last.ident == "UnitQuaternion" && scalar.as_ref() == Some(float)
+    })
 }
 
 /// The length of a vector of nalgebra.

@@ -136,8 +136,8 @@ fn statements_mean_what_the_graph_means() {
 /// Everything that is derived for the iterations of implicit steps.
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
-        Form::Hamiltonian | Form::Structured | Form::Field => {
-            let shape = parse::Shape { extents: vec![], vector: false };
+        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => {
+            let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
             let structure = crate::analyze::structure(graph, energy, &shape);
             let gradient = diff::gradient(graph, energy, 1);
             vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]

@@ -45,12 +45,12 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
-use crate::method::splitting::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
+use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
     Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace, Pieces,
-    QuadraticField, QuadraticKinetic, Separable,
+    PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -94,6 +94,11 @@ pub fn quadratic_kinetic<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Vis
 pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
     show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
+}
+
+/// The method for rigid bodies in their principal axes, beside those of [`separable`] and the two that follow it.
+pub fn principal_axes<S: PrincipalAxes<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: FiveRotations);
 }
 
 /// The method that keeps the energy, or takes away what damping does.

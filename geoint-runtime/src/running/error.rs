@@ -18,6 +18,13 @@ pub enum StepError {
         /// Time of the state.
         t: f64,
     },
+    /// A quaternion of the state given to the integrator is not of length one: no attitude.
+    NotNormalised {
+        /// Time of the state.
+        t: f64,
+        /// The length.
+        length: f64,
+    },
     /// A step led from a finite state to one that is not finite.
     NonFinite {
         /// Time of the last good state.
@@ -145,6 +152,9 @@ impl fmt::Display for StepError {
             }
             StepError::NonFiniteState { t } => {
                 write!(f, "the state at t = {t} has an entry that is not finite")
+            }
+            StepError::NotNormalised { t, length } => {
+                write!(f, "the state at t = {t} has a quaternion of length {length}; an attitude is one of length 1")
             }
             StepError::NonFinite { t } => {
                 write!(f, "the step from t = {t} leads to a state that is not finite; try a smaller step")

@@ -1,6 +1,8 @@
 //! Points of phase space: as users write them, as kernels see them, and while they move.
 
 mod array;
+mod body;
+mod coordinates;
 mod double_word;
 mod per_coordinate;
 mod point;
@@ -8,10 +10,13 @@ mod state;
 mod summation;
 
 pub use array::{Array, Square};
+pub use body::{Attitudes, BodyState};
+pub(crate) use body::{normalisation, wrong_length};
+pub use coordinates::Coordinates;
 pub use double_word::DoubleWord;
 pub use per_coordinate::PerCoordinate;
 pub use point::Point;
 pub(crate) use point::add_action;
-pub use state::{Action, ContactState, Coordinates, FlowState, Snapshot, State};
+pub use state::{Action, ContactState, FlowState, Snapshot, State};
 pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};

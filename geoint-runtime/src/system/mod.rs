@@ -3,6 +3,7 @@
 //! Each trait is a proven property. A method asks for the traits that it needs, so using it on a system without the
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
+mod bodies;
 mod contact;
 mod implicit;
 mod integrals;
@@ -11,6 +12,7 @@ mod poles;
 mod separable;
 mod rates;
 
+pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField};
@@ -75,6 +77,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         true
     }
 
+    /// The unit quaternions among the coordinates: their length is 1 at the start of a run, and is made so again once in 1024 steps.
+    #[inline(always)]
+    fn attitudes(_z: &mut Self::Phase) -> &mut [[R; 4]] {
+        &mut []
+    }
+
     /// 1 where a condition of H holds and −1 where it does not, and what H jumps by there, in any scalar.
     fn jump<T: Real>(&self, _jump: usize, _lift: impl Fn(R) -> T, _t: T, _z: &[T], _s: T) -> [T; 2] {
         [T::from_f64(1.0); 2]
@@ -91,8 +99,14 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     }
 }
 
-/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState), or
-/// [`FlowState`](crate::FlowState).
+/// Whether there are unit quaternions among the coordinates.
+#[inline(always)]
+pub(crate) fn has_attitudes<S: PhaseSpace<R>, R: Real>() -> bool {
+    !S::attitudes(&mut S::Phase::zero()).is_empty()
+}
+
+/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState),
+/// [`FlowState`](crate::FlowState), or [`BodyState`](crate::BodyState).
 pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;
 
 /// A phase space with a momentum beside each position: z = [q, p].

@@ -1,11 +1,13 @@
 //! What was found, in words: the text behind `REPORT` and the docs of the generated struct.
 
+mod bodies;
 mod canonical;
 mod contact;
 mod pieces;
 mod flow;
 
 use crate::schedule::Operations;
+pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use flow::{Source, flow};

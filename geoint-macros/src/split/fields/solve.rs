@@ -28,9 +28,12 @@ pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     })
 }
 
+/// Coordinates that move, each with its velocity.
+type Rates = Vec<(Symbol, Id)>;
+
 /// The coordinates that move, in sets that do not read each other.
-fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Vec<(Symbol, Id)>> {
-    let mut sets: Vec<(BTreeSet<u32>, Vec<(Symbol, Id)>)> = vec![];
+fn blocks(graph: &Graph, rates: &[(Symbol, Id)]) -> Vec<Rates> {
+    let mut sets: Vec<(BTreeSet<u32>, Rates)> = vec![];
     let moving: BTreeSet<u32> = rates.iter().filter_map(|(symbol, _)| index(*symbol)).collect();
     for (symbol, rate) in rates {
         let mut members: BTreeSet<u32> = &read(graph, *rate) & &moving;

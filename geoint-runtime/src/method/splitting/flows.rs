@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::sealed::Sealed;
 use crate::space::{Action, Array, PerCoordinate, Summation, add_action};
-use crate::system::{Cotangent, ForceGradient, PhaseSpace, QuadraticKinetic, Separable};
+use crate::system::{Cotangent, ForceGradient, PhaseSpace, PrincipalAxes, QuadraticKinetic, Separable};
 use core::fmt::Debug;
 use core::marker::PhantomData;
 
@@ -221,13 +221,31 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
             let Moving { system, q, p, s, .. } = self;
             let mut unread = *s;
             system.drift(flow, t, q, p, if C::ACTION { s } else { &mut unread });
-        } else if S::Action::LEN == 0 {
+        } else if S::Action::LEN == 0 && S::DRIFTS_SHIFT {
             let Moving { system, q, p, s, sums, .. } = self;
             sums.add_part(0, q, |q| system.drift(flow, t, q, p, s));
         } else {
             let d = self.system.drift_increments(flow, t, &self.coordinates());
             self.add(&d);
         }
+    }
+
+    /// Rotations of rigid bodies about their axes, in place of a drift.
+    #[inline(always)]
+    pub(super) fn rotate(self, flow: &S::Drift)
+    where
+        S: PrincipalAxes<R>,
+    {
+        if C::PLAIN {
+            return self.system.rotate(flow, self.q, self.p);
+        }
+        // A rotation is no sum: what it adds is the difference.
+        let mut d = self.coordinates();
+        let [q, p] = &mut d.z;
+        self.system.rotate(flow, q, p);
+        q.add_scaled(R::from_f64(-1.0), self.q);
+        p.add_scaled(R::from_f64(-1.0), self.p);
+        self.add(&d);
     }
 
     #[inline(always)]

@@ -34,6 +34,7 @@ mod driver;
 mod field;
 mod flows;
 mod nystrom;
+mod rotations;
 mod table;
 mod verlet;
 
@@ -41,6 +42,7 @@ pub use driver::{LastKick, Sequence};
 pub use field::{gradient_kick, modified_verlet};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
 pub use nystrom::Nystrom;
+pub use rotations::{FiveRotations, KickAndRotations};
 pub use table::{Flow, Splitting};
 pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 

@@ -69,7 +69,7 @@ impl<const K: usize, F> Splitting<K, KickFirst<F>> {
     /// When the program is compiled, if the table is a constant: if K is 0, if kicks and drifts do not alternate, or if the
     /// fractions of either do not add up to 1.
     pub const fn new<const N: usize>(order: u32, flows: [Flow; N]) -> Self {
-        Self::of_fractions(order, alternating(true, flows))
+        Self::of_flows(order, true, flows)
     }
 }
 
@@ -82,11 +82,16 @@ impl<const K: usize, F> Splitting<K, DriftFirst<F>> {
     /// When the program is compiled, if the table is a constant: if K is 0, if drifts and kicks do not alternate, or if the
     /// fractions of either do not add up to 1.
     pub const fn new<const N: usize>(order: u32, flows: [Flow; N]) -> Self {
-        Self::of_fractions(order, alternating(false, flows))
+        Self::of_flows(order, false, flows)
     }
 }
 
 impl<const K: usize, O> Splitting<K, O> {
+    /// A table by its flows.
+    pub(super) const fn of_flows<const N: usize>(order: u32, kick_first: bool, flows: [Flow; N]) -> Self {
+        Self::of_fractions(order, alternating(kick_first, flows))
+    }
+
     const fn of_fractions<const N: usize>(order: u32, fractions: [f64; N]) -> Self {
         assert!(K >= 1, "a splitting has at least one inner flow");
         assert!(N == 2 * K || N == 2 * K + 1, "a table has K outer and K inner flows, and perhaps a last outer one");

@@ -3,12 +3,13 @@
 use super::attempt::{Attempt, Carried, Prepared};
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
+use crate::running::integrator::STEPS_BETWEEN_LOOKS;
 use crate::running::step_size::{Bounds, Controller};
 use crate::running::tolerance::Tolerance;
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{DoubleWord, PerCoordinate};
-use crate::system::{PhaseSpace, Rates};
+use crate::space::{DoubleWord, PerCoordinate, normalisation, wrong_length};
+use crate::system::{PhaseSpace, Rates, has_attitudes};
 
 /// A system under a method, and all that decides on the next step.
 #[derive(Clone)]
@@ -129,6 +130,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.taken += 1;
+            if has_attitudes::<S, R>() && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+                self.x.add(&normalisation::<S, R>(&self.x.z));
+            }
             return Ok(());
         }
     }
@@ -145,6 +149,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
+        if let (0, Some(length)) = (self.taken, wrong_length::<S, R>(&self.x.z)) {
+            return Err(StepError::NotNormalised { t, length });
+        }
         match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             Some(what) if self.taken == 0 => Err(StepError::OutsideDomain { t, what }),
             _ => Ok(()),

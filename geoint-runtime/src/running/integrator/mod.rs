@@ -11,6 +11,7 @@ use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
 use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
+pub(super) use steps::STEPS_BETWEEN_LOOKS;
 use steps::Steps;
 
 /// A system under a method with a step size: a plain value, no borrow, no allocation.

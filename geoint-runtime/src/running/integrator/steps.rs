@@ -4,12 +4,12 @@ use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
 use crate::running::error::StepError;
 use crate::running::watch::{Found, Watch};
 use crate::scalar::{Real, signed};
-use crate::space::{Point, Summation};
-use crate::system::{PhaseSpace, singular_time};
+use crate::space::{Point, Summation, normalisation, wrong_length};
+use crate::system::{PhaseSpace, has_attitudes, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
-const STEPS_BETWEEN_LOOKS: u64 = 1024;
+pub(in crate::running) const STEPS_BETWEEN_LOOKS: u64 = 1024;
 
 /// A system under a method, and where it is.
 #[derive(Clone)]
@@ -41,7 +41,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         self.check_start()?;
         let mut left = n;
         while left > 0 {
-            let steps = left.min(if S::EXAMINED { 1 } else { STEPS_BETWEEN_LOOKS });
+            let steps = left.min(self.steps_to_look());
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
             if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
@@ -56,6 +56,19 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             left -= steps;
         }
         Ok(())
+    }
+
+    /// How many steps may be taken at once.
+    #[inline(always)]
+    fn steps_to_look(&self) -> u64 {
+        if S::EXAMINED {
+            1
+        } else if has_attitudes::<S, R>() {
+            // They are normalised after the same steps, in whatever numbers those are asked for.
+            STEPS_BETWEEN_LOOKS - self.taken % STEPS_BETWEEN_LOOKS
+        } else {
+            STEPS_BETWEEN_LOOKS
+        }
     }
 
     /// One step that does not end beyond `limit`; else `false`.
@@ -129,6 +142,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
+        if let Some(length) = wrong_length::<S, R>(&self.x.z) {
+            return Err(StepError::NotNormalised { t, length });
+        }
         match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             Some(what) => Err(StepError::OutsideDomain { t, what }),
             None => Ok(()),
@@ -163,6 +179,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn pass(&mut self, steps: u64) {
         self.clock.pass(steps);
         self.taken += steps;
+        if has_attitudes::<S, R>() && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+            self.x.add(&normalisation::<S, R>(&self.x.z));
+        }
     }
 
     /// `t0 + n·h`.

@@ -1,0 +1,184 @@
+//! The flow of a free rigid body: r' = ½ r⊗(0, ω), m' = m × ω with ω = Jm + b.
+//!
+//! Quaternions are (i, j, k, w), and turn vectors of the body into vectors of space; momenta are those of the body's frame, with a fourth
+//! number that is zero.
+
+use crate::scalar::{Real, zero};
+
+/// Turns, in radians, up to which series of so many terms are exact to rounding.
+const TURNS: [f64; 3] = [0.1, 0.2, 0.4];
+
+/// More parts than these are no step that anybody wants.
+const MOST_PARTS: u32 = 1 << 16;
+
+/// What a free rotation adds to the attitude and to the momentum; `linear` is h·Jm, `constant` is h·b.
+///
+/// By Taylor series: m' and r' are quadratic, so that coefficients follow from sums of products. The flow of every J and every motion, on
+/// the separatrix of Euler's equations as elsewhere. Up to 0.4 radians at once, in equal parts beyond.
+#[inline]
+pub fn free_rotation<R: Real>(
+    linear: impl Fn(&[R; 3]) -> [R; 3],
+    constant: &[R; 3],
+    r: &[R; 4],
+    momentum: &[R; 4],
+) -> [[R; 4]; 2] {
+    let m = [momentum[0], momentum[1], momentum[2]];
+    let turn = turn(&linear, constant, &m);
+    // What is not a number leads to what is none.
+    let mut parts = if turn <= TURNS[2] || turn.is_nan() { 1 } else { ceiling(turn / TURNS[2]) };
+    while parts <= MOST_PARTS {
+        if let Some(increments) = in_parts(parts, &linear, constant, (r, &m), turn) {
+            return increments;
+        }
+        parts *= 2;
+    }
+    [[R::from_f64(f64::NAN); 4]; 2]
+}
+
+fn ceiling(x: f64) -> u32 {
+    // Saturates.
+    (x as u32).saturating_add(1)
+}
+
+/// About how far the body turns: by its angular velocity, or by what that becomes.
+#[inline(always)]
+fn turn<R: Real>(linear: &impl Fn(&[R; 3]) -> [R; 3], constant: &[R; 3], m: &[R; 3]) -> f64 {
+    let w = add(&linear(m), constant);
+    let change = linear(&cross(m, &w));
+    let square = |v: &[R; 3]| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).magnitude();
+    let (rate, change) = (square(&w), square(&change).sqrt());
+    f64::sqrt(if change > rate { change } else { rate })
+}
+
+/// The flow in equal parts; nothing if the last term of a series is more than rounding.
+#[inline(always)]
+fn in_parts<R: Real>(
+    parts: u32,
+    linear: &impl Fn(&[R; 3]) -> [R; 3],
+    constant: &[R; 3],
+    (r, m): (&[R; 4], &[R; 3]),
+    turn: f64,
+) -> Option<[[R; 4]; 2]> {
+    let each = turn / f64::from(parts);
+    if parts == 1 {
+        return series_for(each, linear, constant, r, m);
+    }
+    let part = R::from_f64(1.0 / f64::from(parts));
+    let (linear, constant) = (|m: &[R; 3]| linear(m).map(|x| x * part), constant.map(|x| x * part));
+    let (mut sum, mut here, mut momentum) = ([[zero(); 4]; 2], *r, *m);
+    for _ in 0..parts {
+        let increments = series_for(each, &linear, &constant, &here, &momentum)?;
+        for (sum, increment) in sum.iter_mut().zip(&increments) {
+            *sum = core::array::from_fn(|i| sum[i] + increment[i]);
+        }
+        here = core::array::from_fn(|i| r[i] + sum[0][i]);
+        momentum = core::array::from_fn(|i| m[i] + sum[1][i]);
+    }
+    Some(sum)
+}
+
+/// As many terms as the angle needs.
+#[inline(always)]
+fn series_for<R: Real>(
+    turn: f64,
+    linear: &impl Fn(&[R; 3]) -> [R; 3],
+    constant: &[R; 3],
+    r: &[R; 4],
+    m: &[R; 3],
+) -> Option<[[R; 4]; 2]> {
+    if turn <= TURNS[0] {
+        series::<R, 12>(linear, constant, r, m)
+    } else if turn <= TURNS[1] {
+        series::<R, 14>(linear, constant, r, m)
+    } else {
+        series::<R, 18>(linear, constant, r, m)
+    }
+}
+
+/// N terms.
+#[inline(always)]
+fn series<R: Real, const N: usize>(
+    linear: &impl Fn(&[R; 3]) -> [R; 3],
+    constant: &[R; 3],
+    r: &[R; 4],
+    m: &[R; 3],
+) -> Option<[[R; 4]; 2]> {
+    let start = [r[0], r[1], r[2], r[3], m[0], m[1], m[2], zero()];
+    let (mut terms, mut axes, mut turns) = ([[zero::<R>(); 8]; N], [[[zero::<R>(); 8]; 3]; N], [[zero::<R>(); 3]; N]);
+    let mut last = start;
+    for n in 0..N {
+        (terms[n], axes[n]) = (last, about_axes(&last));
+        turns[n] = linear(&[last[4], last[5], last[6]]);
+        if n == 0 {
+            turns[0] = add(&turns[0], constant);
+        }
+        let mut sum = [zero::<R>(); 8];
+        for k in 0..=n {
+            let ([a, b, c], [x, y, z]) = (&axes[k], turns[n - k]);
+            for i in 0..8 {
+                // Only the last addition waits for the one before.
+                sum[i] += a[i].multiply_add(x, b[i].multiply_add(y, c[i] * z));
+            }
+        }
+        let [whole, half] = [1.0, 0.5].map(|x| R::from_f64(x / (n + 1) as f64));
+        for i in 0..8 {
+            last[i] = if i < 4 { half } else { whole } * sum[i];
+        }
+    }
+    let size = |v: &[R]| v.iter().map(|x| x.magnitude()).fold(0.0, |largest, x| if x > largest { x } else { largest });
+    if size(&last[..4]) > R::epsilon() * size(r) || size(&last[4..]) > R::epsilon() * size(m) {
+        return None;
+    }
+    // The smallest terms first.
+    for n in (1..N).rev() {
+        for i in 0..8 {
+            last[i] += terms[n][i];
+        }
+    }
+    Some([[last[0], last[1], last[2], last[3]], [last[4], last[5], last[6], zero()]])
+}
+
+/// r⊗e and m × e for the three axes e of the body.
+#[inline(always)]
+fn about_axes<R: Real>(&[x, y, z, w, a, b, c, _]: &[R; 8]) -> [[R; 8]; 3] {
+    let o = zero();
+    [[w, z, -y, -x, o, c, -b, o], [-z, w, x, -y, -c, o, a, o], [y, -x, w, -z, b, -a, o, o]]
+}
+
+/// Five rotations about the principal axes of a body, 1, 2, 3, 2, 1, of which all but the third are half as long: the flow of a free body
+/// to order 2, symmetric and symplectic; `inverse` are h over the moments of inertia.
+///
+/// A. Dullweber, B. Leimkuhler & R. McLachlan, J. Chem. Phys. 107 (1997) 5840.
+#[inline(always)]
+pub fn five_rotations<R: Real>(inverse: &[R; 3], r: &mut [R; 4], m: &mut [R; 4]) {
+    let half = R::from_f64(0.5);
+    for (axis, part) in [(0, half), (1, half), (2, R::from_f64(1.0)), (1, half), (0, half)] {
+        let angle = part * inverse[axis] * m[axis];
+        rotate(axis, angle, r, m);
+    }
+}
+
+/// A rotation of the body about one of its axes.
+#[inline(always)]
+fn rotate<R: Real>(axis: usize, angle: R, r: &mut [R; 4], m: &mut [R; 4]) {
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let (sin, cos) = angle.sin_cos();
+    (m[j], m[k]) = (cos.multiply_add(m[j], sin * m[k]), cos.multiply_add(m[k], -(sin * m[j])));
+    let (sin, cos) = (R::from_f64(0.5) * angle).sin_cos();
+    // r⊗(cos + sin e).
+    let (along, w, rj, rk) = (r[axis], r[3], r[j], r[k]);
+    r[axis] = cos.multiply_add(along, sin * w);
+    r[3] = cos.multiply_add(w, -(sin * along));
+    r[j] = cos.multiply_add(rj, sin * rk);
+    r[k] = cos.multiply_add(rk, -(sin * rj));
+}
+
+#[inline(always)]
+fn cross<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+#[inline(always)]
+fn add<R: Real>(a: &[R; 3], b: &[R; 3]) -> [R; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}

@@ -1,0 +1,168 @@
+//! Rigid bodies: attitudes as unit quaternions, and angular momenta in the frame of the body.
+//!
+//! Kernels see a quaternion as nalgebra stores it, (i, j, k, w), and a momentum as the pure quaternion (mₓ, m_y, m_z, 0): both then have
+//! one shape, as positions and momenta of other systems have.
+
+use crate::scalar::{Real, signed, zero};
+use crate::sealed::Sealed;
+use crate::space::{Array, Coordinates, Snapshot};
+use crate::system::PhaseSpace;
+use core::fmt::Debug;
+use nalgebra::{Quaternion, Unit, UnitQuaternion, Vector3, Vector4};
+
+/// A quaternion as kernels see it: i, j, k, w.
+fn numbers<R: Real>(r: UnitQuaternion<R>) -> [R; 4] {
+    let quaternion: Quaternion<R> = *r.as_ref();
+    quaternion.coords.into()
+}
+
+/// The numbers as they are: a state says what the steps have led to.
+fn quaternion<R: Real>(numbers: [R; 4]) -> UnitQuaternion<R> {
+    Unit::new_unchecked(Quaternion { coords: Vector4::from(numbers) })
+}
+
+impl<R: Real> Coordinates for UnitQuaternion<R> {
+    type Real = R;
+    type Array = [[R; 4]; 1];
+    #[inline(always)]
+    fn into_array(self) -> [[R; 4]; 1] {
+        [numbers(self)]
+    }
+    #[inline(always)]
+    fn from_array([r]: [[R; 4]; 1]) -> Self {
+        quaternion(r)
+    }
+}
+
+impl<R: Real, const N: usize> Coordinates for [UnitQuaternion<R>; N] {
+    type Real = R;
+    type Array = [[R; 4]; N];
+    #[inline(always)]
+    fn into_array(self) -> [[R; 4]; N] {
+        self.map(numbers)
+    }
+    #[inline(always)]
+    fn from_array(array: [[R; 4]; N]) -> Self {
+        array.map(quaternion)
+    }
+}
+
+/// The attitude of a body, or of several: what turns vectors of the body into vectors of space.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no attitude",
+    note = "attitudes are `UnitQuaternion<f64>` and `[UnitQuaternion<f64>; N]`, and those of `f32`"
+)]
+pub trait Attitudes: Coordinates {
+    /// The angular momentum of each, in its own frame.
+    type Momenta: Copy + Debug + PartialEq;
+    /// To pure quaternions.
+    fn momenta_into_array(momenta: Self::Momenta) -> Self::Array;
+    /// From pure quaternions.
+    fn momenta_from_array(array: Self::Array) -> Self::Momenta;
+}
+
+impl<R: Real> Attitudes for UnitQuaternion<R> {
+    type Momenta = Vector3<R>;
+    fn momenta_into_array(momentum: Vector3<R>) -> [[R; 4]; 1] {
+        [pure(momentum)]
+    }
+    fn momenta_from_array([momentum]: [[R; 4]; 1]) -> Vector3<R> {
+        vector(momentum)
+    }
+}
+
+impl<R: Real, const N: usize> Attitudes for [UnitQuaternion<R>; N] {
+    type Momenta = [Vector3<R>; N];
+    fn momenta_into_array(momenta: [Vector3<R>; N]) -> [[R; 4]; N] {
+        momenta.map(pure)
+    }
+    fn momenta_from_array(array: [[R; 4]; N]) -> [Vector3<R>; N] {
+        array.map(vector)
+    }
+}
+
+fn pure<R: Real>(v: Vector3<R>) -> [R; 4] {
+    let [x, y, z] = v.into();
+    [x, y, z, zero()]
+}
+
+fn vector<R: Real>([x, y, z, _]: [R; 4]) -> Vector3<R> {
+    Vector3::new(x, y, z)
+}
+
+/// A point of the phase space of rigid bodies at a time: plain data.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyState<A: Attitudes> {
+    /// Time.
+    pub t: A::Real,
+    /// What turns vectors of each body into vectors of space.
+    pub r: A,
+    /// The angular momentum of each body in its own frame.
+    pub m: A::Momenta,
+}
+
+impl<A: Attitudes> BodyState<A> {
+    /// The point (`r`, `m`) at t = 0.
+    pub fn new(r: A, m: A::Momenta) -> Self {
+        BodyState { t: zero(), r, m }
+    }
+
+    /// The point (`r`, `m`) at time `t`.
+    pub fn at(t: A::Real, r: A, m: A::Momenta) -> Self {
+        BodyState { t, r, m }
+    }
+}
+
+impl<A: Attitudes> Sealed for BodyState<A> {}
+
+impl<A: Attitudes> Snapshot for BodyState<A> {
+    type Real = A::Real;
+    type Phase = [A::Array; 2];
+    type Action = ();
+    const ALIKE: usize = A::Array::LEN;
+    #[inline]
+    fn time(&self) -> A::Real {
+        self.t
+    }
+    #[inline]
+    fn of(t: A::Real, [r, m]: [A::Array; 2], (): ()) -> Self {
+        BodyState { t, r: A::from_array(r), m: A::momenta_from_array(m) }
+    }
+    #[inline]
+    fn parts(self) -> (A::Real, [A::Array; 2], ()) {
+        (self.t, [self.r.into_array(), A::momenta_into_array(self.m)], ())
+    }
+}
+
+/// How far rounding may have led the length of a quaternion from 1, in units of ε: a user's product of hundreds of rotations, or the
+/// end of a run between two normalisations.
+const ROUNDING_OF_LENGTH: f64 = 1024.0;
+
+fn length<R: Real>(r: &[R; 4]) -> R {
+    r.iter().fold(zero::<R>(), |sum, x| x.multiply_add(*x, sum)).sqrt()
+}
+
+/// The first length, if any, that is not 1 to rounding.
+pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f64> {
+    let mut z = *z;
+    let lengths = S::attitudes(&mut z).iter().map(length);
+    let wrong = |length: &R| (*length - R::from_f64(1.0)).magnitude() > ROUNDING_OF_LENGTH * R::epsilon();
+    lengths.map(|length| length).find(wrong).map(signed)
+}
+
+/// What takes the length of every quaternion to 1.
+#[cold]
+pub(crate) fn normalisation<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> S::Phase {
+    let one = R::from_f64(1.0);
+    let (mut z, mut dz) = (*z, S::Phase::zero());
+    for (r, dr) in S::attitudes(&mut z).iter().zip(S::attitudes(&mut dz)) {
+        let length = length(r);
+        let excess = r.iter().fold(-one, |sum, x| x.multiply_add(*x, sum));
+        // 1/|r| − 1 without cancellation.
+        let factor = -excess / (length * (one + length));
+        for (x, dx) in r.iter().zip(dr) {
+            *dx = factor * *x;
+        }
+    }
+    dz
+}
