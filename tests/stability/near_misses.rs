@@ -53,6 +53,7 @@ fn random() -> impl FnMut() -> f64 {
 /// From the far end of an ellipse of eccentricity e, with steps so long that the near end takes one.
 #[test]
 fn eccentric_orbits_pass() {
+    let mut runaways = 0;
     for e in [0.5, 0.9, 0.99, 0.999, 1.0 - 1e-6] {
         for h in [0.001, 0.01, 0.1, 0.5, 1.5] {
             let v = ((1.0 - e) / (1.0_f64 + e)).sqrt();
@@ -60,10 +61,9 @@ fn eccentric_orbits_pass() {
             let start = State::new(q, p);
             let refused = poles(Kepler { m: 1.3 }, DiscreteGradient, h, start, 2000)
                 + poles(Kepler { m: 1.3 }, ImplicitMidpoint, h, start, 2000)
-                + poles(Expanded { m: 1.3 }, DiscreteGradient, h, start, 2000)
-                // Its iteration may run away over the pole, which is then no reason.
-                + poles(Kepler { m: 1.3 }, Gonzalez, h, start, 500);
+                + poles(Expanded { m: 1.3 }, DiscreteGradient, h, start, 2000);
             assert_eq!(refused, 0, "e = {e}, h = {h}");
+            runaways += poles(Kepler { m: 1.3 }, Gonzalez, h, start, 500);
             let start = State::new(q.map(|x| x as f32), p.map(|x| x as f32));
             let mut sim = Single { m: 1.3 }.integrator(DiscreteGradient, h as f32, start);
             let outcome = sim.advance(2000);
@@ -71,6 +71,8 @@ fn eccentric_orbits_pass() {
             assert!(!pole, "f32: e = {e}, h = {h}: {outcome:?}");
         }
     }
+    // An iteration that does not converge may run away over the pole, which is then named.
+    assert!(runaways <= 3, "{runaways}");
 }
 
 /// Radial orbits do not: they go through the centre.

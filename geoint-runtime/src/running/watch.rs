@@ -13,8 +13,6 @@ pub(crate) struct Watch<'a, S, X> {
     poles: Poles,
     start: X,
     found: Option<Found>,
-    /// A pole that was passed by a point of the step, or of an iteration, which may have run away.
-    passed: Option<Found>,
 }
 
 /// What a watch has seen first.
@@ -31,7 +29,7 @@ type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Phase, C, S::Action>) -> Self {
-        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None, passed: None }
+        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None }
     }
 }
 
@@ -40,9 +38,7 @@ impl<S, X> Watch<'_, S, X> {
     pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
         match refusal {
             Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
-            // An iterate that is no solution passes poles that no step would.
-            Some(Refusal::NotConverged { .. }) => self.found,
-            _ => self.found.or(self.passed),
+            _ => self.found,
         }
     }
 }
@@ -51,11 +47,8 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action) {
         if self.found.is_none() {
             let (t0, z0, s0) = &self.start;
-            self.found = self.system.outside_domain(t, z, s).map(Found::OutsideDomain);
-            if self.passed.is_none() {
-                let pole = self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
-                self.passed = pole.map(Found::OutsideDomain);
-            }
+            let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
+            self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
         }
     }
 

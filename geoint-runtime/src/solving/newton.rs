@@ -7,7 +7,7 @@ use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::predictor::Predictor;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
-use crate::solving::size::{Sizes, sum};
+use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.

@@ -2,6 +2,7 @@
 
 mod array;
 mod body;
+mod coordinates;
 mod double_word;
 mod per_coordinate;
 mod point;
@@ -11,10 +12,11 @@ mod summation;
 pub use array::{Array, Square};
 pub use body::{Attitudes, BodyState};
 pub(crate) use body::{normalisation, wrong_length};
+pub use coordinates::Coordinates;
 pub use double_word::DoubleWord;
 pub use per_coordinate::PerCoordinate;
 pub use point::Point;
 pub(crate) use point::add_action;
-pub use state::{Action, ContactState, Coordinates, FlowState, Snapshot, State};
+pub use state::{Action, ContactState, FlowState, Snapshot, State};
 pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};
