@@ -46,8 +46,8 @@ fn turn<R: Real>(linear: &impl Fn(&[R; 3]) -> [R; 3], constant: &[R; 3], m: &[R;
     let w = add(&linear(m), constant);
     let change = linear(&cross(m, &w));
     let square = |v: &[R; 3]| (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]).magnitude();
-    let (rate, change) = (square(&w), square(&change).sqrt());
-    f64::sqrt(if change > rate { change } else { rate })
+    let (rate, change) = (square(&w), Real::sqrt(square(&change)));
+    Real::sqrt(if change > rate { change } else { rate })
 }
 
 /// The flow in equal parts; nothing if the last term of a series is more than rounding.

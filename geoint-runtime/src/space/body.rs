@@ -145,9 +145,9 @@ fn length<R: Real>(r: &[R; 4]) -> R {
 /// The first length, if any, that is not 1 to rounding.
 pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f64> {
     let mut z = *z;
-    let lengths = S::attitudes(&mut z).iter().map(length);
+    let mut lengths = S::attitudes(&mut z).iter().map(length);
     let wrong = |length: &R| (*length - R::from_f64(1.0)).magnitude() > ROUNDING_OF_LENGTH * R::epsilon();
-    lengths.map(|length| length).find(wrong).map(signed)
+    lengths.find(wrong).map(signed)
 }
 
 /// What takes the length of every quaternion to 1.
