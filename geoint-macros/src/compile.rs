@@ -1,6 +1,6 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
-use crate::derive::{Flow, proof};
+use crate::derive::{Flow, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::Source;
 use crate::parse::{Energy, Form};
@@ -62,7 +62,10 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
-    let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref()).scheduled(graph);
+    let poisson = (&structure.matrix[..], structure.poisson.is_ok());
+    let pieces = derive::parts(graph, &flow, Some(poisson), damping.is_some()); // by terms of H, and by planes
+    let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
+    let system = System { pieces, ..system }.scheduled(graph);
     let graph = &*graph;
     let report = emit::report::flow(&context, graph, (&flow, Source::Structure(&structure)), &system);
     Ok(emit::items(&context, graph, &system, &report))
@@ -77,7 +80,8 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let found = proof::integrals(graph, &flow);
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
     flow.search(graph, None, |symbol| context.user_name(symbol));
-    let system = derive::flow(graph, &flow, &lowered.partial, None).scheduled(graph);
+    let pieces = derive::parts(graph, &flow, None, false);
+    let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);
     let graph = &*graph;
     let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))

@@ -3,6 +3,18 @@
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
                                     `ContactMidpoint` or `ContactDiscreteGradient`";
 
+pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this term, so that `PoissonSplitting` has no pieces; use \
+                                      `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
+
+pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and with more than 3 coordinates none is solved for, so \
+                                     that `PlanarSplitting` has no pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
+
+pub(crate) const NO_STRUCTURE: &str = "a field is split into planes by S of x' = S(x) ∇I, which is not known here: write the system as \
+                                       `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
+
+pub(crate) const DAMPED_FLOW: &str =
+    "damping is no part of these pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const NOT_MECHANICAL: &str = "this term is no part of T(p) + g·s + V(q), so kick and drift do not exist; use \
                                          `ContactSplitting`, `ContactMidpoint` or `ContactDiscreteGradient`";
 

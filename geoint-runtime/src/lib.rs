@@ -148,9 +148,7 @@ pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, vecto
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
-pub use method::contact::{
-    ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, PieceComposition,
-};
+pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
@@ -164,6 +162,8 @@ pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
 pub use method::gauss::{Gauss, ImplicitMidpoint};
 #[doc(inline)]
 pub use method::kahan::Kahan;
+#[doc(inline)]
+pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
 #[doc(inline)]
 pub use method::splitting::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
@@ -191,9 +191,9 @@ pub mod prelude {
         Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, PhaseSpace, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError,
-        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian,
-        energy_function, hamiltonian, vector_field,
+        Kahan, MeanValue, Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4,
+        Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, vector_field,
     };
 }
 

@@ -2,18 +2,19 @@
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
+pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
-pub use crate::solving::{Inverted, is_positive_semidefinite};
+pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
 pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate, Snapshot, Square, State};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
     FourthOrderField, Hamiltonian, ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace,
-    Piece as ContactPiece, Pieces as ContactPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -121,9 +121,9 @@ macro_rules! visit {
 /// Methods for every split.
 fn split<P: Case>(visitor: &mut impl Visitor<P>)
 where
-    P::Over<f64>: Pieces,
-    P::Over<Double>: Pieces<Double>,
-    P::Over<Dual>: Pieces<Dual>,
+    P::Over<f64>: Pieces<ContactSplitting>,
+    P::Over<Double>: Pieces<ContactSplitting, Double>,
+    P::Over<Dual>: Pieces<ContactSplitting, Dual>,
 {
     visit!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
     visit!(visitor: Yoshida4.of(ContactSplitting), Suzuki4.of(ContactSplitting), McLachlan4.of(ContactSplitting),
@@ -291,7 +291,7 @@ fn bob(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
 fn modified_energies() {
     fn defect<P: Case>(h: f64) -> f64
     where
-        P::Over<f64>: Pieces,
+        P::Over<f64>: Pieces<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
         let (t, x) = P::START;
@@ -319,7 +319,7 @@ fn modified_energies() {
     }
     fn check<P: Case>()
     where
-        P::Over<f64>: Pieces,
+        P::Over<f64>: Pieces<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
         let [coarse, fine] = [0.1, 0.05].map(defect::<P>);

@@ -23,7 +23,7 @@ use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
-pub(crate) use dependence::{Dependence, Reads};
+pub(crate) use dependence::{Dependence, Reads, symbols};
 #[cfg_attr(
     not(test),
     allow(unused_imports, reason = "liouville is for fields that are Hamiltonian, which come next")

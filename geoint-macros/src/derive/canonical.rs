@@ -28,8 +28,8 @@ pub(crate) fn canonical(
         .as_ref()
         .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
     let separable = match (drag, &structure.split) {
-        (Some(term), _) => Err(Missing { marker: "Undamped", term, why: DAMPED }),
-        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED }),
+        (Some(term), _) => Err(Missing { marker: "Undamped", term, why: DAMPED, pair: None }),
+        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
         (None, Split::Separable(parts)) => Ok(parts),
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
@@ -49,7 +49,7 @@ pub(crate) fn canonical(
         rate,
         splitting: Some(splitting),
         modified,
-        pieces: None,
+        pieces: vec![],
         implicit: Implicit::Field(fields.kernels(graph, structure)),
         integrals: None,
         domain: Domain::of(
@@ -85,7 +85,7 @@ fn kick_drift(
             let kick = diff::gradient_kick(graph, parts.potential, force, &gradient.p);
             Ok(GradientKick::Flow(increments(graph, Symbol::P, &kick.impulse)))
         }
-        Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC }),
+        Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
     };
     let repeats = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
     KickDrift { kick, drift, exact_in_time: false, repeats, gradient_kick, undamped: None }

@@ -2,7 +2,9 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
-use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, System, Undamped};
+use super::system::{
+    FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
+};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
@@ -24,7 +26,7 @@ pub(crate) fn contact(
     let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
     let pieces = match found {
         Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
-        Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES }),
+        Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES, pair: None }),
     };
     let modified = found.as_ref().ok().filter(|_| !lift).map(|pieces| {
         let modified = split::modified_energy(graph, pieces, degrees);
@@ -32,7 +34,7 @@ pub(crate) fn contact(
     });
     let splitting = match mechanics {
         Ok(mechanics) => Ok(kick_drift(graph, mechanics)),
-        Err(term) => Err(Missing { marker: "MechanicalIn", term: *term, why: NOT_MECHANICAL }),
+        Err(term) => Err(Missing { marker: "MechanicalIn", term: *term, why: NOT_MECHANICAL, pair: None }),
     };
     // Positions and momenta move without s.
     let conformal = !analyze::reads(graph, gradient.s).state();
@@ -43,7 +45,7 @@ pub(crate) fn contact(
         rate,
         splitting: Some(splitting),
         modified,
-        pieces: Some(pieces),
+        pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
         integrals: None,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
@@ -64,7 +66,9 @@ fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Ke
     let mut changed = piece.flow.changed(graph);
     changed.retain(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_))));
     let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
-    PieceKernel { energy: piece.energy, family: piece.family, clock: piece.clock, flow }
+    let split::Family { name, energies, source, .. } = piece.family;
+    let known = vec![format!("{name}: {energies} ({source})")];
+    PieceKernel { energy: piece.energy, solved: false, known, clock: piece.clock, flow }
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
@@ -87,7 +91,7 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
         }),
         gradient_kick: match &mechanics.gradient_kick {
             Ok(flow) => Ok(GradientKick::Flow(kernel(flow))),
-            Err(term) => Err(Missing { marker: "NystromIn", term: *term, why: NOT_NYSTROM }),
+            Err(term) => Err(Missing { marker: "NystromIn", term: *term, why: NOT_NYSTROM, pair: None }),
         },
     }
 }

@@ -146,7 +146,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         rate: Some(Kernel::new(Levels::One, field.clone())),
         splitting: None,
         modified: None,
-        pieces: None,
+        pieces: vec![],
         integrals: integrals(graph, kept, n),
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
         implicit: Implicit::Field(FieldKernels {

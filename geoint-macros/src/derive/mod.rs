@@ -11,6 +11,7 @@ mod canonical;
 mod contact;
 mod bodies;
 mod flow;
+mod parts;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -19,8 +20,9 @@ pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
+pub(crate) use parts::parts;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, StepKernel,
-    System, Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
+    StepKernel, System, Undamped,
 };

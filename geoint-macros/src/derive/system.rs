@@ -4,7 +4,7 @@ use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{self, Clock, Family};
+use crate::split::{self, Clock};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -21,8 +21,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
-    /// The flows whose composition is a step; of contact systems.
-    pub(crate) pieces: Option<Result<Vec<PieceKernel<K>>, Missing>>,
+    /// The flows whose composition is a step, for each splitting.
+    pub(crate) pieces: Vec<PiecesOf<K>>,
     pub(crate) implicit: Implicit<K>,
     /// What a flow keeps.
     pub(crate) integrals: Option<Integrals<K>>,
@@ -38,6 +38,8 @@ pub(crate) struct Missing {
     /// The term to blame.
     pub(crate) term: Id,
     pub(crate) why: &'static str,
+    /// Two coordinates to blame, and what they are.
+    pub(crate) pair: Option<([Symbol; 2], &'static str)>,
 }
 
 /// The end of a flow: what it changes, in order, and the values; of flows that do not only add, with what they add as a second routine.
@@ -85,11 +87,26 @@ pub(crate) enum Modified<K> {
     Value(K),
 }
 
-/// A piece of a contact Hamiltonian.
+/// The pieces of a splitting.
+#[derive(Debug)]
+pub(crate) struct PiecesOf<K> {
+    /// Its name.
+    pub(crate) splitting: &'static str,
+    pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
+    /// Whether every flow keeps the structure of phase space.
+    pub(crate) symplectic: bool,
+    /// Whether every flow keeps H, or the first integral.
+    pub(crate) conserves_energy: bool,
+}
+
+/// A piece of a contact Hamiltonian, or of a field.
 #[derive(Debug)]
 pub(crate) struct PieceKernel<K> {
     pub(crate) energy: Id,
-    pub(crate) family: &'static Family,
+    /// Whether its step is solved for: the kernel is then that of the equation.
+    pub(crate) solved: bool,
+    /// How its flow is known: the names of rules, what they are for, and where from.
+    pub(crate) known: Vec<String>,
     pub(crate) clock: Clock,
     pub(crate) flow: FlowKernel<K>,
 }
@@ -174,7 +191,7 @@ impl System {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),
             }),
-            pieces: self.pieces.map(|pieces| Ok(pieces?.into_iter().map(|piece| piece.map(&mut plan)).collect())),
+            pieces: self.pieces.into_iter().map(|pieces| pieces.map(&mut plan)).collect(),
             implicit: self.implicit.map(&mut plan),
             domain: self.domain.map(&mut plan),
             value: self.value.map(&mut plan),
@@ -213,7 +230,16 @@ impl<K> KickDrift<K> {
 
 impl<K> PieceKernel<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PieceKernel<L> {
-        PieceKernel { energy: self.energy, family: self.family, clock: self.clock, flow: self.flow.map(of) }
+        let PieceKernel { energy, solved, known, clock, flow } = self;
+        PieceKernel { energy, solved, known, clock, flow: flow.map(of) }
+    }
+}
+
+impl<K> PiecesOf<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
+        let PiecesOf { splitting, pieces, symplectic, conserves_energy } = self;
+        let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
+        PiecesOf { splitting, pieces, symplectic, conserves_energy }
     }
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn discrete(graph: &mut Graph, structure: &Structure, degrees: u32) -
 }
 
 /// A coordinate in the middle of a step.
-pub(super) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+pub(crate) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     let increment = coordinate_increment(graph, symbol)?;
     let (start, half) = (graph.symbol(symbol), graph.scale(Number::HALF, increment));
     Some(graph.add(start, half))

@@ -110,14 +110,16 @@ pub(super) fn flow(
 /// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
 pub(super) fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
     let places = flow.changes.iter().map(|symbol| match symbol {
+        Symbol::Q(i) if context.energy.form.is_flow() => element(quote!(d.z), &context.coordinate(*i)),
         Symbol::Q(i) => element(quote!(d.z), &[&[0], &context.coordinate(*i)[..]].concat()),
         Symbol::P(i) => element(quote!(d.z), &[&[1], &context.coordinate(*i)[..]].concat()),
         _ => quote!(d.s),
     });
     let parts = context.per_coordinate();
     let writes = context.planned(&flow.kernel.last[1], (&[], ""), |values| quote!(#(#places = #values;)*));
+    let point = if context.energy.form.is_flow() { quote!(q) } else { quote!([q, p]) };
     quote! {
-        let PerCoordinate { z: [q, p], s } = x;
+        let PerCoordinate { z: #point, s } = x;
         let mut d: #parts = PerCoordinate::nothing();
         #writes
         d
@@ -277,12 +279,15 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
 
 /// A trait that nothing implements, whose message says why a system lacks a property.
 pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing) -> (Ident, TokenStream) {
-    let Missing { marker, term, why } = missing;
+    let Missing { marker, term, why, pair } = missing;
     let name = &context.energy.name;
     let marker = format_ident!("{marker}{name}");
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let message = format!("`{name}`: {why}");
-    let label = format!("the term is: {}", printer.excerpt(term));
+    let pair = pair.map_or_else(String::new, |([a, b], word)| {
+        format!("; {} and {} {word}", context.user_name(a), context.user_name(b))
+    });
+    let label = format!("the term is: {}{pair}", printer.excerpt(term));
     // Braces in a message are read as parameters.
     let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
     let tokens = quote! {

@@ -59,7 +59,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let flow = form.is_flow().then(|| flow::inherent(context, system));
     let inherent = system::inherent(context, (system.value.is_some() || form == Form::Contact, flow), report);
     let space = system::phase_space(context, graph, system);
-    let pieces = system.pieces.as_ref().map(|found| pieces::pieces(context, graph, found));
+    let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
@@ -75,7 +75,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         }
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
-    around(context, report, &quote!(#inherent #space #integrals #pieces #flows #modified #implicit))
+    around(context, report, &quote!(#inherent #space #integrals #(#pieces)* #flows #modified #implicit))
 }
 
 /// The same of rigid bodies.

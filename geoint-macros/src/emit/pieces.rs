@@ -2,37 +2,41 @@
 //! the term.
 
 use super::flows::{assign, increments, unsatisfied};
-use super::kernel::Context;
+use super::kernel::{Context, element};
+use super::straight_line;
 use super::system::self_type;
-use crate::derive::{Missing, PieceKernel};
-use crate::ir::{Graph, print::Printer};
+use crate::derive::{Missing, PieceKernel, PiecesOf};
+use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
 
-/// `impl ContactPieces`.
-pub(super) fn pieces(
-    context: &Context<'_>,
-    graph: &Graph,
-    found: &Result<Vec<PieceKernel<Plan>>, Missing>,
-) -> TokenStream {
-    match found {
-        Ok(pieces) => splitting(context, graph, pieces),
-        Err(missing) => none(context, graph, *missing),
+/// `impl Pieces`.
+pub(super) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
+    let name = format_ident!("{}", found.splitting);
+    match &found.pieces {
+        Ok(pieces) => splitting(context, graph, (&name, found), pieces),
+        Err(missing) => none(context, graph, &name, *missing),
     }
 }
 
-fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>]) -> TokenStream {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+fn splitting(
+    context: &Context<'_>,
+    graph: &Graph,
+    (splitting, found): (&Ident, &PiecesOf<Plan>),
+    pieces: &[PieceKernel<Plan>],
+) -> TokenStream {
+    let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
+    let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
-        let name = printer.excerpt(piece.energy);
+        let (name, solved) = (printer.excerpt(piece.energy), piece.solved);
         let clock = match piece.clock {
             Clock::Own => quote!(Own),
             Clock::Stage => quote!(Stage),
         };
-        quote!(ContactPiece { name: #name, clock: PieceClock::#clock })
+        quote!(FlowPiece { name: #name, clock: PieceClock::#clock, solved: #solved })
     });
     let types = |level: usize| {
         let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));
@@ -50,17 +54,21 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
         quote!({ let prepared = &flows.#i; #freeze })
     });
     let arms = pieces.iter().enumerate().map(|(i, piece)| {
-        let (i, body) = (Literal::usize_unsuffixed(i), assign(context, &piece.flow));
+        let body = if piece.solved { solve(context, piece, &quote!(q)) } else { assign(context, &piece.flow) };
+        let i = Literal::usize_unsuffixed(i);
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
     let added = pieces.iter().enumerate().map(|(i, piece)| {
-        let (i, body) = (Literal::usize_unsuffixed(i), increments(context, &piece.flow));
+        let body = if piece.solved { solve(context, piece, &quote!(d.z)) } else { increments(context, &piece.flow) };
+        let i = Literal::usize_unsuffixed(i);
         quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
     });
     let per = context.per_coordinate();
     quote! {
-        impl<R: Real> ContactPieces<R> for #name {
-            const PIECES: &'static [ContactPiece] = &[#(#table),*];
+        impl<R: Real> FlowPieces<#splitting, R> for #name {
+            const PIECES: &'static [FlowPiece] = &[#(#table),*];
+            const SYMPLECTIC: bool = #symplectic;
+            const CONSERVES_ENERGY: bool = #conserves_energy;
             type Proof = ();
             type Flows = #types;
             type Frozen = #frozen_types;
@@ -76,7 +84,7 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
             #[inline(always)]
             fn flow(
                 &self,
-                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut R,
+                piece: usize, flows: &#types, frozen: &#frozen_types, t: R, z: &mut #phase, s: &mut #action,
             ) {
                 #parts
                 match piece {
@@ -95,14 +103,50 @@ fn splitting(context: &Context<'_>, graph: &Graph, pieces: &[PieceKernel<Plan>])
     }
 }
 
-fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
-    let (name, phase, per) = (self_type(context), context.phase(), context.per_coordinate());
+/// The step of a plane, added to `target`: what moves, or increments.
+fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream) -> TokenStream {
+    let [x, y] = [0, 1].map(|i| context.input(piece.flow.changes[i]));
+    let places = piece.flow.changes.iter().enumerate().map(|(i, symbol)| {
+        let place = match symbol {
+            Symbol::Q(index) => element(target.clone(), &context.coordinate(*index)),
+            _ => TokenStream::new(),
+        };
+        let i = Literal::usize_unsuffixed(i);
+        quote!(#place = #place + step[#i];)
+    });
+    let unknown = |symbol: Symbol| {
+        let moved =
+            piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
+        moved.map_or_else(|| context.input(symbol), |i| element(quote!(increment), &[i]))
+    };
+    let equation = straight_line::routine(&piece.flow.kernel.last[0], &unknown, |values| {
+        let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];
+        quote!(([#(#image),*], [[#(#first),*], [#(#second),*]]))
+    });
+    let solved = quote! {
+        let step = planar_step([#x, #y], |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) { #equation });
+        #(#places)*
+    };
+    if target.to_string() == "q" {
+        return solved;
+    }
+    let parts = context.per_coordinate();
+    quote! {
+        let PerCoordinate { z: q, s } = x;
+        let mut d: #parts = PerCoordinate::nothing();
+        #solved
+        d
+    }
+}
+
+fn none(context: &Context<'_>, graph: &Graph, splitting: &Ident, missing: Missing) -> TokenStream {
+    let (name, phase, per, action) = (self_type(context), context.phase(), context.per_coordinate(), context.action());
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
-        impl<R: Real + #marker> ContactPieces<R> for #name {
-            const PIECES: &'static [ContactPiece] = &[];
+        impl<R: Real + #marker> FlowPieces<#splitting, R> for #name {
+            const PIECES: &'static [FlowPiece] = &[];
             type Proof = <R as #marker>::Proof;
             type Flows = #never;
             type Frozen = ();
@@ -110,7 +154,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
                 ::core::unreachable!()
             }
             fn freeze(&self, _: &#never, _: R) {}
-            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut R) {
+            fn flow(&self, _: usize, never: &#never, _: &(), _: R, _: &mut #phase, _: &mut #action) {
                 match *never {}
             }
             fn increments(&self, _: usize, never: &#never, _: &(), _: R, _: &#per) -> #per {

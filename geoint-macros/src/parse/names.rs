@@ -15,8 +15,11 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Conservative",
     "ContactDiscreteGradient",
     "ContactMidpoint",
-    "ContactPiece",
-    "ContactPieces",
+    "FlowPiece",
+    "FlowPieces",
+    "PlanarSplitting",
+    "PoissonSplitting",
+    "ContactSplitting",
     "ContactState",
     "ContactSystem",
     "CotangentSpace",
@@ -51,6 +54,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "is_positive_semidefinite",
     "modified_verlet",
     "gradient_kick",
+    "planar_step",
     "slope",
 ];
 

@@ -12,7 +12,9 @@ mod partition;
 mod mechanics;
 mod increment;
 mod modified;
+mod fields;
 
+pub(crate) use fields::{Motion, NoPart, Part, parts, planes};
 pub(crate) use flow::{Family, Flow, Piece};
 pub(crate) use increment::increments;
 pub(crate) use mechanics::{Mechanics, mechanics};

@@ -35,7 +35,7 @@
 //! ```
 
 use crate::method::Method;
-use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting};
+use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -44,6 +44,7 @@ use crate::method::discrete_gradient::{
 use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
+use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
@@ -158,9 +159,21 @@ pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.
-pub fn pieces<S: Pieces<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
     compositions!(visitor: ContactSplitting);
+}
+
+/// Methods for x' = S(x) ∇H whose terms have flows in closed form.
+pub fn poisson<S: Pieces<PoissonSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PoissonSplitting, BlanesMoan4X.of(PoissonSplitting), BlanesMoan6X.of(PoissonSplitting));
+    compositions!(visitor: PoissonSplitting);
+}
+
+/// Methods for fields whose planar parts have flows in closed form, or few coordinates.
+pub fn planar<S: Pieces<PlanarSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PlanarSplitting);
+    compositions!(visitor: PlanarSplitting);
 }
 
 /// Methods for contact systems T(p) + g(t)s + V(q), beside those of [`separable`].

@@ -10,6 +10,7 @@ pub mod explicit;
 pub mod gauss;
 pub mod kahan;
 mod name;
+pub mod pieces;
 mod probe;
 pub mod splitting;
 pub mod tables;

@@ -4,6 +4,7 @@ mod damped;
 mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
+mod planar;
 mod noise;
 mod predictor;
 pub(crate) mod quasi_newton;
@@ -14,5 +15,6 @@ mod semidefinite;
 pub(crate) mod size;
 
 pub use inverse::{Inverse, Inverted};
+pub use planar::planar_step;
 pub use refusal::Refusal;
 pub use semidefinite::is_positive_semidefinite;

@@ -69,27 +69,35 @@ pub enum Clock {
     Stage,
 }
 
-/// A part of H.
+/// A part of H, or of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Piece {
     /// Its formula.
     pub name: &'static str,
     /// Its time.
     pub clock: Clock,
+    /// Whether its flow is not known in closed form, and a symmetric step of order 2 is solved for in its place.
+    pub solved: bool,
 }
 
-/// H is a sum of pieces whose flows are known in closed form.
+/// The system is a sum of pieces whose flows are known: for the splitting `M`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no contact Hamiltonian that was split into pieces",
-    label = "this method is for those",
+    message = "`{Self}` has no pieces for `{M}`",
+    label = "this method is for systems that were split into such",
+    note = "`ContactSplitting` is for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
+            that and for `#[vector_field(keeps(…))]`",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
-pub trait Pieces<R: Real = f64>: PhaseSpace<R> {
+pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// The pieces; the last one is in the middle of a step.
     const PIECES: &'static [Piece];
+    /// Whether every flow keeps the structure of phase space: a symplectic, Poisson or contact map.
+    const SYMPLECTIC: bool = true;
+    /// Whether every flow keeps H, or the first integral.
+    const CONSERVES_ENERGY: bool = false;
     /// What flows of given lengths need from the parameters.
     type Flows: Copy + core::fmt::Debug;
     /// What they need from the time at which it is frozen.

@@ -3,6 +3,7 @@
 //!
 //! The solutions are Taylor series of order 40 in arithmetic of 220 bits.
 
+mod splittings;
 mod systems;
 
 use geoint_runtime::prelude::*;

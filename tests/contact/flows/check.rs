@@ -19,8 +19,11 @@ pub(super) trait Closed<const N: usize>: Over<f64, N> + Over<Double, N> + Over<D
 impl<const N: usize, S> Closed<N> for S where S: Over<f64, N> + Over<Double, N> + Over<Dual, N> {}
 
 /// A contact system in pieces, with N positions.
-pub(super) trait Over<R: Real, const N: usize>: Pieces<R> + Contact<R, Array = [R; N]> {}
-impl<R: Real, const N: usize, S: Pieces<R> + Contact<R, Array = [R; N]>> Over<R, N> for S {}
+pub(super) trait Over<R: Real, const N: usize>:
+    Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>
+{
+}
+impl<R: Real, const N: usize, S: Pieces<ContactSplitting, R> + Contact<R, Array = [R; N]>> Over<R, N> for S {}
 
 /// The largest error, in units of the condition.
 const BOUND: f64 = 3.0;
@@ -30,7 +33,7 @@ const START: f64 = 0.5;
 /// All that is known of flows: which rule, q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H, and a form that is kept.
 pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S) -> Result<(), String> {
     let Instance { name, report, rule } = instance;
-    let pieces = <S as Pieces<f64>>::PIECES;
+    let pieces = <S as Pieces<ContactSplitting, f64>>::PIECES;
     if pieces.len() != 1 || pieces[0].clock != Clock::Own || !report.contains(&format!("\n  {rule}: ")) {
         return Err(format!("{name}: {report}"));
     }

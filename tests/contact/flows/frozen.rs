@@ -18,7 +18,7 @@ macro_rules! second_order {
                 fn energy($q: $of, $p: $of, $s: f64, $t: f64) -> f64 {
                     $energy
                 }
-                assert_eq!(<$System as Pieces>::PIECES[0].clock, Clock::Stage, "{}", stringify!($System));
+                assert_eq!(<$System as Pieces<ContactSplitting>>::PIECES[0].clock, Clock::Stage, "{}", stringify!($System));
                 let truth: Vec<f64> = solution(&$System, 0.5, &$x, 0.4, 40).into_iter().map(Double::value).collect();
                 let error = |n: u64| {
                     let end = run($System, ContactSplitting, (0.5, &$x[..]), 0.4 / n as f64, n).unwrap();
@@ -66,7 +66,7 @@ macro_rules! not_passed {
 
 fn stops<S, M>(name: &str, system: S, method: M, h: f64, steps: u64)
 where
-    S: Pieces + Contact<Coordinates = f64>,
+    S: Pieces<ContactSplitting> + Contact<Coordinates = f64>,
     M: Method<S, f64>,
 {
     let mut sim = Integrator::new(system, method, h, ContactState::at(0.0, 0.3, 0.2, 0.1));

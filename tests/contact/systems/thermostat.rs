@@ -12,7 +12,7 @@ fn it_takes_two_pieces_and_has_its_order() {
     assert!(two[1] < 8e-4 && (order(two) - 2.0).abs() < 0.05, "{two:?}");
     let four = [0.2, 0.1].map(|h| gap(&after(SYSTEM, BlanesMoan4X, h, start, 10.0), &truth));
     assert!(four[1] < 1e-6 && (order(four) - 4.0).abs() < 0.2, "{four:?}");
-    assert_eq!(<Thermostat as Pieces>::PIECES.len(), 2);
+    assert_eq!(<Thermostat as Pieces<ContactSplitting>>::PIECES.len(), 2);
 }
 
 /// H' = −H ∂H/∂s = −k H².

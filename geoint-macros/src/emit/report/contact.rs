@@ -7,7 +7,6 @@ use crate::derive::{Implicit, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::Plan;
-use crate::split::Clock;
 use std::fmt::{Result as Written, Write};
 
 /// The report.
@@ -69,16 +68,8 @@ fn structure<F: Fn(Symbol) -> String>(
 
 fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
     writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
-    match &system.pieces {
-        Some(Ok(pieces)) => pieces.iter().try_for_each(|piece| {
-            writeln!(text, "- {}", printer.excerpt(piece.energy))?;
-            writeln!(text, "  {}: {} ({})", piece.family.name, piece.family.energies, piece.family.source)?;
-            let clock = match piece.clock {
-                Clock::Own => "exact in time",
-                Clock::Stage => "time frozen in the middle of a step",
-            };
-            writeln!(text, "  {clock}; {}", counted(piece.flow.kernel.operations()))
-        }),
+    match system.pieces.first().map(|found| &found.pieces) {
+        Some(Ok(pieces)) => pieces.iter().try_for_each(|piece| super::pieces::piece(text, printer, piece)),
         Some(Err(missing)) => writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term)),
         None => Ok(()),
     }

@@ -35,7 +35,8 @@ pub(crate) fn flow(
             Source::Field(_) => Ok(()),
         })
         .and_then(|()| kept(&mut text, &printer, flow, source))
-        .and_then(|()| operations(&mut text, flow, system));
+        .and_then(|()| operations(&mut text, flow, system))
+        .and_then(|()| super::pieces::of_flow(&mut text, &printer, system));
     text
 }
 

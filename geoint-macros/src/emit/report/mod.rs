@@ -3,6 +3,7 @@
 mod bodies;
 mod canonical;
 mod contact;
+mod pieces;
 mod flow;
 
 use crate::schedule::Operations;

@@ -30,6 +30,9 @@ Operations (a sine with its cosine counts as two)
 Implicit steps
 - unknowns 2: Newton's iteration with elimination
 - `DiscreteGradient` and `FourthOrder` keep radius, to rounding
+
+Pieces of `PlanarSplitting`, in the order of half a step
+- none, because of x[0]² + x[1]²
 ```*/
 struct Turning<R = f64> {
     ///The parameter `w` of the energy.
@@ -52,14 +55,15 @@ struct Turning<R = f64> {
 const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, ContactPiece,
-        ContactPieces, ContactState, ContactSystem, CotangentSpace, QuadraticField,
-        DifferentialEquation, DiscreteField, FirstIntegrals, FlowState, ForceGradient,
-        FourthOrderField, Hamiltonian, ImplicitStep, Integrator, Inverted, Mean,
-        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
-        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, slope,
+        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
+        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
+        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
+        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
+        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, slope,
     };
     const _: fn() = || {
         let _ = turning;
@@ -67,7 +71,7 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PlanarSplitting`, in the order of half a step\n- none, because of x[0]² + x[1]²\n";
         /// x' at a state.
         pub fn field(&self, state: &FlowState<[f64; 2]>) -> [f64; 2] {
             let (t, z, ()) = Snapshot::parts(*state);
@@ -194,6 +198,44 @@ const _: () = {
             v2 = dq0 * v0;
             v3 = dq1.multiply_add(v1, v2);
             [v3]
+        }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Turning`: a field is split into planes by S of x' = S(x) ∇I, which is not known here: write the system as `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`",
+        label = "the term is: x[0]² + x[1]²"
+    )]
+    pub trait InPlanesTurning {
+        type Proof;
+    }
+    impl<R: Real + InPlanesTurning> FlowPieces<PlanarSplitting, R> for Turning<R> {
+        const PIECES: &'static [FlowPiece] = &[];
+        type Proof = <R as InPlanesTurning>::Proof;
+        type Flows = ::core::convert::Infallible;
+        type Frozen = ();
+        fn prepare_flows(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn freeze(&self, _: &::core::convert::Infallible, _: R) {}
+        fn flow(
+            &self,
+            _: usize,
+            never: &::core::convert::Infallible,
+            _: &(),
+            _: R,
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn increments(
+            &self,
+            _: usize,
+            never: &::core::convert::Infallible,
+            _: &(),
+            _: R,
+            _: &PerCoordinate<[R; 2], ()>,
+        ) -> PerCoordinate<[R; 2], ()> {
+            match *never {}
         }
     }
     impl<R: Real> DiscreteField<R> for Turning<R> {

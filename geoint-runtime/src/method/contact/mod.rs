@@ -30,9 +30,7 @@ mod discrete_gradient;
 mod implicit;
 mod leapfrog;
 mod midpoint;
-mod splitting;
 
 pub use discrete_gradient::ContactDiscreteGradient;
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;
-pub use splitting::{ContactSplitting, PieceComposition};

@@ -1,0 +1,65 @@
+//! What was found of pieces, in words.
+
+use super::counted;
+use crate::derive::{PieceKernel, PiecesOf, System};
+use crate::ir::{Symbol, print::Printer};
+use crate::schedule::Plan;
+use crate::split::Clock;
+use std::fmt::{Result as Written, Write};
+
+/// A piece, and how its flow is known.
+pub(super) fn piece<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    piece: &PieceKernel<Plan>,
+) -> Written {
+    writeln!(text, "- {}", printer.excerpt(piece.energy))?;
+    of_piece(text, piece)
+}
+
+fn of_piece(text: &mut String, piece: &PieceKernel<Plan>) -> Written {
+    piece.known.iter().try_for_each(|known| writeln!(text, "  {known}"))?;
+    let clock = match piece.clock {
+        Clock::Own => "exact in time",
+        Clock::Stage => "time frozen in the middle of a step",
+    };
+    let each = if piece.solved { " an iteration" } else { "" };
+    writeln!(text, "  {clock}; {}{each}", counted(piece.flow.kernel.operations()))
+}
+
+/// The pieces of all splittings of a flow.
+pub(super) fn of_flow<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    system: &System<Plan>,
+) -> Written {
+    for PiecesOf { splitting, pieces, symplectic, conserves_energy } in &system.pieces {
+        writeln!(text, "\nPieces of `{splitting}`, in the order of half a step")?;
+        match pieces {
+            Ok(pieces) => {
+                for piece in pieces {
+                    let moved: Vec<String> = piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect();
+                    let what = if *splitting == "PlanarSplitting" { "the plane of" } else { "moves" };
+                    match *splitting {
+                        "PlanarSplitting" => writeln!(text, "- {what} {}", moved.join(", "))?,
+                        _ => writeln!(text, "- {}, {what} {}", printer.excerpt(piece.energy), moved.join(", "))?,
+                    }
+                    of_piece(text, piece)?;
+                }
+                let kept = match (symplectic, conserves_energy) {
+                    (true, _) => "a Poisson map: Casimirs are kept to rounding, the energy to the order",
+                    (_, true) => "the energy is kept to rounding, Casimirs to the order",
+                    _ => "no structure is kept",
+                };
+                writeln!(text, "- {kept}")?;
+            }
+            Err(missing) => {
+                let pair = missing.pair.map_or_else(String::new, |([a, b], word)| {
+                    format!("; {} and {} {word}", printer.named(a), printer.named(b))
+                });
+                writeln!(text, "- none, because of {}{pair}", printer.excerpt(missing.term))?;
+            }
+        }
+    }
+    Ok(())
+}

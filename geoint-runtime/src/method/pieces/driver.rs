@@ -1,0 +1,153 @@
+//! Exact flows of pieces, one after the other and back.
+//!
+//! With Φ(h) for all flows in order and Φ*(h) for them in reverse, every table here is Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h). The last
+//! flow of a Φ and the first one of the Φ* behind it belong to one piece and are merged. Time, where it is frozen, moves
+//! before all flows of Φ and after all flows of Φ*: between Φ and Φ* it is the same for all flows.
+
+use crate::method::{Claims, Clock, Probe, Refusal, Step, Unwatched};
+use crate::scalar::Real;
+use crate::space::{PerCoordinate, Point, Summation};
+use crate::system::{Clock as PieceClock, Pieces};
+
+/// A splitting by its name: which pieces of a system it takes.
+pub trait Splitting: Copy + Default {
+    /// What it is called.
+    const NAME: &'static str;
+}
+
+/// What a step needs.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<F, R> {
+    flows: F,
+    /// The first flow of a step merged with the last one of the step before.
+    merged: F,
+    half: R,
+}
+
+/// What every composition of exact flows claims, of order `order` with so many flows of the last piece.
+pub(super) fn claims<S: Pieces<M, R>, M, R: Real>(order: u32, flows: u32) -> Claims {
+    let (symplectic, conserves_energy) = (S::SYMPLECTIC, S::CONSERVES_ENERGY);
+    Claims { order, symmetric: true, symplectic, conserves_energy, forces: Some(flows) }
+}
+
+pub(super) fn prepare<S: Pieces<M, R>, M, R: Real>(system: &S, h: R) -> Prepared<S::Flows, R> {
+    let half = R::from_f64(0.5) * h;
+    Prepared { flows: system.prepare_flows(half, h), merged: system.prepare_flows(h, h), half }
+}
+
+/// The flows in order, and back.
+#[inline(always)]
+pub(super) fn step<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
+    Prepared { flows, half, .. }: &Prepared<S::Flows, R>,
+    mut step: Step<'_, S, R, C, P>,
+) -> Result<(), Refusal> {
+    let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
+    let frozen = step.system.freeze(flows, middle);
+    step.probe.visit(start, &step.x.z, &step.x.s);
+    pass::<S, M, R, C, P>(0..all, (flows, &frozen), step.part(start));
+    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen), step.part(middle));
+    Ok(())
+}
+
+/// Steps of which neighbours share a flow.
+#[inline(always)]
+pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
+    prepared: &Prepared<S::Flows, R>,
+    system: &S,
+    clock: &Clock<R>,
+    steps: u64,
+    x: &mut Point<S::Phase, C, S::Action>,
+) -> Result<(), Refusal> {
+    let Prepared { flows, merged, half } = prepared;
+    let (all, probe) = (S::PIECES.len(), &mut Unwatched);
+    // Flows at frozen time begin anew with every step, and a solution is no flow: two halves of it are not a whole.
+    if all < 2 || S::PIECES[0].clock == PieceClock::Stage || S::PIECES[0].solved {
+        return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step { system, t: clock.at(n), x, probe }));
+    }
+    let Some(last) = steps.checked_sub(1) else { return Ok(()) };
+    let start = clock.at(0);
+    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start)), Step { system, t: start, x, probe });
+    for n in 0..steps {
+        let (t, middle) = (clock.at(n), clock.at(n) + *half);
+        let frozen = system.freeze(flows, middle);
+        let outer = if n == last { flows } else { merged };
+        pass::<S, M, R, C, _>(1..all, (flows, &frozen), Step { system, t, x, probe });
+        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen), Step { system, t: middle, x, probe });
+        pass::<S, M, R, C, _>(0..1, (outer, &frozen), Step { system, t: middle, x, probe });
+    }
+    Ok(())
+}
+
+/// A splitting as a method, and as a map of compositions.
+macro_rules! splitting {
+    ($($name:ident)*) => { $(
+        impl Splitting for $name {
+            const NAME: &'static str = stringify!($name);
+        }
+
+        impl<S: Pieces<$name, R>, R: Real> Method<S, R> for $name {
+            type Proof = <S as Pieces<$name, R>>::Proof;
+            type Prepared = driver::Prepared<S::Flows, R>;
+            type Memory = ();
+
+            fn claims(&self) -> Claims {
+                driver::claims::<S, $name, R>(2, 1)
+            }
+
+            fn name(&self) -> Name {
+                Name::new($name::NAME)
+            }
+
+            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+                driver::prepare(system, h)
+            }
+
+            fn memory() {}
+
+            #[inline(always)]
+            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+                prepared: &Self::Prepared,
+                (): &mut (),
+                step: Step<'_, S, R, C, P>,
+            ) -> Result<(), Refusal> {
+                driver::step::<S, $name, R, C, P>(prepared, step)
+            }
+
+            #[inline(always)]
+            fn advance<C: Summation<S::Phase>>(
+                prepared: &Self::Prepared,
+                (): &mut (),
+                system: &S,
+                clock: &Clock<R>,
+                steps: u64,
+                x: &mut Point<S::Phase, C, S::Action>,
+            ) -> Result<(), Refusal> {
+                driver::advance::<S, $name, R, C>(prepared, system, clock, steps, x)
+            }
+        }
+
+        substeps!([] $name);
+    )* };
+}
+pub(super) use splitting;
+
+/// The flows of some pieces one after the other, each from the time of `step` on.
+#[inline(always)]
+pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
+    pieces: impl Iterator<Item = usize>,
+    (flows, frozen): (&S::Flows, &S::Frozen),
+    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+) {
+    for piece in pieces {
+        if C::PLAIN {
+            // An action that is not followed is dropped here, and with it what it is computed from.
+            let mut unread = x.s;
+            let s = if C::ACTION { &mut x.s } else { &mut unread };
+            system.flow(piece, flows, frozen, t, &mut x.z, s);
+        } else {
+            let d = system.increments(piece, flows, frozen, t, &PerCoordinate::of(x));
+            x.add_everywhere(&d);
+        }
+        probe.flown(S::PIECES[piece].name, || x.is_finite());
+    }
+}
