@@ -1,7 +1,5 @@
 //! Splittings by terms of H and by planes: errors against the same solutions, what they keep, and what they must move.
 
-#![allow(clippy::excessive_precision, reason = "all digits of the reference solutions, rounded once")]
-
 use super::systems::*;
 use super::{Motion, VERTICAL};
 use geoint_runtime::prelude::*;
