@@ -235,7 +235,6 @@ fn steps_of_any_length_in_a_well() {
     }
     check("ImplicitMidpoint", ImplicitMidpoint);
     check("DiscreteGradient", DiscreteGradient);
-    check("Gonzalez", Gonzalez);
 }
 
 /// Numbers that overflow without leaving any domain.

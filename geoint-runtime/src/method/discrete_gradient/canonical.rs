@@ -61,7 +61,8 @@ pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
     let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
     let mut unwatched = Unwatched;
     let mut energy = energy(system, parameters, t, &mut unwatched);
-    let mut end = energy.gradient(t + half * h, &moved(&z, one, d));
+    let end_of_step = moved(&z, one, d);
+    let mut end = energy.gradient(t + half * h, &end_of_step);
     let end_rate = turned(&end.g);
     let change = moved(&rate, -one, &end_rate);
     let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
@@ -90,7 +91,12 @@ pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
         let Slope { g, derivative: mut of_g } = energy.tree(&z, d);
         let weighted = product(&[weights[1], weights[0]], &g);
         let square = dot(&g, &weighted);
-        if square != zero() {
+        // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
+        // the tree discrete gradient.
+        if square == zero() || !system.same_sides(t, [&z, &end_of_step], [&(), &()]) {
+            mean = turned(&g);
+            slope = turned_rows(&mut of_g);
+        } else {
             let excess = dot(&g, &velocity) / square;
             mean = moved(&velocity, -excess, &weighted);
             // ∂(ḡ·F)/∂d and ∂(ḡ·Mḡ)/∂d; what M adds is of the order of the excess.
