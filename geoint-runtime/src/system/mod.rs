@@ -105,7 +105,7 @@ pub(crate) fn has_attitudes<S: PhaseSpace<R>, R: Real>() -> bool {
     !S::attitudes(&mut S::Phase::zero()).is_empty()
 }
 
-/// Points of the phase space of a system: [`State`](crate::State), [`ContactState`](crate::ContactState),
+/// Points of the phase space of a system: [`State`], [`ContactState`](crate::ContactState),
 /// [`FlowState`](crate::FlowState), or [`BodyState`](crate::BodyState).
 pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;
 
