@@ -107,7 +107,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
@@ -132,7 +132,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>) -> TokenStream {
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                fourth_order::slope(self, parameters, start, d, image, matrix);
+                fourth_order::slope::<#autonomous, _, _>(self, parameters, start, d, image, matrix);
             }
         }
     }

@@ -68,7 +68,10 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let discrete = field.discrete.as_ref().map(|plan| implicit::discrete_field(context, field, plan));
             let fourth = match &field.fourth {
                 Some(plan) => Some(implicit::fourth_order(context, field, plan)),
-                None => system.proven.contains(&"Conservative").then(|| implicit::canonical_fourth_order(context)),
+                None => system
+                    .proven
+                    .contains(&"Conservative")
+                    .then(|| implicit::canonical_fourth_order(context, system.proven.contains(&"Autonomous"))),
             };
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #fourth #collocation)

@@ -183,11 +183,6 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
         Form::Contact => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
     };
-    let autonomous = system.proven.contains(&"Autonomous").then(|| {
-        quote!(
-            const AUTONOMOUS: bool = true;
-        )
-    });
     let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
         let body = context.values(rate, |values| halves(context, &values));
         quote! {
@@ -206,7 +201,6 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
         }
         impl<R: Real> #form<R> for #name {
             type Proof = ();
-            #autonomous
             #[inline]
             fn gradient(&self, t: R, z: &#phase, #receives slopes: &mut #phase, #returned) {
                 #parts

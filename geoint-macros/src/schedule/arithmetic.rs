@@ -2,7 +2,28 @@
 
 use super::block::{Instruction, Operand};
 use super::lowering::Lowering;
+use crate::analyze::has_edge;
 use crate::ir::{HashMap, Id, Node, Number, Ratio, Symbol};
+
+/// Powers of one base.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Powers {
+    Halves,
+    Whole,
+}
+
+impl Powers {
+    fn of(exponent: Ratio) -> Powers {
+        if exponent.is_integer() { Powers::Whole } else { Powers::Halves }
+    }
+}
+
+/// What divides 1, once, for several negative powers of one base, which are products of that.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Of {
+    Base,
+    Root,
+}
 
 /// A summand or factor: a sign and a value, or a product that has not been taken yet.
 #[derive(Clone, Copy)]
@@ -101,7 +122,9 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         for id in now {
             match *self.graph.node(id) {
                 Node::Power(base, exponent)
-                    if exponent.numerator < 0 && self.is_single(id) && !self.reciprocals.contains_key(&base) =>
+                    if exponent.numerator < 0
+                        && self.is_single(id)
+                        && !self.reciprocals.contains_key(&(base, Powers::of(exponent))) =>
                 {
                     below.push(self.positive_power(base, exponent));
                 }
@@ -142,29 +165,37 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     // ------------------------------------------------------------------------------------------------------ powers
 
     pub(super) fn find_reciprocals(&mut self, reachable: &[Id]) {
-        let mut exponents: HashMap<Id, Vec<Ratio>> = HashMap::default();
+        let mut powers: HashMap<Id, [Vec<Id>; 2]> = HashMap::default();
         for id in reachable {
             match *self.graph.node(*id) {
                 Node::Power(base, exponent)
                     if exponent.numerator < 0 && self.levels.of(self.graph, *id) == Some(self.level) =>
                 {
-                    exponents.entry(base).or_default().push(exponent);
+                    powers.entry(base).or_default()[usize::from(exponent.is_integer())].push(*id);
                 }
                 _ => {}
             }
         }
-        let several = exponents.into_iter().filter(|(_, exponents)| exponents.len() > 1);
-        self.reciprocals = several.map(|(base, all)| (base, all.iter().any(|e| !e.is_integer()))).collect();
+        for (base, [halves, whole]) in powers {
+            // √x serves whole powers where no x has one but no other.
+            let together = halves.first().is_some_and(|half| !whole.is_empty() && !has_edge(self.graph, *half));
+            if together || halves.len() > 1 {
+                self.reciprocals.insert((base, Powers::Halves), Of::Root);
+            }
+            if together || whole.len() > 1 {
+                self.reciprocals.insert((base, Powers::Whole), if together { Of::Root } else { Of::Base });
+            }
+        }
     }
 
     pub(super) fn power(&mut self, base: Id, exponent: Ratio) -> Operand {
-        if let (true, Some(halves)) = (exponent.numerator < 0, self.reciprocals.get(&base).copied()) {
-            // One division for all of them: 1/x or 1/√x, and products of that.
+        let n = exponent.numerator.unsigned_abs();
+        let powers = Powers::of(exponent);
+        if let (true, Some(of)) = (exponent.numerator < 0, self.reciprocals.get(&(base, powers)).copied()) {
             let x = self.operand(base);
-            let x = if halves { self.emit(Instruction::Sqrt(x)) } else { x };
+            let x = if of == Of::Root { self.emit(Instruction::Sqrt(x)) } else { x };
             let reciprocal = self.emit(Instruction::Div(Operand::Constant(Number::ONE), x));
-            let n = exponent.numerator.unsigned_abs();
-            return self.repeated(reciprocal, if halves && exponent.is_integer() { 2 * n } else { n });
+            return self.repeated(reciprocal, if (powers, of) == (Powers::Whole, Of::Root) { 2 * n } else { n });
         }
         let power = self.positive_power(base, exponent);
         if exponent.numerator < 0 { self.emit(Instruction::Div(Operand::Constant(Number::ONE), power)) } else { power }

@@ -1,5 +1,6 @@
 //! One routine: nodes to statements.
 
+use super::arithmetic::{Of, Powers};
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::KnownLevels;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
@@ -23,8 +24,8 @@ pub(super) struct Lowering<'a, F> {
     scopes: Vec<Scope>,
     /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
     ready: Vec<u32>,
-    /// Bases of which several negative powers are needed, and whether halves are among the exponents.
-    pub(super) reciprocals: HashMap<Id, bool>,
+    /// Bases of which several negative powers are needed.
+    pub(super) reciprocals: HashMap<(Id, Powers), Of>,
 }
 
 impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {

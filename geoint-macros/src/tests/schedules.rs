@@ -153,6 +153,37 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     fields.into_iter().flat_map(|field| [field.f, field.jacobian.concat()].concat()).collect()
 }
 
+/// Negative powers of one base, seldom with a root that is needed for some values only.
+#[test]
+fn roots_divide_for_whole_powers_only_where_they_exist() {
+    let values = |item, q: f64| {
+        let (_, mut lowered) = lowered(item);
+        let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&[lowered.energy]]);
+        let input = |symbol: Symbol| if let Symbol::Q(_) = symbol { q } else { 0.5 };
+        let mut slots = vec![];
+        for store in &plan.stores {
+            slots.push(Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store));
+        }
+        let divisions = plan.stores.iter().flat_map(|block| &block.statements);
+        let divisions = divisions.filter(|statement| matches!(statement, Statement::Let(_, Instruction::Div(..))));
+        (slots[1][0], divisions.count())
+    };
+    let guarded = quote! {
+        fn guarded(q: f64, p: f64) -> f64 {
+            p / q + if q > 0.0 { q.powf(-0.5) } else { 0.0 }
+        }
+    };
+    assert_eq!(values(guarded, -2.0), (-0.25, 1));
+    let charged = quote! {
+        fn charged(q: f64, p: f64) -> f64 {
+            let r2 = q * q + 1.0;
+            p / r2 + r2.powf(-0.5)
+        }
+    };
+    let (value, divisions) = values(charged, 0.75);
+    assert!((value - 1.12).abs() < 4.0 * f64::EPSILON && divisions == 1, "{value} {divisions}");
+}
+
 proptest! {
     #![proptest_config(config())]
 

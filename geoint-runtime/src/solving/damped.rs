@@ -7,6 +7,7 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
+use crate::space::vector::{moved, scaled};
 use crate::space::{Array, Square};
 
 /// A correction of less than this, relative to the state, is small enough for the iteration that follows.
@@ -29,17 +30,12 @@ pub(crate) fn approach<A: Array>(
     sizes: &Sizes<A>,
     mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
 ) -> A {
-    let scaled = |x: &A, w: f64, d: &A| {
-        let mut sum = *x;
-        sum.add_scaled(A::Real::from_f64(w), d);
-        sum
-    };
     let mut matrix = A::fill(A::zero());
     let mut evaluate = |x: &A, matrix: &mut Square<A>| {
         let mut r = A::zero();
         residual(x, &mut r, matrix).map(|()| r)
     };
-    let mut x = scaled(&A::zero(), still, origin);
+    let mut x = scaled(A::Real::from_f64(still), origin);
     let Ok(mut r) = evaluate(&x, &mut matrix) else { return x };
     // The residual has the units of the unknowns.
     let mut units = *sizes;
@@ -54,7 +50,7 @@ pub(crate) fn approach<A: Array>(
         // Not a number is not less.
         let falls = |w: f64, next: &A| units.square(next) < (1.0 - 0.5 * w) * units.square(&r);
         let (next, less) = loop {
-            let next = scaled(&x, -w, &delta);
+            let next = moved(&x, A::Real::from_f64(-w), &delta);
             match evaluate(&next, &mut matrix) {
                 Ok(less) if falls(w, &less) => break (next, less),
                 _ if w < SHORTEST => return x,

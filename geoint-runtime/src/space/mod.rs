@@ -8,6 +8,7 @@ mod per_coordinate;
 mod point;
 mod state;
 mod summation;
+pub(crate) mod vector;
 
 pub use array::{Array, Square};
 pub use body::{Attitudes, BodyState};

@@ -143,8 +143,6 @@ pub trait Hamiltonian<R: Real = f64>:
 {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// Whether H does not depend on time.
-    const AUTONOMOUS: bool = false;
     /// [∂H/∂q, ∂H/∂p] at a point.
     fn gradient(&self, t: R, z: &Self::Phase, slopes: &mut Self::Phase);
 }

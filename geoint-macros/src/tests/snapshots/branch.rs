@@ -740,7 +740,11 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
-            fourth_order::slope(self, parameters, start, d, image, matrix);
+            fourth_order::slope::<
+                false,
+                _,
+                _,
+            >(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Spring {

@@ -155,7 +155,6 @@ const _: () = {
     }
     impl<R: Real> Hamiltonian<R> for Coupled {
         type Proof = ();
-        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 2]; 2], slopes: &mut [[R; 2]; 2]) {
             let [q, p] = z;
@@ -404,7 +403,7 @@ const _: () = {
             image: &mut [[R; 2]; 2],
             matrix: &mut Square<[[R; 2]; 2]>,
         ) {
-            fourth_order::slope(self, parameters, start, d, image, matrix);
+            fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Coupled {

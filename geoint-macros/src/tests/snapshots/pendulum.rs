@@ -182,7 +182,6 @@ const _: () = {
     }
     impl<R: Real> Hamiltonian<R> for Pendulum<R> {
         type Proof = ();
-        const AUTONOMOUS: bool = true;
         #[inline]
         fn gradient(&self, t: R, z: &[[R; 1]; 2], slopes: &mut [[R; 1]; 2]) {
             let [q, p] = z;
@@ -497,7 +496,7 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
-            fourth_order::slope(self, parameters, start, d, image, matrix);
+            fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
         }
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {

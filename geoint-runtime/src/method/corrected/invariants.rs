@@ -3,6 +3,7 @@
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
+use crate::space::vector::{dot, sum_of_products};
 use crate::system::{Autonomous, DiscreteField, FirstIntegrals};
 
 /// One or more functions of the coordinates that the flow of `S` keeps.
@@ -51,12 +52,12 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
         if S::DERIVATIVE == 1 {
             // f̄ = J∇̄H: the rates of q and of p.
             let ((rate_q, rate_p), [dq, dp]) = (f.as_slice().split_at(S::Array::LEN), dz);
-            return dot(rate_q, dp.as_slice()) - dot(rate_p, dq.as_slice());
+            return sum_of_products(rate_q, dp.as_slice()) - sum_of_products(rate_p, dq.as_slice());
         }
         // f̄ = −∇̄V, and the mean gradient of a quadratic T is that of the mean momentum.
         changed.add_scaled(R::from_f64(0.5), &change);
         let velocity = system.velocity(&system.constants(), &changed);
-        dot(velocity.as_slice(), change.as_slice()) - dot(f.as_slice(), d.as_slice())
+        dot(&velocity, &change) - dot(&f, &d)
     }
 
     #[inline]
@@ -117,23 +118,4 @@ macro_rules! tuples {
 tuples! {
     2: A 0 B 1;
     3: A 0 B 1 C 2;
-}
-
-/// Σ xᵢ·yᵢ.
-#[inline]
-fn dot<R: Real>(x: &[R], y: &[R]) -> R {
-    x.iter().zip(y).fold(zero(), |sum, (x, y)| x.multiply_add(*y, sum))
-}
-
-/// The same over positions and momenta.
-#[inline]
-pub(crate) fn product<A: Array>(x: &A, y: &A) -> A::Real {
-    dot(x.as_slice(), y.as_slice())
-}
-
-/// x + w·y.
-#[inline]
-pub(crate) fn plus<A: Array>(mut x: A, w: f64, y: &A) -> A {
-    x.add_scaled(A::Real::from_f64(w), y);
-    x
 }

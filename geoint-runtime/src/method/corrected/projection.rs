@@ -1,11 +1,12 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
-use crate::method::corrected::invariants::{Invariants, plus, product};
+use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::correct;
 use crate::solving::size::{Sizes, largest};
+use crate::space::vector::{difference, dot, sum};
 use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{Poles, VectorField};
 use core::cell::Cell;
@@ -75,7 +76,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
-        let moved = plus(x.z, -1.0, &before);
+        let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
 
         // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
@@ -95,11 +96,11 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         };
         // Simplified Newton for the multipliers: at y, with the gradients that are there already.
         let mut matrix = I::Values::fill(I::Values::zero());
-        fill::<I::Values>(&mut matrix, |i, j| product(&directions[i], &directions[j]));
+        fill::<I::Values>(&mut matrix, |i, j| dot(&directions[i], &directions[j]));
         // The increments at whose end conditions of the energy were decided last.
         let decided = Cell::new(moved);
         let residual = |multipliers: &I::Values| {
-            let change = plus(moved, 1.0, &back(multipliers));
+            let change = sum(&moved, &back(multipliers));
             decided.set(change);
             let mut changes = invariants.changes(system, &before, &change);
             for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
@@ -120,7 +121,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         })?;
         x.correct(sums, &before, &moved, &back(&multipliers));
         if I::KEEP_ENERGY {
-            check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
+            check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         }
         check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }

@@ -1,10 +1,11 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
-use crate::method::corrected::invariants::{Energy, Invariants, plus, product};
+use crate::method::corrected::invariants::{Energy, Invariants};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
+use crate::space::vector::{difference, dot, scaled, sum};
 use crate::space::{Array, Compensated, Summation};
 use crate::system::{Autonomous, DiscreteField, Poles};
 use core::cell::Cell;
@@ -75,11 +76,11 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         M::step(method, memory, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
-        let moved = plus(x.z, -1.0, &before);
+        let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
         let mut gradient = Energy.gradients(system, &before);
         let whole = Energy.changes(system, &before, &moved);
-        let secant = whole - product(&gradient, &moved);
+        let secant = whole - dot(&gradient, &moved);
         // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
         let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before, &()).abs();
 
@@ -116,14 +117,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         };
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
-        check_conditions(system, t, &plus(before, 1.0, &decided.get()), x)?;
+        check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }
-}
-
-/// w·x.
-fn scaled<A: Array>(w: A::Real, x: &A) -> A {
-    let mut y = A::zero();
-    y.add_scaled(w, x);
-    y
 }

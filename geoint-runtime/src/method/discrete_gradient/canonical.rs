@@ -2,9 +2,10 @@
 
 use super::energy::{Energy, Slope};
 use super::gonzalez::metric;
-use super::matrix::{Matrix, dot, entries, moved, product, scaled, turned};
+use super::matrix::{Matrix, turned};
 use crate::method::Unwatched;
 use crate::scalar::{Real, zero};
+use crate::space::vector::{difference, dot, entries, moved, product, scaled, sum};
 use crate::space::{Array, Square};
 use crate::system::{Collocation, Conservative, DiscreteField};
 
@@ -46,11 +47,10 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     Begun { t, z: *z, rate }
 }
 
-/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − Mḡ (ḡ·F)/(ḡ·Mḡ) for H that does not depend on
-/// time, else F. Lengths of a correction need a metric M, because positions and momenta have different units: that of
+/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − Mḡ (ḡ·F)/(ḡ·Mḡ) for an `AUTONOMOUS` H, else F. Lengths of a correction need a metric M, because positions and momenta have different units: that of
 /// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
 #[inline(always)]
-pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
+pub fn slope<const AUTONOMOUS: bool, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
     &Begun { t, z, rate }: &Begun<S::Array>,
@@ -61,14 +61,14 @@ pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
     let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
     let mut unwatched = Unwatched;
     let mut energy = energy(system, parameters, t, &mut unwatched);
-    let end_of_step = moved(&z, one, d);
+    let end_of_step = sum(&z, d);
     let mut end = energy.gradient(t + half * h, &end_of_step);
     let end_rate = turned(&end.g);
-    let change = moved(&rate, -one, &end_rate);
+    let change = difference(&rate, &end_rate);
     let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));
 
     // F = (f₀ + 4 f(c) + f₁)/6 with f = J∇H, and its derivative, where ∂c/∂d = 1/2 − h/8 J∇²H₁.
-    let mut velocity = moved(&rate, one, &end_rate);
+    let mut velocity = sum(&rate, &end_rate);
     velocity.add_scaled(R::from_f64(4.0), &turned(&third.g));
     let velocity = scaled(sixth, &velocity);
     let mut by_end = Matrix::zero();
@@ -86,10 +86,12 @@ pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
         *slope = scaled(sixth, &moved(end_row, R::from_f64(4.0), slope));
     }
 
-    let (mut mean, weights) = (velocity, metric(h, &mut third));
-    if S::AUTONOMOUS {
+    let mut mean = velocity;
+    if AUTONOMOUS {
+        let [of_q, of_p] = metric(h, &mut third);
+        let weights = [of_p, of_q];
         let Slope { g, derivative: mut of_g } = energy.tree(&z, d);
-        let weighted = product(&[weights[1], weights[0]], &g);
+        let weighted = product(&weights, &g);
         let square = dot(&g, &weighted);
         // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
         // the tree discrete gradient.
@@ -103,10 +105,8 @@ pub fn slope<S: DiscreteField<R> + Conservative<R>, R: Real>(
             let mut power = of_g.transpose_times(&moved(&velocity, -(excess + excess), &weighted));
             power.add_scaled(one, &slope.transpose_times(&g));
             let power = scaled(one / square, &power);
-            let exchanged = [weights[1], weights[0]];
             for (i, row) in slope.rows().iter_mut().enumerate() {
-                let m = Array::as_slice(&exchanged)[i];
-                row.add_scaled(-excess * m, &of_g.rows()[i]);
+                row.add_scaled(-excess * Array::as_slice(&weights)[i], &of_g.rows()[i]);
                 row.add_scaled(-Array::as_slice(&weighted)[i], &power);
             }
         }

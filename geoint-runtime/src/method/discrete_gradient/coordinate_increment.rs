@@ -1,11 +1,12 @@
 //! The scheme of Chorin, Hughes, McCracken and Marsden: q along ∂H/∂p, then p along ∂H/∂q, as far as the energy asks.
 
 use super::energy::{Energy, Slope, Staircase};
-use super::matrix::{denominator, difference, dot, moved};
+use super::matrix::denominator;
 use super::mean::MeanGradient;
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
+use crate::space::vector::{difference, dot, moved};
 use crate::system::{Conservative, DiscreteField};
 
 /// Where the terms of the product of a direction and an increment cancel down to this part of them, it is no basis for a quotient.

@@ -1,8 +1,9 @@
 //! The tree discrete gradient, ∇H and their derivatives in all coordinates x = (q, p), from the field of implicit methods.
 
-use super::matrix::{Matrix, entries, moved, opposite};
+use super::matrix::Matrix;
 use crate::method::Probe;
 use crate::scalar::Real;
+use crate::space::vector::{entries, moved, opposite, sum};
 use crate::space::{Array, Square};
 use crate::system::{Conservative, DiscreteField};
 
@@ -43,7 +44,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
     /// The tree discrete gradient between x and x + d, and its derivative with respect to d.
     #[inline]
     pub fn tree(&mut self, x: &S::Phase, d: &S::Phase) -> Slope<S::Array> {
-        let end = moved(x, R::from_f64(1.0), d);
+        let end = sum(x, d);
         self.probe.visit(self.t, x, &());
         self.probe.visit(self.t, &end, &());
         let (y, mut mean) = S::start(x);

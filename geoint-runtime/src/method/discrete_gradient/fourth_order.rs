@@ -1,20 +1,25 @@
 //! Order 4 by a modified structure matrix in place of J.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{Matrix, difference, moved, opposite, scaled, turned};
-use super::mean::MeanGradient;
-use crate::method::composition::SymmetricMap;
+use super::matrix::{Matrix, turned};
+use super::mean::{Corrected, MeanGradient};
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
+use crate::space::vector::{difference, moved, opposite, scaled, sum};
 use crate::system::{Conservative, DiscreteField};
 
-/// x₁ = x₀ + h S̃ g(x₀, x₁) with the gradient g of a symmetric method of order 2, as in `FourthOrder(DiscreteGradient)`, and
-/// S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B = ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.
+/// A step of order 4 that keeps what a symmetric method of order 2 keeps, in one solve.
 ///
-/// Order 4, symmetric, for every H; S̃ is skew, so that the energy is kept where g keeps it, to rounding for every h. One
-/// solve a step. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
-/// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much and has a tenth of the error.
+/// `FourthOrder(DiscreteGradient)` projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of what is kept
+/// are the columns of G, and F = (f(x₀) + 4 f(c) + f(x₁))/6. It is for every energy without damping, and every field with first integrals; see
+/// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
+/// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
+///
+/// With another mean g of gradients, as in `FourthOrder(Gonzalez)`, x₁ = x₀ + h S̃ g(x₀, x₁) and S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B = ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.
+///
+/// Order 4, symmetric, for every H; S̃ is skew, so that the energy is kept where g keeps it, to rounding for every h. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
+/// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much as this second form, and has a tenth of its error.
 ///
 /// After S. Eidnes, BIT 62 (2022) 1207; Q is taken from both ends, because with that of one end, ∂g(x₀, y)/∂y at
 /// y = (x₀ + 2x₁)/3, the step is not symmetric, and of order 3 where third derivatives are not constant. For
@@ -25,7 +30,7 @@ pub struct FourthOrder<G>(
     pub G,
 );
 
-impl<G: MeanGradient + SymmetricMap> MeanGradient for FourthOrder<G> {
+impl<G: Corrected> MeanGradient for FourthOrder<G> {
     fn mean_name(&self) -> Name {
         Name::new("FourthOrder").of(self.0.mean_name())
     }
@@ -46,7 +51,7 @@ impl<G: MeanGradient + SymmetricMap> MeanGradient for FourthOrder<G> {
         let (rate, mut w) = (turned(&g), g);
         if !G::CURL_FREE {
             // g is symmetric: with the ends exchanged, the derivative is that with respect to x₀.
-            let end = moved(x, one, d);
+            let end = sum(x, d);
             let mut start = self.0.between(energy, &end, &opposite(d))?.derivative;
             let twist = |slope: &mut Matrix<_>| difference(&slope.transpose_times(&rate), &slope.times(&rate));
             w.add_scaled(sixth * h, &difference(&twist(&mut derivative), &twist(&mut start)));

@@ -1,12 +1,13 @@
 //! The gradient at the midpoint, corrected along the increment.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{denominator, difference, dot, entries, moved, product, scaled, turned};
+use super::matrix::{denominator, turned};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
 use crate::space::Array;
+use crate::space::vector::{difference, dot, entries, moved, product, scaled};
 use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J g with g = ∇H(m) + (H(x₁) − H(x₀) − ∇H(m)·d)/(d·Wd) Wd, m the midpoint, d = x₁ − x₀. The energy is kept to

@@ -1,12 +1,13 @@
 //! Discrete gradients along the coordinates: the entry of one is a divided difference of H in it alone.
 
 use super::energy::{Energy, Slope, Staircase};
-use super::matrix::{Matrix, moved, opposite, scaled};
+use super::matrix::Matrix;
 use super::mean::{MeanGradient, Memory, Prepared};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::Summation;
+use crate::space::vector::{moved, opposite, scaled, sum};
 use crate::system::{Conservative, DiscreteField};
 
 /// x₁ = x₀ + h J g with gᵢ = H\[…, x₁ᵢ₋₁, (x₀ᵢ, x₁ᵢ), x₀ᵢ₊₁, …\], the divided difference in one coordinate after the other:
@@ -61,7 +62,7 @@ impl MeanGradient for ItohAbeAdjoint {
         x: &S::Phase,
         d: &S::Phase,
     ) -> Result<Slope<S::Array>, Refusal> {
-        let end = moved(x, R::from_f64(1.0), d);
+        let end = sum(x, d);
         let Staircase { g, start, .. } = energy.staircase(&end, &opposite(d), 1);
         Ok(Slope { g, derivative: start })
     }

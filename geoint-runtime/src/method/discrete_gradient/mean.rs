@@ -1,12 +1,13 @@
 //! Steps along a mean of ∇H between their ends: one driver for all of them.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{entries, moved, scaled, turned};
+use super::matrix::turned;
 use crate::method::composition::SymmetricMap;
 use crate::method::{Name, Probe, Refusal, Step, check_conditions, check_end};
 use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
+use crate::space::vector::{entries, moved, scaled, sum};
 use crate::space::{Compensated, Summation};
 use crate::system::{Conservative, DiscreteField, Poles};
 
@@ -92,7 +93,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let d = solver.solve(&x, guess, |d, residual, matrix| {
             let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
             if !S::JUMPS.is_empty() {
-                decided = moved(&x, R::from_f64(1.0), d);
+                decided = sum(&x, d);
             }
             // d − h J g and 1 − h J ∂g/∂d.
             *residual = moved(d, -*h, &turned(&g));

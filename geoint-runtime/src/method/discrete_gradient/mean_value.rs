@@ -1,13 +1,14 @@
 //! The mean value of the gradient along the segment.
 
 use super::energy::{Energy, Slope};
-use super::matrix::{Matrix, moved, scaled};
+use super::matrix::Matrix;
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::Real;
 use crate::space::Array;
+use crate::space::vector::{moved, scaled};
 use crate::system::{Conservative, DiscreteField, Mean};
 
 /// x₁ = x₀ + h J ∫₀¹ ∇H(x₀ + s(x₁ − x₀)) ds, the averaged vector field, with `K` Gauss points for the integral, 1 to 6.

@@ -1,9 +1,11 @@
 //! Order 4 by projection of a mean velocity: the equation is the system's, the step is here.
 
+use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
+use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Snapshot, Square, Summation};
 use crate::system::{FourthOrderField, Poles};
 use core::cell::Cell;
@@ -34,7 +36,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     }
 
     fn name(&self) -> Name {
-        Name::new("FourthOrder").of(Name::new("DiscreteGradient"))
+        Name::new("FourthOrder").of(self.0.mean_name())
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
@@ -53,25 +55,18 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     ) -> Result<(), Refusal> {
         let (z, h, half) = (x.z, *h, R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
-        let from = |w: R, d: &S::Phase| {
-            let mut there = z;
-            there.add_scaled(w, d);
-            there
-        };
         // The explicit midpoint rule.
         let explicit = move || {
-            let (mut rate, mut middle, mut guess) = (S::Phase::zero(), z, S::Phase::zero());
+            let mut rate = S::Phase::zero();
             system.rate(t, &z, &mut rate);
-            middle.add_scaled(half, &rate);
-            system.rate(t + half, &middle, &mut rate);
-            guess.add_scaled(h, &rate);
-            guess
+            system.rate(t + half, &moved(&z, half, &rate), &mut rate);
+            scaled(h, &rate)
         };
         let begun = system.fourth_begin(parameters, t + half, &z);
         // The end of the step at which conditions were decided last.
         let decided = Cell::new(z);
         let evaluate = |probe: &mut P, d: &S::Phase, matrix: &mut Square<S::Phase>| {
-            let end = from(R::from_f64(1.0), d);
+            let end = sum(&z, d);
             probe.visit(t, &end, &());
             if !S::JUMPS.is_empty() {
                 decided.set(end);

@@ -29,6 +29,7 @@ use crate::method::composition::{Composed, Composition, SymmetricMap};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
+use crate::space::vector::sum;
 use crate::space::{Array, Square};
 use crate::space::{Snapshot, Summation};
 use crate::system::{Collocation, Poles};
@@ -142,12 +143,8 @@ where
             for j in 0..S {
                 system.add(constants, coupling[i][j], &k[j], &mut change);
             }
-            let mut z = point.z;
-            z.add_scaled(R::from_f64(1.0), &Y::increments(&change, &zero));
-            probe.visit(t + nodes[i], &z, &());
-            let mut y = y0;
-            y.add_scaled(R::from_f64(1.0), &change);
-            system.field(constants, t + nodes[i], &y, &mut f, slope);
+            probe.visit(t + nodes[i], &sum(&point.z, &Y::increments(&change, &zero)), &());
+            system.field(constants, t + nodes[i], &sum(&y0, &change), &mut f, slope);
             f
         };
         let image = |probe: &mut P, k: &[Y::Unknown; S]| {

@@ -2,6 +2,7 @@
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
+use crate::space::vector::dot;
 use crate::system::{Collocation, Cotangent};
 
 /// H + h²H₂ of [`StormerVerlet`](crate::StormerVerlet) for q″ = M⁻¹F(q): H₂ = −(v·F′v/12 + F·M⁻¹F/24) with v = ∂T/∂p.
@@ -13,9 +14,6 @@ pub fn modified_verlet<S: Collocation<R>, R: Real>(system: &S, h: R, t: R, z: &S
     let mut jacobian = S::Unknown::fill(S::Unknown::zero());
     system.field(&constants, t, &y, &mut force, &mut jacobian);
     system.add(&constants, R::from_f64(1.0), &force, &mut acceleration);
-    let dot = |a: &S::Unknown, b: &S::Unknown| {
-        a.as_slice().iter().zip(b.as_slice()).fold(zero(), |sum: R, (a, b)| a.multiply_add(*b, sum))
-    };
     let rows = S::Unknown::entries(&mut jacobian).iter().zip(velocity.as_slice());
     let bent = rows.fold(zero(), |sum: R, (row, v)| v.multiply_add(dot(row, &velocity), sum));
     let second = bent * R::from_f64(1.0 / 12.0) + dot(&force, &acceleration) * R::from_f64(1.0 / 24.0);

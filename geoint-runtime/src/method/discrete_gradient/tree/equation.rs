@@ -5,6 +5,7 @@
 
 use crate::method::{Probe, Refusal, check_conditions};
 use crate::scalar::{Real, zero};
+use crate::space::vector::sum;
 use crate::space::{Array, Point, Square, Summation, exact_sum};
 use crate::system::DiscreteField;
 use core::cell::Cell;
@@ -154,9 +155,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     /// The end of the step for these increments.
     #[inline(always)]
     fn end(&self, change: &S::Unknown, impulse: &S::Unknown) -> S::Phase {
-        let mut end = self.z;
-        end.add_scaled(R::from_f64(1.0), &S::increments(change, impulse));
-        end
+        sum(&self.z, &S::increments(change, impulse))
     }
 
     /// Remembers the end of the step for these increments, if the energy has conditions.

@@ -1,0 +1,64 @@
+//! Points, increments and gradients as vectors.
+
+use super::array::Array;
+use crate::scalar::{Real, zero};
+
+/// The entries of a vector: arrays have a method of their own called `as_mut_slice`.
+#[inline(always)]
+pub(crate) fn entries<X: Array>(x: &mut X) -> &mut [X::Real] {
+    x.as_mut_slice()
+}
+
+/// x + w·d.
+#[inline(always)]
+pub(crate) fn moved<X: Array>(x: &X, w: X::Real, d: &X) -> X {
+    let mut end = *x;
+    end.add_scaled(w, d);
+    end
+}
+
+/// w·x.
+#[inline(always)]
+pub(crate) fn scaled<X: Array>(w: X::Real, x: &X) -> X {
+    moved(&X::zero(), w, x)
+}
+
+/// The products of entries.
+#[inline(always)]
+pub(crate) fn product<X: Array>(x: &X, y: &X) -> X {
+    let mut z = *x;
+    for (z, y) in z.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *z *= *y;
+    }
+    z
+}
+
+/// −x.
+#[inline(always)]
+pub(crate) fn opposite<X: Array>(x: &X) -> X {
+    scaled(X::Real::from_f64(-1.0), x)
+}
+
+/// x + y.
+#[inline(always)]
+pub(crate) fn sum<X: Array>(x: &X, y: &X) -> X {
+    moved(x, X::Real::from_f64(1.0), y)
+}
+
+/// x − y.
+#[inline(always)]
+pub(crate) fn difference<X: Array>(x: &X, y: &X) -> X {
+    moved(x, X::Real::from_f64(-1.0), y)
+}
+
+/// x·y.
+#[inline(always)]
+pub(crate) fn dot<X: Array>(x: &X, y: &X) -> X::Real {
+    sum_of_products(x.as_slice(), y.as_slice())
+}
+
+/// Σ xᵢ·yᵢ.
+#[inline(always)]
+pub(crate) fn sum_of_products<R: Real>(x: &[R], y: &[R]) -> R {
+    x.iter().zip(y).fold(zero(), |sum: R, (x, y)| x.multiply_add(*y, sum))
+}
