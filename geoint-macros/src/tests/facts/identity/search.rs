@@ -2,8 +2,8 @@
 
 use super::systems::{Lowered, fields};
 use super::{arrays, coordinates};
-use crate::analyze::claims::{dependent, is_casimir, is_kept};
-use crate::analyze::search::{Kept, kept_along, multiplier};
+use crate::analyze::claims::{dependent, is_casimir, is_gradient_form, is_kept, is_poisson};
+use crate::analyze::search::{Kept, kept_along, multiplier, structure};
 use crate::ir::Ratio;
 use quote::quote;
 
@@ -102,6 +102,26 @@ fn multipliers_of_jacobi_are_products_of_powers() {
     assert_eq!(found(2, quote!([x[1], -x[0] - x[0].powi(3) - x[1] / 10.0])), None);
     // x' = x² y, y' = x y³ has μ = x⁻²y⁻³, and others.
     assert_eq!(found(2, quote!([2.0 * x[0] * x[1], -3.0 * x[1] * x[1]])).map(|a| a.len()), Some(2));
+}
+
+/// A skew matrix with S∇I = f from f and its first integral, whether there is one alone, and whether it is a Poisson structure.
+#[test]
+fn structures_are_found() {
+    for field in fields() {
+        let name = field.name;
+        let Lowered { mut graph, x, field: f, integrals, .. } = field.lowered();
+        let Some(found) = structure(&mut graph, &x, &f, integrals[0]) else {
+            println!("{name}: none");
+            continue;
+        };
+        assert!(is_gradient_form(&mut graph, &x, &found.matrix, integrals[0], &f).is_ok(), "{name}");
+        let poisson = is_poisson(&mut graph, &x, &found.matrix).is_ok();
+        let planes = (0..x.len())
+            .flat_map(|i| (i + 1..x.len()).map(move |j| [i, j]))
+            .filter(|[i, j]| !graph.is_zero(found.matrix[*i][*j]))
+            .count();
+        println!("{name}: {} {poisson} {planes}", found.unique);
+    }
 }
 
 #[test]
