@@ -191,6 +191,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
                 routines: vec![implicit::roots(&field), vec![], vec![]],
             }),
             fourth,
+            momenta: Kernel::new(Levels::One, vec![]),
         }),
     }
 }
@@ -201,7 +202,10 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         return None;
     }
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
-    let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
+    // A projection onto what reads time would need to know it at both ends.
+    let steady = |graph: &Graph, i: &usize| kept[*i].conserved.but.is_none() && !analyze::reads(graph, values[*i]).t;
+    let constant: Vec<usize> = (0..kept.len()).filter(|i| steady(graph, i)).collect();
+    let energy = constant.iter().position(|i| kept[*i].name == ENERGY).or((!constant.is_empty()).then_some(0));
     let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
@@ -213,6 +217,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
         functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
         constant,
+        energy,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),
         changes: Kernel::new(Levels::One, changes),

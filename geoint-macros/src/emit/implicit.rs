@@ -107,8 +107,15 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
+    let count = momenta.last[0].results.len() / (2 * degrees);
+    let columns = Literal::usize_unsuffixed(1 + count);
+    let places: Vec<Vec<usize>> = (0..count)
+        .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
+        .collect();
+    let slopes = context.values(momenta, |values| write("slopes", &places, &values));
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
@@ -132,7 +139,13 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) ->
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                fourth_order::slope::<#autonomous, _, _>(self, parameters, start, d, image, matrix);
+                let momenta = |z: &#phase| {
+                    let mut slopes = [<#phase as Array>::zero(); #columns];
+                    #parts
+                    #slopes
+                    slopes
+                };
+                fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
         }
     }

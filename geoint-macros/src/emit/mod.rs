@@ -71,7 +71,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
                 None => system
                     .proven
                     .contains(&"Conservative")
-                    .then(|| implicit::canonical_fourth_order(context, system.proven.contains(&"Autonomous"))),
+                    .then(|| implicit::canonical_fourth_order(context, &field.momenta, system.proven.contains(&"Autonomous"))),
             };
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #fourth #collocation)

@@ -104,7 +104,7 @@ fn what_is_recovered_is_kept() {
 
     let system = NotSeparable { c: 0.3 };
     let before = system.energy(&FlowState::new([0.4, -0.3]));
-    let after = end(system, FOURTH, [0.4, -0.3], 2.0, 40);
+    let after = end(system, FOURTH, [0.4, -0.3], 0.5, 10);
     assert!((system.energy(&after) - before).abs() < 2e-15, "{:e}", system.energy(&after) - before);
     reports(NotSeparable::<f64>::REPORT, "c·exp(x[1])");
 }
@@ -164,7 +164,7 @@ fn without_an_energy_the_report_says_why() {
     reports(TurningForce::<f64>::REPORT, "div f = 0, proven by multiplying out");
     reports(Bell::REPORT, "no antiderivative is known here of 1/exp(x[1]²)");
     reports(FromASource::REPORT, "canonical, with an energy on each simply connected domain");
-    reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = x[0]⁻¹·x[1]⁻¹");
+    reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[0]·x[1])");
     reports(Prey::<f64>::REPORT, "f = J ∇H/μ with H = ");
 }
 
