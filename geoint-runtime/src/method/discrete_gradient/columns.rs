@@ -34,8 +34,14 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 }
             }
             weighted[a] = product(&metric, &orthogonal[a]);
-            let whole = if a == 0 { none } else { dot(&columns[a], &product(&metric, &columns[a])) };
-            reciprocals[a] = recip_above(dot(&orthogonal[a], &weighted[a]), whole);
+            let square = dot(&orthogonal[a], &weighted[a]);
+            reciprocals[a] = if a > 0 {
+                recip_above(square, dot(&columns[a], &product(&metric, &columns[a])))
+            } else if square == none {
+                none
+            } else {
+                A::Real::from_f64(1.0) / square
+            };
         }
         Projector { metric, orthogonal, weighted, reciprocals, coefficients }
     }
