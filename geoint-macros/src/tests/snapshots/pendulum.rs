@@ -209,6 +209,7 @@ const _: () = {
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
         const KICKS_REPEAT: bool = true;
+        const KICKS_SHOW: bool = true;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -398,17 +399,17 @@ const _: () = {
             prepared_0 = prepared[0];
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
-            v2 = k0.multiply_add(dq0, start_0);
-            (v3, v4) = v2.sin_cos();
-            v5 = prepared_0 * v1;
-            v6 = v5 * v3;
-            v7 = slope::sinc_derivative(v0);
-            v8 = k0 * v3;
+            v2 = slope::sinc_derivative(v0);
+            v3 = k0.multiply_add(dq0, start_0);
+            (v4, v5) = v3.sin_cos();
+            v6 = prepared_0 * v1;
+            v7 = v6 * v4;
+            v8 = k0 * v4;
             v9 = k0 * v1;
-            v10 = v8 * v7;
-            v11 = v9.multiply_add(v4, v10);
+            v10 = v8 * v2;
+            v11 = v9.multiply_add(v5, v10);
             v12 = prepared_0 * v11;
-            f[0] = v6;
+            f[0] = v7;
             jacobian[0][0] = v12;
         }
         #[inline(always)]
@@ -450,17 +451,17 @@ const _: () = {
             k5 = R::from_f64(1.0);
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
-            v2 = k0.multiply_add(dq0, start_0);
-            (v3, v4) = v2.sin_cos();
-            v5 = prepared_1 * v1;
-            v6 = v5 * v3;
-            v7 = slope::sinc_derivative(v0);
-            v8 = k0 * v3;
+            v2 = slope::sinc_derivative(v0);
+            v3 = k0.multiply_add(dq0, start_0);
+            (v4, v5) = v3.sin_cos();
+            v6 = prepared_1 * v1;
+            v7 = v6 * v4;
+            v8 = k0 * v4;
             v9 = k0 * v1;
-            v10 = v8 * v7;
-            v11 = v9.multiply_add(v4, v10);
+            v10 = v8 * v2;
+            v11 = v9.multiply_add(v5, v10);
             v12 = prepared_2.multiply_add(v11, k5);
-            image[0] = v6;
+            image[0] = v7;
             matrix[0][0] = v12;
         }
         #[inline(always)]
