@@ -85,8 +85,9 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let found = proof::integrals(graph, &flow);
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
     let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?
-    if let Some(energy) = liouville.kept() {
-        flow.recovered(graph, energy, |symbol| context.user_name(symbol));
+    match liouville.kept() {
+        Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
+        None => flow.divergent = liouville.divergent(),
     }
     flow.search(graph, None, |symbol| context.user_name(symbol));
     let parted = Parted::of_field(graph, &flow); // S, known or searched for

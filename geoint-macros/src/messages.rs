@@ -12,6 +12,9 @@ pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane,
 pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
 
+pub(crate) const NOTHING_KEPT: &str = "nothing was named that this field keeps, and no energy has it, because its divergence is not 0: name \
+                                       what it keeps, `#[vector_field(keeps(name = expression))]`, or use `ImplicitMidpoint`, `Gauss` or `RK4`";
+
 pub(crate) const DAMPED_FLOW: &str =
     "damping is no part of these pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 

@@ -45,7 +45,8 @@ fn discrete_gradient_keeps_energy_and_angular_momentum() {
 fn charges(q: [[f64; 3]; 2], p: [[f64; 3]; 2], m: f64) -> f64 {
     let square = |a: [f64; 3]| a.iter().map(|x| x * x).sum::<f64>();
     let apart = (0..3).map(|i| (q[0][i] - q[1][i]).powi(2)).sum::<f64>();
-    square(p[0]) / 2.0 + square(p[1]) / (2.0 * m) - 2.0 / square(q[0]).sqrt() - 2.0 / square(q[1]).sqrt() + 0.3 / apart.sqrt()
+    square(p[0]) / 2.0 + square(p[1]) / (2.0 * m) - 2.0 / square(q[0]).sqrt() - 2.0 / square(q[1]).sqrt()
+        + 0.3 / apart.sqrt()
 }
 
 /// A centre whose strength changes in time: the angular momentum alone is kept.

@@ -3,13 +3,14 @@
 use super::domain::{Domain, Roots};
 use super::implicit;
 use super::proof;
-use super::system::{FieldKernels, Implicit, Integrals, System};
+use super::system::{FieldKernels, Implicit, Integrals, Missing, System};
 use crate::analyze::{self, Damping, MeanValue, claims, search};
 use crate::diff;
 use crate::diff::field::{Field, taking};
 use crate::diff::flow::{self, Conserved, Order};
 use crate::ir::{Graph, Id, Partial, Symbol, print::Printer};
 use crate::lower::{Integral, canonical};
+use crate::messages::NOTHING_KEPT;
 use crate::parse::{Form, Kept};
 use crate::schedule::{Kernel, Levels};
 use std::collections::HashSet;
@@ -29,6 +30,8 @@ pub(crate) struct Flow {
     pub(crate) kept: Vec<Named>,
     /// What is constant as well, and not listed.
     pub(crate) also: Vec<Id>,
+    /// Its divergence, if no energy has the field because of that.
+    pub(crate) divergent: Option<Id>,
 }
 
 /// A function that is kept, or whose change is known.
@@ -60,7 +63,14 @@ impl Flow {
             conserved: Conserved { value: integral.value, but: integral.but.clone() },
             origin: if kept.assumed { Origin::Assumed } else { Origin::Listed },
         };
-        Flow { form: Form::Field, field: field.to_vec(), energy: None, kept: keeps.map(named).collect(), also: vec![] }
+        Flow {
+            form: Form::Field,
+            field: field.to_vec(),
+            energy: None,
+            kept: keeps.map(named).collect(),
+            also: vec![],
+            divergent: None,
+        }
     }
 
     /// x' = (S − C) ∇H, and what it keeps.
@@ -82,7 +92,7 @@ impl Flow {
         let field = flow::times(graph, &matrix, &gradient);
         let kept = Named { name: ENERGY.into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
         let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
-        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![] }
+        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![], divergent: None }
     }
 
     /// x' = J ∇H with an energy that was recovered from the field: it is kept as well, unless it is a function of what is listed.
@@ -151,6 +161,8 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         _ if conserved.is_empty() => None,
         _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
     };
+    let missing = |term: &Id| Missing { marker: "KeepsIn", term: *term, why: NOTHING_KEPT, pair: None };
+    let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
     let fourth = (!conserved.is_empty()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
         let h = graph.symbol(Symbol::H);
@@ -190,6 +202,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
                 levels: Levels::Iterated,
                 routines: vec![implicit::roots(&field), vec![], vec![]],
             }),
+            nothing_kept,
             fourth,
             momenta: Kernel::new(Levels::One, vec![]),
         }),

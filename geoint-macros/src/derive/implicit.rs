@@ -2,9 +2,9 @@
 
 use super::system::{FieldKernels, StepKernel};
 use crate::analyze::Structure;
-use crate::diff::{self, Gradient};
 use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
+use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{Kernel, Levels};
@@ -50,6 +50,7 @@ impl Fields {
                 routines: vec![roots(&field), velocity.to_vec(), acceleration.to_vec()],
             },
             discrete: Some(Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] }),
+            nothing_kept: None,
             fourth: None,
             momenta: momenta(graph, structure, degrees),
             coordinates: field.unknowns,

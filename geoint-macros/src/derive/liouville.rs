@@ -25,6 +25,11 @@ impl Liouville {
             _ => None,
         }
     }
+
+    /// The divergence, if it is certainly not zero.
+    pub(crate) fn divergent(&self) -> Option<Id> {
+        matches!(self.divergence.1, Identity::Wrong(_)).then_some(self.divergence.0)
+    }
 }
 
 /// The energy of a field.

@@ -151,6 +151,8 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
     pub(crate) discrete: Option<K>,
+    /// Why there is no such thing, if there is more to say of it than that nothing is kept.
+    pub(crate) nothing_kept: Option<Missing>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
     /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
@@ -273,6 +275,7 @@ impl<K> Implicit<K> {
                 second_order: field.second_order,
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
+                nothing_kept: field.nothing_kept,
                 fourth: field.fourth.map(&mut *of),
                 momenta: of(field.momenta),
                 folded: field.folded,

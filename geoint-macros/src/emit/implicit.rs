@@ -1,10 +1,11 @@
 //! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
 
+use super::flows::unsatisfied;
 use super::kernel::{Context, element, write};
 use super::system::self_type;
 use crate::analyze::MeanValue;
-use crate::derive::FieldKernels;
-use crate::ir::Symbol;
+use crate::derive::{FieldKernels, Missing};
+use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -101,6 +102,34 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
                 let mut drift = <#unknown as Array>::zero();
                 #drift
                 drift
+            }
+        }
+    }
+}
+
+/// `impl DiscreteField` that no scalar satisfies, of a field that keeps nothing.
+pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (name, phase) = (self_type(context), context.phase());
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> DiscreteField<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+            type Inverse = ();
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase) -> #never {
+                match *never {}
+            }
+            fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
+                match *never {}
+            }
+            fn drift(&self, never: &#never, _: &#phase) -> #phase {
+                match *never {}
             }
         }
     }

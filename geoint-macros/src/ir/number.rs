@@ -218,7 +218,10 @@ mod tests {
             assert_eq!(number.pow(Ratio::HALF).unwrap().to_f64(), n.sqrt(), "{n}");
         }
         assert_eq!(Number::integer(-3).pow(Ratio::HALF), None);
-        assert_eq!(Number::integer(2).pow(Ratio { numerator: 3, denominator: 2 }), Some(root(2).mul(Number::integer(2))));
+        assert_eq!(
+            Number::integer(2).pow(Ratio { numerator: 3, denominator: 2 }),
+            Some(root(2).mul(Number::integer(2)))
+        );
     }
 
     #[test]

@@ -52,7 +52,9 @@ pub trait FirstIntegrals<R: Real = f64>: VectorField<R> {
 /// A flow that keeps an energy: H, or of a field what it keeps under that name, or keeps first.
 #[diagnostic::on_unimplemented(
     message = "the flow of `{Self}` was not proven to keep the energy",
-    label = "H depends on time, or is damped, or of a field no integral was named: there is nothing to project onto"
+    label = "there is nothing to project onto",
+    note = "an energy is not kept if it depends on time, or is damped",
+    note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`"
 )]
 pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -14,12 +14,9 @@ use crate::system::{DiscreteField, FirstIntegrals, Hamiltonian, KeepsEnergy};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Energy;
 
-impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy
-where
-    <S as KeepsEnergy<R>>::Proof: And<R, Both = R>,
-{
+impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
     /// Where H is not kept, no type is known here: see [`Method::Proof`](crate::Method::Proof).
-    type Values = R;
+    type Values = <<S as KeepsEnergy<R>>::Proof as And<R>>::Both;
     const KEEP_ENERGY: bool = true;
 
     #[inline]

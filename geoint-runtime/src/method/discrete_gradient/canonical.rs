@@ -1,8 +1,8 @@
 //! The mean velocity of order 4 of canonical systems, from the kernels of collocation and of discrete gradients.
 
+use super::columns::Projector;
 use super::energy::{Energy, Slope};
 use super::gonzalez::metric;
-use super::columns::Projector;
 use super::matrix::{Matrix, turned};
 use crate::method::Unwatched;
 use crate::scalar::Real;
@@ -103,9 +103,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
         let projector = Projector::new([of_p, of_q], columns);
         // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
         // the tree discrete gradient.
-        if AUTONOMOUS
-            && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()]))
-        {
+        if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
             mean = turned(&columns[0]);
             slope = turned_rows(&mut of_g);
         } else {
