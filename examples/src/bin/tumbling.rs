@@ -107,15 +107,16 @@ fn main() -> Result<(), Box<dyn Error>> {
         largest(long.iter().enumerate().map(|(n, x)| apart(x, &exact[70 * n]))) < 1e-9
     })?;
 
-    let curve = |states: &[Attitude], axis| states.iter().map(|x| (x.t, cosine(x, axis))).collect();
+    let curve =
+        |states: &[Attitude], axis| -> Vec<(f64, f64)> { states.iter().map(|x| (x.t, cosine(x, axis))).collect() };
     let of = |axis: usize| {
         let velocity = std::array::from_fn(|i| if i == axis { 1.2 } else { 0.2 });
         orbit(FREE, StormerVerlet, STEP, spun(velocity), TIME).map(|states| curve(&states, axis))
     };
-    let [smallest, largest] = [of(0)?, of(2)?];
+    let (long_edge, short_edge) = (of(0)?, of(2)?);
     let long = orbit(FREE, StormerVerlet, 4.0, start(), TIME)?;
     claim("about the axes of the smallest and the largest moment it only wobbles", {
-        smallest.iter().chain(&largest).all(|point: &(f64, f64)| point.1 > 0.8)
+        long_edge.iter().chain(&short_edge).all(|point| point.1 > 0.8)
     })?;
     let turns = Panel::new(
         "The middle axis turns over, the others stay",
@@ -126,8 +127,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         vec![
             Curve::line("middle axis", palette::BLUE, curve(&exact, 1)),
             Curve::dots("", palette::BLUE, curve(&long, 1)).marked(3.4),
-            Curve::line("long edge", palette::VERMILION, smallest),
-            Curve::line("short edge", palette::GREEN, largest),
+            Curve::line("long edge", palette::VERMILION, long_edge),
+            Curve::line("short edge", palette::GREEN, short_edge),
         ],
     );
     figure("tumbling.svg", (380, 380), &[pictures(&exact), turns.named_above()])
