@@ -185,8 +185,8 @@ fn pictures(exact: &[Attitude]) -> Panel {
     };
     let [below, above] = crosses;
     let mut curves = group("the box", palette::BLACK, black);
-    curves.extend(group("face before the middle axis", palette::VERMILION, above));
-    curves.extend(group("face behind it", palette::BLUE, below));
+    curves.extend(group("face at the front of the middle axis", palette::VERMILION, above));
+    curves.extend(group("face at its back", palette::BLUE, below));
     let half = COLUMNS as f64 / 2.0;
     Panel::new(
         "Its attitude, second by second",
