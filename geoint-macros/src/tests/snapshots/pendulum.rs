@@ -205,6 +205,7 @@ const _: () = {
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
         const KICKS_REPEAT: bool = true;
+        const KICKS_SHOW: bool = true;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
