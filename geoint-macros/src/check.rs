@@ -1,15 +1,18 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Value, Why, Witness};
+pub(crate) mod wording;
+
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use crate::split::Pieces;
 use proc_macro2::Span;
 use std::collections::HashMap;
+use wording::{in_case, open, remains};
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
 pub(crate) fn requests(
@@ -159,13 +162,6 @@ fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest:
     if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
 }
 
-/// " where a < b and not c = d", or nothing.
-fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
-    let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
-    let conditions: Vec<String> = case.iter().map(condition).collect();
-    if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
-}
-
 /// Reports S that is not skew, and damping that is none.
 pub(crate) fn structure(
     energy: &Energy,
@@ -199,34 +195,6 @@ pub(crate) fn structure(
 fn written(graph: &Graph, places: &HashMap<Id, Place>, id: Id) -> Option<Place> {
     let more = !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_));
     places.get(&id).copied().filter(|_| more)
-}
-
-/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
-fn remains<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, rest: Option<&Remainder>, witness: &Witness) -> String {
-    match rest {
-        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => {
-            let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
-            let state: Vec<String> = witness.state.iter().map(symbol).collect();
-            let value = match witness.value {
-                Value::Exact(value) => ratio(value),
-                Value::Near(value) => format!("{value:.3e}"),
-            };
-            format!(" is {value} where {}", state.join(", "))
-        }
-    }
-}
-
-fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
-    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
-}
-
-/// What remains of what was not decided.
-fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
-    match verdict.rest() {
-        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => String::new(),
-    }
 }
 
 /// Reports functions that are not kept, and those that are functions of others.

@@ -180,8 +180,8 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
-    ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
+    Mechanical, ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.

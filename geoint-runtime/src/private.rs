@@ -1,6 +1,7 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
@@ -13,8 +14,8 @@ pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate,
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
-    FourthOrderField, Hamiltonian, ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace,
-    Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
-    VectorField as DifferentialEquation, canonical_rate,
+    FourthOrderField, Hamiltonian, ImplicitStep, KeepsEnergy, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic,
+    Separable, VectorField as DifferentialEquation, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -50,7 +50,7 @@ pub(crate) fn canonical(
         splitting: Some(splitting),
         modified,
         pieces: vec![],
-        implicit: Implicit::Field(fields.kernels(graph, structure)),
+        implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         domain: Domain::of(
             graph,

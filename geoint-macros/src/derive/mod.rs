@@ -12,6 +12,7 @@ mod contact;
 mod bodies;
 mod flow;
 mod parts;
+mod liouville;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -20,7 +21,8 @@ pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
-pub(crate) use parts::parts;
+pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
+pub(crate) use parts::{Parted, parts};
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,

@@ -129,8 +129,10 @@ pub(crate) struct Integrals<K = Kernel> {
     /// Whether users call each by its name.
     pub(crate) functions: Vec<bool>,
     pub(crate) values: K,
-    /// Those that are kept.
+    /// Those that are kept, and do not read time.
     pub(crate) constant: Vec<usize>,
+    /// Which of these stands for the energy.
+    pub(crate) energy: Option<usize>,
     /// The gradients of these, one after the other.
     pub(crate) slopes: K,
     /// What these change by over an increment.
@@ -149,8 +151,12 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
     pub(crate) discrete: Option<K>,
+    /// Why there is no such thing, if there is more to say of it than that nothing is kept.
+    pub(crate) nothing_kept: Option<Missing>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
+    /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
+    pub(crate) momenta: K,
     /// Whether Newton's iteration has a kernel of its own.
     pub(crate) folded: bool,
     /// Whether the equation of a step is linear.
@@ -252,6 +258,7 @@ impl<K> Integrals<K> {
             names: self.names,
             functions: self.functions,
             constant: self.constant,
+            energy: self.energy,
             values: of(self.values),
             slopes: of(self.slopes),
             changes: of(self.changes),
@@ -268,7 +275,9 @@ impl<K> Implicit<K> {
                 second_order: field.second_order,
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
+                nothing_kept: field.nothing_kept,
                 fourth: field.fourth.map(&mut *of),
+                momenta: of(field.momenta),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,

@@ -1,10 +1,11 @@
 //! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
 
+use super::flows::unsatisfied;
 use super::kernel::{Context, element, write};
 use super::system::self_type;
 use crate::analyze::MeanValue;
-use crate::derive::FieldKernels;
-use crate::ir::Symbol;
+use crate::derive::{FieldKernels, Missing};
+use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -106,9 +107,44 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     }
 }
 
+/// `impl DiscreteField` that no scalar satisfies, of a field that keeps nothing.
+pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (name, phase) = (self_type(context), context.phase());
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> DiscreteField<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+            type Inverse = ();
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase) -> #never {
+                match *never {}
+            }
+            fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
+                match *never {}
+            }
+            fn drift(&self, never: &#never, _: &#phase) -> #phase {
+                match *never {}
+            }
+        }
+    }
+}
+
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
+    let count = momenta.last[0].results.len() / (2 * degrees);
+    let columns = Literal::usize_unsuffixed(1 + count);
+    let places: Vec<Vec<usize>> = (0..count)
+        .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
+        .collect();
+    let slopes = context.values(momenta, |values| write("slopes", &places, &values));
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
@@ -132,7 +168,13 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) ->
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                fourth_order::slope::<#autonomous, _, _>(self, parameters, start, d, image, matrix);
+                let momenta = |z: &#phase| {
+                    let mut slopes = [<#phase as Array>::zero(); #columns];
+                    #parts
+                    #slopes
+                    slopes
+                };
+                fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
         }
     }

@@ -66,15 +66,15 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let implicit = match &system.implicit {
         Implicit::Field(field) => {
             let discrete = field.discrete.as_ref().map(|plan| implicit::discrete_field(context, field, plan));
+            let nothing_kept = field.nothing_kept.map(|missing| implicit::nothing_kept(context, graph, missing));
             let fourth = match &field.fourth {
                 Some(plan) => Some(implicit::fourth_order(context, field, plan)),
-                None => system
-                    .proven
-                    .contains(&"Conservative")
-                    .then(|| implicit::canonical_fourth_order(context, system.proven.contains(&"Autonomous"))),
+                None => system.proven.contains(&"Conservative").then(|| {
+                    implicit::canonical_fourth_order(context, &field.momenta, system.proven.contains(&"Autonomous"))
+                }),
             };
             let collocation = implicit::collocation(context, field);
-            quote!(#discrete #fourth #collocation)
+            quote!(#discrete #nothing_kept #fourth #collocation)
         }
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };

@@ -15,7 +15,7 @@ mod rates;
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
-pub use integrals::{FirstIntegrals, FourthOrderField};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use modified::ModifiedEnergy;
 pub use poles::Pole;
 mod jumps;
@@ -173,7 +173,7 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"
 )]
-pub trait Autonomous<R: Real = f64>: Conservative<R> {
+pub trait Autonomous<R: Real = f64>: Conservative<R> + KeepsEnergy<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

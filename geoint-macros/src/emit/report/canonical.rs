@@ -172,7 +172,8 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 
     let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        discrete.push("`DiscreteGradient` keeps all of that, to rounding".into());
+        let fourth = if structure.damping.is_none() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
+        discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
     }
     if structure.switches {
         discrete.push(

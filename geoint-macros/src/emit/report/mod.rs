@@ -4,13 +4,14 @@ mod bodies;
 mod canonical;
 mod contact;
 mod pieces;
+mod field;
 mod flow;
 
 use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
-pub(crate) use flow::{Source, flow};
+pub(crate) use flow::{OfField, Source, flow};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

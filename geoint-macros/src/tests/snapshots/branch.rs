@@ -68,11 +68,11 @@ const _: () = {
         PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
         CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
-        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, slope,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
+        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -740,11 +740,17 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
+            let momenta = |z: &[[R; 1]; 2]| {
+                let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
             fourth_order::slope::<
                 false,
+                1,
                 _,
                 _,
-            >(self, parameters, start, d, image, matrix);
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
     }
     impl<R: Real> Collocation<R> for Spring {

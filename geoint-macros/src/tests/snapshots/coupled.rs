@@ -27,7 +27,7 @@ Conserved by the flow, at least
 - the energy
 
 Discrete gradients
-- `DiscreteGradient` keeps all of that, to rounding
+- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding
 - `MeanValue::<2>` is exact: Gauss points for a polynomial
 
 Operations (a sine with its cosine counts as two)
@@ -65,11 +65,11 @@ const _: () = {
         PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
         CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
-        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, slope,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Mean,
+        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
+        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, slope,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -77,7 +77,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -177,6 +177,10 @@ const _: () = {
             slopes[1][0] = v6;
             slopes[1][1] = q1;
         }
+    }
+    impl<R: Real> KeepsEnergy<R> for Coupled {
+        type Proof = ();
+        type Kept = CanonicalEnergy;
     }
     #[diagnostic::on_unimplemented(
         message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",
@@ -403,7 +407,17 @@ const _: () = {
             image: &mut [[R; 2]; 2],
             matrix: &mut Square<[[R; 2]; 2]>,
         ) {
-            fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
+            let momenta = |z: &[[R; 2]; 2]| {
+                let mut slopes = [<[[R; 2]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
+            fourth_order::slope::<
+                true,
+                1,
+                _,
+                _,
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
     }
     impl<R: Real> Collocation<R> for Coupled {
