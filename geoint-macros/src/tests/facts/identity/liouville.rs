@@ -46,8 +46,11 @@ fn energies_of_plane_fields_are_recovered() {
         ),
         (quote!([2.0 * p * (p * p).cos(), q / (1.0 + q * q)]), quote!((p * p).sin() - (1.0 + q * q).ln() / 2.0)),
         // Powers of functions.
-        (quote!([p.sin() * p.cos().powi(2), q.cos() / q.sin()]), quote!(-p.cos().powi(3) / 3.0 - q.sin().ln())),
-        (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(p.sin().powi(2) / 2.0 + q.ln().powi(2) / 2.0)),
+        (
+            quote!([p.sin() * p.cos().powi(2), -q.cos() * q.sin().powi(3)]),
+            quote!(q.sin().powi(4) / 4.0 - p.cos().powi(3) / 3.0),
+        ),
+        (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(q.ln().powi(2) / 2.0 - p.cos().powi(2) / 2.0)),
         (quote!([p.tanh(), -q.atan()]), quote!(p.cosh().ln() + q * q.atan() - (1.0 + q * q).ln() / 2.0)),
     ];
     for (field, energy) in &cases {
