@@ -60,18 +60,23 @@ fn periods_to_twelve_digits() {
     assert!((control - TOP).abs() > 1e-10, "{control}");
 }
 
-/// 10⁸ steps, 50 a period, by three methods: roundings of an integral walk at random, 4·10⁻¹⁷ a step, and have a mean of less than
-/// 10⁻¹⁹ a step. Slopes of logarithms with two words would have none that is seen, and cost three times as much.
+/// 10⁸ steps, 50 a period: roundings of an integral walk at random, 4·10⁻¹⁷ a step. Those of order 4 have no mean that is seen; at order 2
+/// they have one of 6·10⁻²⁰ a step, a four-thousandth of ε, which vanishes with slopes of logarithms in two words.
 #[test]
 #[ignore = "minutes, in a build that is optimised"]
 fn roundings_of_integrals_walk() {
     let (flow, field) = (LotkaVolterra { a: 2.0, b: 1.0, c: 1.0 }, Predators { a: 2.0, b: 1.0, c: 1.0 });
-    walks(flow, DiscreteGradient, field);
-    walks(field, DiscreteGradient, field);
-    walks(field, FourthOrder(DiscreteGradient), field);
+    walks(field, FourthOrder(DiscreteGradient), field, (5e-13, 1.5e-20));
+    walks(flow, DiscreteGradient, field, (1e-11, 1e-19));
+    walks(field, DiscreteGradient, field, (1e-11, 1e-19));
 }
 
-fn walks<S: PhaseSpace<State = FlowState<[f64; 2]>>, M: Method<S>>(system: S, method: M, field: Predators) {
+/// Bounds for the largest change and for the mean of a step.
+fn walks<S, M>(system: S, method: M, field: Predators, (most, trend): (f64, f64))
+where
+    S: PhaseSpace<State = FlowState<[f64; 2]>>,
+    M: Method<S>,
+{
     let mut sim = Integrator::new(system, method, PREDATORS / 50.0, FlowState::new([1.0, 0.5]));
     let (parts, each) = (1000, 100_000);
     let start = field.wealth(&sim.state());
@@ -86,5 +91,5 @@ fn walks<S: PhaseSpace<State = FlowState<[f64; 2]>>, M: Method<S>>(system: S, me
     let mean = last / (parts * each);
     let deviation = (squares / parts - (last / parts).powi(2)).sqrt() / each.sqrt();
     println!("{}: {largest:.1e}, a step {mean:.1e} and {deviation:.1e}", method.name());
-    assert!(mean.abs() < 1e-19 && deviation < 6e-17 && largest < 1e-11, "{mean:e} {deviation:e} {largest:e}");
+    assert!(mean.abs() < trend && deviation < 6e-17 && largest < most, "{mean:e} {deviation:e} {largest:e}");
 }
