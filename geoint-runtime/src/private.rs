@@ -9,12 +9,14 @@ pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
-pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate, Snapshot, Square, State};
+pub use crate::space::{
+    Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
+};
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
-    FourthOrderField, Hamiltonian, ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace,
-    Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
-    VectorField as DifferentialEquation, canonical_rate,
+    FourthOrderField, Hamiltonian, ImplicitStep, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact,
+    ModifiedEnergy, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField,
+    QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

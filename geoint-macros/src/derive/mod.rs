@@ -23,6 +23,6 @@ pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use parts::parts;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
-    StepKernel, System, Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
+    PiecesOf, StepKernel, System, Undamped,
 };

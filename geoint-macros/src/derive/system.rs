@@ -3,6 +3,7 @@
 use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::Legendre;
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -28,6 +29,19 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
+    /// What velocities have to do with it, of a Lagrangian.
+    pub(crate) lagrangian: Option<Lagrangian<K>>,
+}
+
+/// From velocities to momenta, and back.
+#[derive(Debug)]
+pub(crate) struct Lagrangian<K = Kernel> {
+    /// L, as a function of velocities.
+    pub(crate) value: K,
+    /// ∂L/∂v.
+    pub(crate) momenta: K,
+    /// v, as a function of momenta.
+    pub(crate) velocities: K,
 }
 
 /// What an energy lacks.
@@ -181,6 +195,14 @@ impl FlowKernel {
 }
 
 impl System {
+    /// The same with what a Lagrangian adds.
+    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, velocities, .. }: &Legendre) -> System {
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let lagrangian =
+            Lagrangian { value: kernel(&[*lagrangian]), momenta: kernel(momenta), velocities: kernel(velocities) };
+        System { lagrangian: Some(lagrangian), ..self }
+    }
+
     /// The statements of all kernels. After that nothing is added to the graph.
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
@@ -198,7 +220,14 @@ impl System {
             rate: self.rate.map(&mut plan),
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
+            lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
         }
+    }
+}
+
+impl<K> Lagrangian<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
+        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: of(self.velocities) }
     }
 }
 

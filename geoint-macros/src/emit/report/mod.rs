@@ -5,12 +5,14 @@ mod canonical;
 mod contact;
 mod pieces;
 mod flow;
+mod lagrangian;
 
 use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use flow::{Source, flow};
+pub(crate) use lagrangian::lagrangian;
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

@@ -1,0 +1,104 @@
+//! What was found of a Lagrangian, in words.
+
+use super::super::kernel::Context;
+use crate::analyze;
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::legendre::{Kinetic, Legendre, Part};
+use crate::parse::Role;
+use std::fmt::{Result as Written, Write};
+
+/// The report, up to that of the energy; nothing if there is no Lagrangian.
+pub(crate) fn lagrangian(context: &Context<'_>, graph: &Graph, legendre: Option<&Legendre>) -> String {
+    let mut text = String::new();
+    if let Some(legendre) = legendre {
+        let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+        // Writing to a string cannot fail.
+        let _ = sections(&mut text, context, &printer, legendre);
+    }
+    text
+}
+
+fn sections<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    legendre: &Legendre,
+) -> Written {
+    let graph = printer.graph();
+    writeln!(text, "L = {}", printer.formula(legendre.lagrangian))?;
+    for (symbol, slopes) in [(Symbol::Q as fn(u32) -> Symbol, &legendre.forces), (Symbol::V, &legendre.momenta)] {
+        for (i, slope) in (0..).zip(slopes) {
+            writeln!(text, "∂L/∂{} = {}", printer.named(symbol(i)), printer.excerpt(*slope))?;
+        }
+    }
+
+    let p = context.name_of(Role::Momentum);
+    writeln!(
+        text,
+        "\nFrom velocities to momenta: {p} = ∂L/∂{}, H = {p}·{1} − L",
+        context.name_of(Role::Velocity),
+        context.name_of(Role::Velocity)
+    )?;
+    legendre.parts.iter().try_for_each(|part| self::part(text, printer, part))?;
+    if !graph.is_zero(legendre.potential) {
+        writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
+    }
+    writeln!(text, "- H is {}\n", mechanical(graph, legendre))
+}
+
+/// What the mass matrix of a part is, entry by entry, or what rule there is.
+fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, part: &Part) -> Written {
+    let Part { velocities, kinetic } = part;
+    let graph = printer.graph();
+    let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::V(*i))).collect();
+    let names = names.join(", ");
+    match kinetic {
+        Kinetic::Conjugate { term, rule } => {
+            writeln!(text, "- {names}: a conjugate in closed form of {}: {rule}", printer.excerpt(*term))
+        }
+        Kinetic::Quadratic { mass, shift } => {
+            let entries = || (0..mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
+            let constant = entries().all(|(i, j)| {
+                let reads = analyze::reads(graph, mass[i][j]);
+                !reads.state() && !reads.t
+            });
+            let kind = if constant { "constant" } else { "not constant" };
+            let how = match mass.len() {
+                1 => "",
+                _ => ", factored as LDLᵀ",
+            };
+            writeln!(text, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}")?;
+            for (i, j) in entries().filter(|(i, j)| !graph.is_zero(mass[*i][*j])) {
+                let [i_name, j_name] = [i, j].map(|i| printer.named(Symbol::V(velocities[i])));
+                writeln!(text, "  - ∂²L/∂{i_name}∂{j_name} = {}", printer.excerpt(mass[i][j]))?;
+            }
+            linear(text, printer, velocities, shift)
+        }
+    }
+}
+
+fn linear<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    velocities: &[u32],
+    shift: &[Id],
+) -> Written {
+    for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !printer.graph().is_zero(**a)) {
+        writeln!(text, "  - linear in {}: {}", printer.named(Symbol::V(*i)), printer.excerpt(*a))?;
+    }
+    Ok(())
+}
+
+/// Whether H is the sum of kinetic and potential energy.
+fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
+    let quadratic = |part: &Part| match &part.kinetic {
+        Kinetic::Quadratic { shift, .. } => shift.iter().all(|a| graph.is_zero(*a)),
+        Kinetic::Conjugate { .. } => false,
+    };
+    match legendre.parts.iter().all(quadratic) {
+        true => {
+            "T + V with the terms T of L that read velocities and V = −L without them; what a moving frame adds to L is in V, and then H is not the mechanical energy"
+        }
+        false => "not T + V: L is not T − V with a T that is a quadratic form in the velocities",
+    }
+}
