@@ -1,6 +1,6 @@
 //! Conjugates in closed form: the energy T(p) that belongs to a term K(v) which is not quadratic.
 
-use super::quadratic::inverse_form;
+use super::quadratic;
 use super::{at_rest, is_velocity, reduced};
 use crate::analyze;
 use crate::diff;
@@ -81,7 +81,8 @@ fn root(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &[
                 .collect()
         })
         .collect();
-    let form = inverse_form(graph, &matrix, y)?;
+    let squares = quadratic::inverse_form(graph, &matrix, y)?;
+    let form = quadratic::sum(graph, &squares);
     let square = graph.pow(scale, Ratio::integer(2));
     let ratio = graph.div(form, square);
     let one = graph.integer(1);

@@ -78,7 +78,7 @@ pub(crate) fn transform(
     // What is divided by here must not vanish either.
     graph.take_partial();
     let mut parts = vec![];
-    let mut kinetic = vec![];
+    let (mut squares, mut kinetic) = (vec![], vec![]);
     let mut rest = lagrangian;
     let mut open = vec![];
     for velocities in blocks(graph, &mass) {
@@ -92,10 +92,10 @@ pub(crate) fn transform(
             velocities.iter().map(|i| velocities.iter().map(|j| mass[of(i)][of(j)]).collect()).collect();
         let shift: Vec<Id> = velocities.iter().map(|i| at_rest(graph, momenta[of(i)], |_| true)).collect();
         let reduced = reduced(graph, &velocities, &shift);
-        let Some(form) = quadratic::inverse_form(graph, &block, &reduced) else {
+        let Some(mut form) = quadratic::inverse_form(graph, &block, &reduced) else {
             return Err(Flaw::Singular(velocities));
         };
-        kinetic.push(graph.scale(Number::HALF, form));
+        squares.append(&mut form);
         rest = at_rest(graph, rest, |i| velocities.contains(&i));
         parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
     }
@@ -116,6 +116,8 @@ pub(crate) fn transform(
     };
     let potential = graph.neg(without);
     parts.sort_by_key(|part| part.velocities[0]);
+    let squares = quadratic::sum(graph, &squares);
+    kinetic.push(graph.scale(Number::HALF, squares));
     let kinetic = graph.sum(&kinetic);
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();

@@ -3,14 +3,16 @@
 use crate::analyze;
 use crate::ir::{Graph, Id, Ratio};
 
-/// yᵀM⁻¹y for a symmetric M; `None` if M is singular at every state, or has no pivot on its diagonal.
+/// A square, and what divides it.
+pub(super) type Square = (Id, Id);
+
+/// yᵀM⁻¹y for a symmetric M, as a sum of squares; `None` if M is singular at every state, or has no pivot on its diagonal.
 ///
-/// Zeros stay zeros, so that the pattern of M does; where only one coordinate couples to others, it comes last. Squares over equal
-/// pivots are one sum, as |p|²/m is written.
-pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Option<Id> {
+/// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
+pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Option<Vec<Square>> {
     let (mut mass, mut y): (Vec<Vec<Id>>, Vec<Id>) = (mass.to_vec(), y.to_vec());
     let mut left: Vec<usize> = (0..y.len()).collect();
-    let mut squares: Vec<(usize, Id, Vec<Id>)> = vec![];
+    let mut squares: Vec<(usize, Square)> = vec![];
     while !left.is_empty() {
         let k = pivot(graph, &mass, &left)?;
         left.retain(|i| *i != k);
@@ -27,18 +29,27 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Opt
             y[*i] = graph.sub(y[*i], part);
         }
         let square = graph.pow(y[k], Ratio::integer(2));
-        match squares.iter_mut().find(|(_, other, _)| *other == d) {
-            Some((_, _, sum)) => sum.push(square),
-            None => squares.push((k, d, vec![square])),
+        squares.push((k, (square, d)));
+    }
+    squares.sort_by_key(|(k, _)| *k);
+    Some(squares.into_iter().map(|(_, square)| square).collect())
+}
+
+/// The sum; squares over equal pivots are one, as |p|²/m is written.
+pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
+    let mut terms: Vec<(Id, Vec<Id>)> = vec![];
+    for (square, d) in squares {
+        match terms.iter_mut().find(|(other, _)| other == d) {
+            Some((_, sum)) => sum.push(*square),
+            None => terms.push((*d, vec![*square])),
         }
     }
-    squares.sort_by_key(|(k, ..)| *k);
-    let mut terms = vec![];
-    for (_, d, sum) in squares {
+    let mut divided = vec![];
+    for (d, sum) in terms {
         let sum = graph.sum(&sum);
-        terms.push(graph.div(sum, d));
+        divided.push(graph.div(sum, d));
     }
-    Some(graph.sum(&terms))
+    graph.sum(&divided)
 }
 
 /// The next pivot: of those that are not zero everywhere the one whose coordinate couples to the fewest others.

@@ -72,11 +72,6 @@ impl Form {
     pub(crate) fn has_action(self) -> bool {
         matches!(self, Form::Contact | Form::Herglotz)
     }
-
-    /// Whether the function is a Lagrangian.
-    pub(crate) fn is_lagrangian(self) -> bool {
-        matches!(self, Form::Lagrangian | Form::Herglotz)
-    }
 }
 
 /// An annotated function, understood up to its body.

@@ -97,7 +97,7 @@ fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
     };
     match legendre.parts.iter().all(quadratic) {
         true => {
-            "T + V with the terms T of L that read velocities and V = −L without them; what a moving frame adds to L is in V, and then H is not the mechanical energy"
+            "T + V, with V = −L at rest: what a moving frame adds to L is in V, and H is then not the mechanical energy"
         }
         false => "not T + V: L is not T − V with a T that is a quadratic form in the velocities",
     }

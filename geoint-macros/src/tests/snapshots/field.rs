@@ -57,13 +57,13 @@ const _: () = {
         Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
         Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
         PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
-        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, slope,
+        ImplicitStep, Integrator, Inverted, LagrangianSystem, Mean, MechanicalContact,
+        Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, slope,
     };
     const _: fn() = || {
         let _ = turning;
