@@ -22,7 +22,7 @@
 //! ```
 //!
 //! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
-//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), and
+//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), [Lagrangians](#lagrangians), and
 //! [differential equations with first integrals](#vector-fields-and-first-integrals).
 //!
 #![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
@@ -34,6 +34,8 @@
 #![doc = include_str!("../docs/contact.md")]
 //!
 #![doc = include_str!("../docs/figures/contact_compared.svg")]
+//!
+#![doc = include_str!("../docs/lagrangians.md")]
 //!
 #![doc = include_str!("../docs/flows.md")]
 //!
