@@ -6,7 +6,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
 use crate::legendre::{self, Legendre, NoFriction};
 use crate::lower::{Integral, Place};
-use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, DAMPED, FULL_MASS, NOT_QUADRATIC};
 use crate::parse::{Energy, Form, Requirement, Role};
 use crate::split::Pieces;
 use proc_macro2::Span;
@@ -144,6 +144,26 @@ pub(crate) fn lagrangian(
         return errors.or(()).map(|()| unreachable!("reported"));
     };
     errors.or((legendre, friction))
+}
+
+/// Reports friction that is none, and what is required of an energy that is not derived.
+pub(crate) fn velocities(
+    energy: &Energy,
+    (long, damping): (Id, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    for (_, span) in &energy.requirements {
+        let place = written(graph, places, long).unwrap_or((*span, *span));
+        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+    }
+    errors.or(())
 }
 
 /// The rows of a matrix of damping.

@@ -3,7 +3,8 @@
 use crate::derive::{Flow, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::Source;
-use crate::legendre::{self, Legendre};
+use crate::ir::Id;
+use crate::legendre::{self, Legendre, Route};
 use crate::lower::{self, Lowered};
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, split};
@@ -26,17 +27,40 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let found = legendre::transform(graph, lowered.energy, energy.degrees(), &lowered.partial); // H, or why not
+    let found =
+        legendre::transform(graph, lowered.energy, (energy.degrees(), energy.form.has_action()), &lowered.partial); // H, or why not
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
     let (legendre, damping) =
         check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    lowered.energy = legendre.energy;
+    let root = match legendre.route {
+        Route::Energy(root, _) => root,
+        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long), damping),
+    };
+    lowered.energy = root;
     lowered.partial.clone_from(&legendre.partial);
     lowered.damping = damping;
     match energy.form {
         Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
         _ => hamiltonian(energy, lowered, Some(&legendre)),
     }
+}
+
+/// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
+fn velocities(
+    energy: &Energy,
+    mut lowered: Lowered,
+    (legendre, long): (&Legendre, Id),
+    damping: Option<Vec<Vec<Id>>>,
+) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let damping = analyze::damping(graph, damping);
+    check::velocities(energy, (long, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::velocities(graph, legendre, long, damping.as_ref()).of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::velocities(&context, graph, (legendre, long), (&system, damping.as_ref()));
+    Ok(emit::items(&context, graph, &system, &report))
 }
 
 /// H(q, p, t), of a Lagrangian if there is one.

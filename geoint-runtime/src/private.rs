@@ -13,10 +13,11 @@ pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
 };
 pub use crate::system::{
-    Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
-    FourthOrderField, Hamiltonian, ImplicitStep, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact,
-    ModifiedEnergy, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField,
-    QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
+    Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
+    Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
+    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, Lagrangian as LagrangianSystem,
+    Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
+    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -25,7 +25,7 @@ impl Reads {
         match symbol {
             Symbol::Q(_) | Symbol::Dq(_) => Reads { q: true, ..none },
             Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
-            Symbol::V(_) => Reads { v: true, ..none },
+            Symbol::V(_) | Symbol::Dv(_) => Reads { v: true, ..none },
             Symbol::S | Symbol::Ds => Reads { s: true, ..none },
             Symbol::T => Reads { t: true, ..none },
             Symbol::Parameter(_) | Symbol::H | Symbol::G => none,

@@ -12,6 +12,7 @@ mod contact;
 mod bodies;
 mod flow;
 mod parts;
+mod velocities;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -24,5 +25,6 @@ pub(crate) use parts::parts;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
-    PiecesOf, StepKernel, System, Undamped,
+    PiecesOf, StepKernel, System, Undamped, VelocityKernels,
 };
+pub(crate) use velocities::velocities;

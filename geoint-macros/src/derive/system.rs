@@ -3,7 +3,7 @@
 use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
-use crate::legendre::Legendre;
+use crate::legendre::{Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -40,8 +40,8 @@ pub(crate) struct Lagrangian<K = Kernel> {
     pub(crate) value: K,
     /// ∂L/∂v.
     pub(crate) momenta: K,
-    /// v, as a function of momenta.
-    pub(crate) velocities: K,
+    /// v, as a function of momenta, where that is known.
+    pub(crate) velocities: Option<K>,
 }
 
 /// What an energy lacks.
@@ -132,6 +132,21 @@ pub(crate) enum Implicit<K> {
     Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of a Lagrangian, for velocities.
+    Velocities(VelocityKernels<K>),
+}
+
+/// A Lagrangian by its derivatives.
+#[derive(Debug)]
+pub(crate) struct VelocityKernels<K> {
+    /// The increments of velocities, which are solved for.
+    pub(crate) increments: Vec<Symbol>,
+    /// ∂L/∂v and M.
+    pub(crate) mass: K,
+    /// ∂L/∂v and the force, with their derivatives by q and v; the force.
+    pub(crate) stage: K,
+    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    pub(crate) polarised: Option<K>,
 }
 
 /// Functions of x that a flow keeps, or whose change is known.
@@ -196,10 +211,16 @@ impl FlowKernel {
 
 impl System {
     /// The same with what a Lagrangian adds.
-    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, velocities, .. }: &Legendre) -> System {
+    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, route, .. }: &Legendre) -> System {
         let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
-        let lagrangian =
-            Lagrangian { value: kernel(&[*lagrangian]), momenta: kernel(momenta), velocities: kernel(velocities) };
+        let lagrangian = Lagrangian {
+            value: kernel(&[*lagrangian]),
+            momenta: kernel(momenta),
+            velocities: match route {
+                Route::Energy(_, velocities) => Some(kernel(velocities)),
+                Route::Velocities(_) => None,
+            },
+        };
         System { lagrangian: Some(lagrangian), ..self }
     }
 
@@ -227,7 +248,7 @@ impl System {
 
 impl<K> Lagrangian<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
-        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: of(self.velocities) }
+        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: self.velocities.map(&mut *of) }
     }
 }
 
@@ -299,6 +320,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
+                let (mass, stage) = (of(mass), of(stage));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            }
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })

@@ -10,7 +10,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// The places of a square matrix, row by row.
-fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
@@ -69,6 +69,10 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     quote! {
+        impl<R: Real> Graded<R> for #name {
+            type Proof = ();
+            type Gradient = ByTree;
+        }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
             type Parameters = [R; #prepared];
@@ -199,6 +203,10 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
+        impl<R: Real> Collocated<R> for #name {
+            type Proof = ();
+            type Stages = ByField;
+        }
         impl<R: Real> Collocation<R> for #name {
             type Proof = ();
             type Unknown = #unknown;

@@ -143,7 +143,7 @@ impl<'a> Context<'a> {
             Symbol::G => quote!(g),
             Symbol::Parameter(i) => self.parameter(i),
             // Increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => TokenStream::new(),
+            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => TokenStream::new(),
         }
     }
 
@@ -179,6 +179,7 @@ impl<'a> Context<'a> {
             Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
             Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
             Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),
+            Symbol::Dv(i) => format!("d{}", of_role(Role::Velocity, i)),
             Symbol::Parameter(index) => {
                 let mut rest = index as usize;
                 for argument in self.energy.parameters() {

@@ -14,7 +14,18 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
     let (action, places) = (context.action(), context.coordinates());
     let value = context.values(&found.value, |mut values| values.remove(0));
     let momenta = context.values(&found.momenta, |values| write("momentum", &places, &values));
-    let velocities = context.values(&found.velocities, |values| write("velocity", &places, &values));
+    let velocities = match &found.velocities {
+        Some(velocities) => {
+            let velocities = context.values(velocities, |values| write("velocity", &places, &values));
+            quote! {
+                #parts
+                let mut velocity = <#array as Array>::zero();
+                #velocities
+                velocity
+            }
+        }
+        None => quote!(velocity_of(self, t, z)),
+    };
     let Energy { name: plain, float, coordinates, form, .. } = context.energy;
     let (state, coordinates) = (state(*form), &coordinates.ty);
     // The action, where there is one.
@@ -35,10 +46,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
             }
             #[inline]
             fn velocity(&self, t: R, z: &#phase, s: &#action) -> #array {
-                #parts
-                let mut velocity = <#array as Array>::zero();
                 #velocities
-                velocity
             }
         }
         impl #plain {

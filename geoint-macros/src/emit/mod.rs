@@ -18,6 +18,7 @@ pub(crate) mod report;
 mod steps;
 mod straight_line;
 mod system;
+mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
@@ -58,7 +59,7 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let inherent = system::inherent(context, (system.value.is_some() || form.has_action(), flow), report);
+    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
@@ -78,6 +79,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #fourth #collocation)
         }
+        Implicit::Velocities(kernels) => velocities::velocities(context, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
     around(context, report, &quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #modified #implicit))

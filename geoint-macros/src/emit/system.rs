@@ -128,6 +128,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.values(value, |mut values| values.remove(0)),
+        None if context.energy.form == Form::Lagrangian => quote!(energy_of(self, t, z)),
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, graph, &system.domain);
@@ -161,6 +162,7 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
         (form, _) if form.has_action() => return None,
         (Form::Hamiltonian | Form::Lagrangian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
         (_, Some(rate)) => context.values(rate, |values| write("slopes", &context.coordinates(), &values)),
+        (Form::Lagrangian, None) if system.slopes.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };
     Some(quote! {
@@ -175,10 +177,21 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
     })
 }
 
+/// `impl CotangentSpace`.
+pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    quote! {
+        impl<R: Real> CotangentSpace<R> for #name {
+            type Coordinates = #coordinates;
+            type Array = #array;
+        }
+    }
+}
+
 /// `impl CotangentSpace`, and the gradient of an energy on it.
 fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> TokenStream {
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let (form, receives, returned) = match context.energy.form {
         form if form.has_action() => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
@@ -194,11 +207,9 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
         }
     });
     let slopes = context.values(slopes, |values| halves(context, &values));
+    let cotangent = cotangent(context);
     quote! {
-        impl<R: Real> CotangentSpace<R> for #name {
-            type Coordinates = #coordinates;
-            type Array = #array;
-        }
+        #cotangent
         impl<R: Real> #form<R> for #name {
             type Proof = ();
             #[inline]

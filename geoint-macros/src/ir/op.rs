@@ -25,6 +25,8 @@ pub(crate) enum Symbol {
     Dp(u32),
     /// The increment of the action over a step.
     Ds,
+    /// The increment of a velocity over a step.
+    Dv(u32),
 }
 
 impl Symbol {

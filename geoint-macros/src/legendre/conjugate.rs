@@ -81,7 +81,7 @@ fn root(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &[
                 .collect()
         })
         .collect();
-    let squares = quadratic::inverse_form(graph, &matrix, y)?;
+    let squares = quadratic::inverse_form(graph, &matrix, y).ok()?;
     let form = quadratic::sum(graph, &squares);
     let square = graph.pow(scale, Ratio::integer(2));
     let ratio = graph.div(form, square);

@@ -24,12 +24,22 @@ pub(crate) struct Legendre {
     pub(crate) parts: Vec<Part>,
     /// What of −L reads no velocity.
     pub(crate) potential: Id,
-    /// H.
-    pub(crate) energy: Id,
-    /// ∂H/∂p.
-    pub(crate) velocities: Vec<Id>,
+    /// M, symmetric, and free of velocities where L is quadratic.
+    pub(crate) mass: Vec<Vec<Id>>,
+    /// ∂L/∂v at rest.
+    pub(crate) shift: Vec<Id>,
+    pub(crate) route: Route,
     /// What of L and H is not defined everywhere.
     pub(crate) partial: Vec<Partial>,
+}
+
+/// What steps are derived from.
+#[derive(Debug)]
+pub(crate) enum Route {
+    /// H, with ∂H/∂p.
+    Energy(Id, Vec<Id>),
+    /// L itself, with velocities as unknowns: H would be long by this entry of M, or has no formula because of this term.
+    Velocities(Id),
 }
 
 /// Velocities that L couples, in order, and how they follow from momenta.
@@ -46,6 +56,8 @@ pub(crate) enum Kinetic {
     Quadratic { mass: Vec<Vec<Id>>, shift: Vec<Id> },
     /// A term of the table of conjugates, and its rule.
     Conjugate { term: Id, rule: &'static str },
+    /// Not quadratic, and of no known conjugate.
+    Open(Id),
 }
 
 /// Why a Lagrangian has no energy here.
@@ -63,73 +75,122 @@ pub(crate) enum Flaw {
     NotClosed(Vec<u32>, Id),
 }
 
-/// H, and how it was found.
+/// From so many velocities on that a full mass matrix couples, H costs more than L with its velocities as unknowns: twice as much with 3,
+/// five times with 6.
+const FULL: usize = 3;
+
+/// From what steps are derived, and what was found on the way. `closed` asks for H.
 pub(crate) fn transform(
     graph: &mut Graph,
     lagrangian: Id,
-    degrees: u32,
+    (degrees, closed): (u32, bool),
     written: &[Partial],
 ) -> Result<Legendre, Flaw> {
     let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
     let mass = masses(graph, &momenta, &symbols);
     regular(graph, &momenta, &mass)?;
+    let shift: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
 
     // What is divided by here must not vanish either.
     graph.take_partial();
-    let mut parts = vec![];
-    let (mut squares, mut kinetic) = (vec![], vec![]);
-    let mut rest = lagrangian;
-    let mut open = vec![];
-    for velocities in blocks(graph, &mass) {
-        if velocities.iter().any(|i| velocities.iter().any(|j| analyze::reads(graph, mass[*i as usize][*j as usize]).v))
-        {
-            open.push(velocities);
-            continue;
-        }
-        let of = |i: &u32| *i as usize;
-        let block: Vec<Vec<Id>> =
-            velocities.iter().map(|i| velocities.iter().map(|j| mass[of(i)][of(j)]).collect()).collect();
-        let shift: Vec<Id> = velocities.iter().map(|i| at_rest(graph, momenta[of(i)], |_| true)).collect();
-        let reduced = reduced(graph, &velocities, &shift);
-        let Some(mut form) = quadratic::inverse_form(graph, &block, &reduced) else {
-            return Err(Flaw::Singular(velocities));
-        };
-        squares.append(&mut form);
-        rest = at_rest(graph, rest, |i| velocities.contains(&i));
-        parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
-    }
-    for velocities in open {
-        let alone = at_rest(graph, rest, |i| !velocities.contains(&i));
-        let conjugate::Conjugate { term, energy, rule } =
-            conjugate::of(graph, alone, &velocities).ok_or_else(|| Flaw::NotClosed(velocities.clone(), alone))?;
-        kinetic.push(energy);
-        parts.push(Part { velocities, kinetic: Kinetic::Conjugate { term, rule } });
-    }
-    // What has a conjugate goes with its velocities.
-    let without = if parts.iter().any(|part| matches!(part.kinetic, Kinetic::Conjugate { .. })) {
-        let terms = conjugate::terms(graph, rest);
-        let still: Vec<Id> = terms.into_iter().filter(|term| !analyze::reads(graph, *term).v).collect();
-        graph.sum(&still)
-    } else {
-        rest
-    };
-    let potential = graph.neg(without);
-    parts.sort_by_key(|part| part.velocities[0]);
-    let squares = quadratic::sum(graph, &squares);
-    kinetic.push(graph.scale(Number::HALF, squares));
-    let kinetic = graph.sum(&kinetic);
+    let Parts { parts, kinetic, potential, long } = self::parts(graph, lagrangian, (&mass, &shift))?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();
 
-    let velocities = diff::gradient(graph, energy, degrees).p;
-    let mut partial = carried(graph, written, &velocities, &parts);
-    let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
-    let new = divided.into_iter().filter(|node| !analyze::reads(graph, *node).v && !known.contains(node));
-    partial.extend(new.map(|node| Partial { node, condition: None }));
-    partial.dedup();
-    Ok(Legendre { lagrangian, forces, momenta, parts, potential, energy, velocities, partial })
+    let open = parts.iter().find_map(|part| match part.kinetic {
+        Kinetic::Open(term) => Some((&part.velocities, term)),
+        _ => None,
+    });
+    if let (Some((velocities, term)), true) = (open, closed) {
+        return Err(Flaw::NotClosed(velocities.clone(), term));
+    }
+    let (route, partial) = match open.map(|(_, term)| term).or(long).filter(|_| !closed) {
+        Some(long) => (Route::Velocities(long), at_points(graph, written)),
+        None => {
+            let velocities = diff::gradient(graph, energy, degrees).p;
+            let mut partial = carried(graph, written, &velocities, &parts);
+            let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
+            let new = divided.into_iter().filter(|node| !analyze::reads(graph, *node).v && !known.contains(node));
+            partial.extend(new.map(|node| Partial { node, condition: None }));
+            partial.dedup();
+            (Route::Energy(energy, velocities), partial)
+        }
+    };
+    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial })
+}
+
+/// L taken apart.
+struct Parts {
+    parts: Vec<Part>,
+    /// What is known of H in the momenta.
+    kinetic: Id,
+    potential: Id,
+    /// An entry of M for which H would be long.
+    long: Option<Id>,
+}
+
+fn parts(graph: &mut Graph, lagrangian: Id, (mass, shift): (&[Vec<Id>], &[Id])) -> Result<Parts, Flaw> {
+    let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
+    let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
+    for velocities in blocks(graph, mass) {
+        let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
+        let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&mass[*i as usize])).collect();
+        if block.iter().flatten().any(|entry| analyze::reads(graph, *entry).v) {
+            others.push(velocities);
+            continue;
+        }
+        let shift = picked(shift);
+        let reduced = reduced(graph, &velocities, &shift);
+        match quadratic::inverse_form(graph, &block, &reduced) {
+            Ok(mut form) => squares.append(&mut form),
+            Err(quadratic::NoForm::Singular) => return Err(Flaw::Singular(velocities)),
+            Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
+        }
+        if block.len() >= FULL {
+            long = long.or_else(|| block.iter().flatten().copied().find(|entry| moves(graph, *entry)));
+        }
+        rest = at_rest(graph, rest, |i| velocities.contains(&i));
+        parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
+    }
+    let squares = quadratic::sum(graph, &squares);
+    kinetic.push(graph.scale(Number::HALF, squares));
+    let conjugates = !others.is_empty();
+    for velocities in others {
+        let alone = at_rest(graph, rest, |i| !velocities.contains(&i));
+        let found = match conjugate::of(graph, alone, &velocities) {
+            Some(conjugate::Conjugate { term, energy, rule }) => {
+                kinetic.push(energy);
+                Kinetic::Conjugate { term, rule }
+            }
+            None => Kinetic::Open(alone),
+        };
+        parts.push(Part { velocities, kinetic: found });
+    }
+    // What has a conjugate goes with its velocities.
+    if conjugates {
+        let mut still = conjugate::terms(graph, rest);
+        still.retain(|term| !analyze::reads(graph, *term).v);
+        rest = graph.sum(&still);
+    }
+    parts.sort_by_key(|part| part.velocities[0]);
+    let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));
+    Ok(Parts { parts, kinetic, potential, long })
+}
+
+/// Whether a node reads the state or time.
+fn moves(graph: &Graph, id: Id) -> bool {
+    let reads = analyze::reads(graph, id);
+    reads.state() || reads.t
+}
+
+/// What of L is not defined everywhere and can be looked at without velocities.
+fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
+    let still = |id: &Id| !analyze::reads(graph, *id).v;
+    let mut partial = written.to_vec();
+    partial.retain(|Partial { node, condition }| still(node) && condition.iter().all(still));
+    partial
 }
 
 /// ∂²L/∂v², of equal entries one; free of v where it can be.

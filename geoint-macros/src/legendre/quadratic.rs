@@ -6,10 +6,18 @@ use crate::ir::{Graph, Id, Ratio};
 /// A square, and what divides it.
 pub(super) type Square = (Id, Id);
 
-/// yᵀM⁻¹y for a symmetric M, as a sum of squares; `None` if M is singular at every state, or has no pivot on its diagonal.
+/// Why there is no such sum.
+pub(super) enum NoForm {
+    /// M is singular at every state.
+    Singular,
+    /// What is left of M has this entry, but none on its diagonal.
+    NoPivot(Id),
+}
+
+/// yᵀM⁻¹y for a symmetric M, as a sum of squares.
 ///
 /// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
-pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Option<Vec<Square>> {
+pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Square>, NoForm> {
     let (mut mass, mut y): (Vec<Vec<Id>>, Vec<Id>) = (mass.to_vec(), y.to_vec());
     let mut left: Vec<usize> = (0..y.len()).collect();
     let mut squares: Vec<(usize, Square)> = vec![];
@@ -32,7 +40,7 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Opt
         squares.push((k, (square, d)));
     }
     squares.sort_by_key(|(k, _)| *k);
-    Some(squares.into_iter().map(|(_, square)| square).collect())
+    Ok(squares.into_iter().map(|(_, square)| square).collect())
 }
 
 /// The sum; squares over equal pivots are one, as |p|²/m is written.
@@ -53,9 +61,14 @@ pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
 }
 
 /// The next pivot: of those that are not zero everywhere the one whose coordinate couples to the fewest others.
-fn pivot(graph: &mut Graph, mass: &[Vec<Id>], left: &[usize]) -> Option<usize> {
+fn pivot(graph: &mut Graph, mass: &[Vec<Id>], left: &[usize]) -> Result<usize, NoForm> {
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
-    order.into_iter().find(|i| !graph.is_zero(mass[*i][*i]) && !analyze::identity(graph, mass[*i][*i]).is_zero())
+    let vanishes = |graph: &mut Graph, id| graph.is_zero(id) || analyze::identity(graph, id).is_zero();
+    if let Some(k) = order.iter().find(|i| !vanishes(graph, mass[**i][**i])) {
+        return Ok(*k);
+    }
+    let mut entries = left.iter().flat_map(|i| left.iter().map(|j| mass[*i][*j]));
+    Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular, NoForm::NoPivot))
 }

@@ -5,6 +5,7 @@
 
 mod bodies;
 mod contact;
+mod forms;
 mod implicit;
 mod integrals;
 mod lagrangian;
@@ -12,9 +13,11 @@ mod modified;
 mod poles;
 mod separable;
 mod rates;
+mod velocities;
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use lagrangian::Lagrangian;
@@ -25,6 +28,8 @@ pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
+pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
 pub use crate::solving::{Inverse, Inverted};
 

@@ -12,7 +12,7 @@ pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use flow::{Source, flow};
-pub(crate) use lagrangian::lagrangian;
+pub(crate) use lagrangian::{lagrangian, velocities};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {
