@@ -5,3 +5,4 @@ mod references;
 mod orders;
 mod energies;
 mod laws;
+mod velocities;

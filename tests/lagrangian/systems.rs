@@ -133,3 +133,87 @@ pub(crate) fn brachistochrone(y: f64, slope: f64, _x: f64) -> f64 {
 pub(crate) fn catenary(y: f64, slope: f64) -> f64 {
     y * (1.0 + slope * slope).sqrt()
 }
+
+/// The arm with an action that it does not read: turned into an energy.
+#[lagrangian]
+pub(crate) fn arm_by_energy(q: [f64; 3], v: [f64; 3], _s: f64, m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
+    let (mut angle, mut rate) = (0.0, 0.0);
+    let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0);
+    let mut sum = 0.0;
+    for i in 0..3 {
+        angle += q[i];
+        rate += v[i];
+        let (sin, cos) = angle.sin_cos();
+        let half = 0.5 * l[i];
+        let (u, w) = (x + half * rate * cos, y + half * rate * sin);
+        sum += 0.5 * m[i] * (u * u + w * w) + m[i] * l[i] * l[i] / 24.0 * rate * rate + m[i] * g * (depth + half * cos);
+        x += l[i] * rate * cos;
+        y += l[i] * rate * sin;
+        depth += l[i] * cos;
+    }
+    sum
+}
+
+/// The arm with joints that rub.
+#[lagrangian(rayleigh = 0.5 * c * (1.0 + q[1] * q[1])
+    * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]))]
+pub(crate) fn rubbed_arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64, c: f64) -> f64 {
+    let (mut angle, mut rate) = (0.0, 0.0);
+    let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0);
+    let mut sum = 0.0;
+    for i in 0..3 {
+        angle += q[i];
+        rate += v[i];
+        let (sin, cos) = angle.sin_cos();
+        let half = 0.5 * l[i];
+        let (u, w) = (x + half * rate * cos, y + half * rate * sin);
+        sum += 0.5 * m[i] * (u * u + w * w) + m[i] * l[i] * l[i] / 24.0 * rate * rate + m[i] * g * (depth + half * cos);
+        x += l[i] * rate * cos;
+        y += l[i] * rate * sin;
+        depth += l[i] * cos;
+    }
+    sum
+}
+
+/// Three rods of length 1 without weight, by differences of angles: the first angle is not read.
+#[lagrangian]
+pub(crate) fn free_arm(q: [f64; 3], v: [f64; 3], m: [f64; 3]) -> f64 {
+    let rates = [v[0], v[0] + v[1], v[0] + v[1] + v[2]];
+    let coupled = m[1] * rates[0] * rates[1] * q[1].cos()
+        + m[2] * rates[1] * rates[2] * q[2].cos()
+        + 0.5 * m[2] * rates[0] * rates[2] * (q[1] + q[2]).cos();
+    0.5 * (2.0 * m[0] * rates[0] * rates[0] + 3.0 * m[1] * rates[1] * rates[1] + 2.0 * m[2] * rates[2] * rates[2])
+        + 0.4 * coupled
+        - (1.0 - q[2].cos())
+}
+
+/// Masses that grow with time, and a field that is linear in the velocities.
+#[lagrangian]
+pub(crate) fn growing_arm(q: [f64; 3], v: [f64; 3], t: f64, m: [f64; 3], rate: f64) -> f64 {
+    let grown = 1.0 + 0.3 * (rate * t).sin();
+    let kinetic = 0.5 * (2.0 * m[0] * v[0] * v[0] + 3.0 * m[1] * v[1] * v[1] + 2.0 * m[2] * v[2] * v[2]);
+    let coupled = m[1] * v[0] * v[1] * (q[0] - q[1]).cos() + m[2] * v[1] * v[2] * (q[1] - q[2] + t).cos();
+    grown * (kinetic + 0.4 * coupled) + q[1] * v[0] * t + q[0].cos() + 2.0 * q[1].cos() + q[2].cos()
+}
+
+/// Of no known conjugate.
+#[lagrangian]
+pub(crate) fn quartic(q: [f64; 2], v: [f64; 2], k: f64) -> f64 {
+    let square = v[0] * v[0] + v[1] * v[1] + 0.5 * v[0] * v[1] * q[0].cos();
+    0.5 * square + 0.25 * square * square - k * (q[0] * q[0] + (q[0] - q[1]).powi(2))
+}
+
+/// A mass matrix without a diagonal.
+#[lagrangian]
+pub(crate) fn mixed(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
+    m * v[0] * v[1] - q[0] * q[1] - (q[0] + 2.0 * q[1]).cos()
+}
+
+/// Whose mass matrix is singular where q₀ = 0.
+#[lagrangian]
+pub(crate) fn singular(q: [f64; 3], v: [f64; 3], m: f64) -> f64 {
+    let shifted = v[1] + 0.3 * v[0] * q[2].cos();
+    0.5 * m * q[0] * v[0] * v[0] + 0.5 * shifted * shifted + 0.7 * (v[2] + 0.2 * v[1] * q[0].sin()).powi(2)
+        - 0.5 * q[1] * q[1]
+        - 0.5 * q[2] * q[2]
+}
