@@ -5,6 +5,7 @@
 
 mod conjugate;
 mod friction;
+mod invariant;
 mod quadratic;
 
 use crate::analyze;
@@ -90,11 +91,13 @@ pub(crate) fn transform(
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
     let mass = masses(graph, &momenta, &symbols);
     regular(graph, &momenta, &mass)?;
+    let simple = simplified(graph, &mass);
+    regular(graph, &momenta, &simple)?;
     let shift: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
 
     // What is divided by here must not vanish either.
     graph.take_partial();
-    let Parts { parts, kinetic, potential, long } = self::parts(graph, lagrangian, (&mass, &shift))?;
+    let Parts { parts, kinetic, potential, long } = self::parts(graph, lagrangian, (&simple, &shift))?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();
@@ -106,6 +109,8 @@ pub(crate) fn transform(
     if let (Some((velocities, term)), true) = (open, closed) {
         return Err(Flaw::NotClosed(velocities.clone(), term));
     }
+    // What is free of the state is; the rest of M goes best with the terms of L, which share its functions.
+    let mass = choose(graph, &simple, &mass);
     let (route, partial) = match open.map(|(_, term)| term).or(long).filter(|_| !closed) {
         Some(long) => (Route::Velocities(long), at_points(graph, written)),
         None => {
@@ -119,6 +124,25 @@ pub(crate) fn transform(
         }
     };
     Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial })
+}
+
+/// M without coordinates on which its entries do not depend.
+fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
+    let mut simple = mass.to_vec();
+    for i in 0..mass.len() {
+        for j in 0..=i {
+            let entry =
+                if analyze::reads(graph, mass[i][j]).v { mass[i][j] } else { invariant::simplified(graph, mass[i][j]) };
+            (simple[i][j], simple[j][i]) = (entry, entry);
+        }
+    }
+    simple
+}
+
+/// Entries of the first matrix where they read no state, else of the second.
+fn choose(graph: &Graph, simple: &[Vec<Id>], written: &[Vec<Id>]) -> Vec<Vec<Id>> {
+    let entry = |(simple, written): (&Id, &Id)| if analyze::reads(graph, *simple).state() { *written } else { *simple };
+    simple.iter().zip(written).map(|(simple, written)| simple.iter().zip(written).map(entry).collect()).collect()
 }
 
 /// L taken apart.
