@@ -32,7 +32,7 @@ pub(crate) fn canonical(
         (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
         (None, Split::Separable(parts)) => Ok(parts),
     };
-    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
+    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
     let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
     // Damping that depends on the state makes a field of a higher degree.
@@ -70,8 +70,9 @@ fn kick_drift(
     graph: &mut Graph,
     parts: &Parts,
     (force, gradient): (&[Id], &Gradient),
-    degrees: u32,
+    partial: &[Partial],
 ) -> KickDrift<Kernel> {
+    let degrees = gradient.q.len() as u32;
     let h = graph.symbol(Symbol::H);
     let [impulse, shift] = [(parts.potential, Number::MINUS_ONE), (parts.kinetic, Number::ONE)].map(|(part, sign)| {
         let generator = graph.mul(h, part);
@@ -89,7 +90,8 @@ fn kick_drift(
         Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
     };
     let repeats = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
-    KickDrift { kick, drift, exact_in_time: false, repeats, gradient_kick, undamped: None }
+    let shows = repeats && super::domain::shows(graph, &impulse.q, partial);
+    KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }
 
 /// x ← x + increment. An increment is summed before it is added: x is rounded once.

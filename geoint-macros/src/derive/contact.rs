@@ -85,6 +85,7 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
         drift: damped_drift,
         exact_in_time: *clock == Clock::Own,
         repeats: false,
+        shows: false,
         undamped: Some(Undamped {
             kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
             drift: (mechanics.free_drift != *drift).then(|| kernel(&mechanics.free_drift)),

@@ -72,6 +72,8 @@ pub(crate) struct KickDrift<K> {
     pub(crate) exact_in_time: bool,
     /// Whether a kick adds to the momenta what positions alone decide.
     pub(crate) repeats: bool,
+    /// Whether a kick where the energy is not defined leaves momenta that are not finite.
+    pub(crate) shows: bool,
     pub(crate) gradient_kick: Result<GradientKick<K>, Missing>,
     /// Of contact systems.
     pub(crate) undamped: Option<Undamped<K>>,
@@ -265,6 +267,7 @@ impl<K> KickDrift<K> {
             drift: self.drift.map(of),
             exact_in_time: self.exact_in_time,
             repeats: self.repeats,
+            shows: self.shows,
             gradient_kick: self.gradient_kick.map(|kick| match kick {
                 GradientKick::Collocation => GradientKick::Collocation,
                 GradientKick::Flow(flow) => GradientKick::Flow(flow.map(of)),

@@ -24,6 +24,11 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
         )
     });
     let repeats = flows.repeats;
+    let shows = flows.shows.then(|| {
+        quote!(
+            const KICKS_SHOW: bool = true;
+        )
+    });
     let [kick, drift] = [("kick", &flows.kick), ("drift", &flows.drift)].map(|(name, each)| flow(context, name, each));
     let gradient_kick = match &flows.gradient_kick {
         Ok(GradientKick::Collocation) => quadratic(
@@ -50,6 +55,7 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
         impl<R: Real> Separable<R> for #name {
             type Proof = ();
             const KICKS_REPEAT: bool = #repeats;
+            #shows
             type Kick = #kick_type;
             type Drift = #drift_type;
             #exact

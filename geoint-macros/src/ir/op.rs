@@ -195,7 +195,33 @@ functions! {
     Grown grown(x, z, change) Neither Everywhere;
 }
 
+/// Functions of the same arguments that share their work.
+const PARTNERS: [[Function; 2]; 10] = {
+    use Function::*;
+    [
+        [Sin, Cos],
+        [Sinc, SincDerivative],
+        [Sinhc, SinhcDerivative],
+        [Arc, ArcDerivative],
+        [ExpSlope, ExpSlopeDerivative],
+        [LnSlope, LnSlopeDerivative],
+        [TanhSlope, TanhSlopeDerivative],
+        [PowfSlope, PowfSlopeDerivative],
+        [AbsSlope, AbsSlopeDerivative],
+        [StumpffC1, StumpffC1Derivative],
+    ]
+};
+
 impl Function {
+    /// The function that shares the work of this one.
+    pub(crate) fn partner(self) -> Option<Function> {
+        PARTNERS.iter().find_map(|[a, b]| match self {
+            f if f == *a => Some(*b),
+            f if f == *b => Some(*a),
+            _ => None,
+        })
+    }
+
     pub(crate) fn entry(self) -> &'static Entry {
         &FUNCTIONS[self as usize]
     }

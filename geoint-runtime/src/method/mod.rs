@@ -19,8 +19,8 @@ pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
 pub use name::Name;
+pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, start};
 pub use probe::{Probe, Unwatched};
-pub(crate) use probe::{check_conditions, check_end, check_poles, start};
 pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::Refusal;
@@ -113,6 +113,13 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// The memory before the first step.
     fn memory() -> Self::Memory;
+
+    /// Whether a step does not end in a finite state where the energy is not defined.
+    #[inline(always)]
+    fn shows(prepared: &Self::Prepared) -> bool {
+        let _ = prepared;
+        false
+    }
 
     /// One step, in place. Every point at which the energy is evaluated is shown to `step.probe`.
     ///

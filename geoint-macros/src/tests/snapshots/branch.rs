@@ -63,16 +63,17 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
         Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
         ImplicitStep, Integrator, Inverted, LagrangianSystem, Mean, MechanicalContact,
         Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes,
         ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
-        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, slope,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -466,6 +467,10 @@ const _: () = {
             ModifiedEnergy::modified_energy(self, h, state)
         }
     }
+    impl<R: Real> Graded<R> for Spring {
+        type Proof = ();
+        type Gradient = ByTree;
+    }
     impl<R: Real> DiscreteField<R> for Spring {
         type Proof = ();
         type Parameters = [R; 0];
@@ -746,6 +751,10 @@ const _: () = {
                 _,
             >(self, parameters, start, d, image, matrix);
         }
+    }
+    impl<R: Real> Collocated<R> for Spring {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Spring {
         type Proof = ();

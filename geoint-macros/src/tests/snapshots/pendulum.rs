@@ -73,16 +73,17 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
         Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
         ImplicitStep, Integrator, Inverted, LagrangianSystem, Mean, MechanicalContact,
         Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes,
         ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
-        canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, slope,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -205,6 +206,7 @@ const _: () = {
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
         const KICKS_REPEAT: bool = true;
+        const KICKS_SHOW: bool = true;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -306,6 +308,10 @@ const _: () = {
             ModifiedEnergy::modified_energy(self, h, state)
         }
     }
+    impl<R: Real> Graded<R> for Pendulum<R> {
+        type Proof = ();
+        type Gradient = ByTree;
+    }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
         type Parameters = [R; 4];
@@ -394,17 +400,17 @@ const _: () = {
             prepared_0 = prepared[0];
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
-            v2 = k0.multiply_add(dq0, start_0);
-            (v3, v4) = v2.sin_cos();
-            v5 = prepared_0 * v1;
-            v6 = v5 * v3;
-            v7 = slope::sinc_derivative(v0);
-            v8 = k0 * v3;
+            v2 = slope::sinc_derivative(v0);
+            v3 = k0.multiply_add(dq0, start_0);
+            (v4, v5) = v3.sin_cos();
+            v6 = prepared_0 * v1;
+            v7 = v6 * v4;
+            v8 = k0 * v4;
             v9 = k0 * v1;
-            v10 = v8 * v7;
-            v11 = v9.multiply_add(v4, v10);
+            v10 = v8 * v2;
+            v11 = v9.multiply_add(v5, v10);
             v12 = prepared_0 * v11;
-            f[0] = v6;
+            f[0] = v7;
             jacobian[0][0] = v12;
         }
         #[inline(always)]
@@ -446,17 +452,17 @@ const _: () = {
             k5 = R::from_f64(1.0);
             v0 = k0 * dq0;
             v1 = slope::sinc(v0);
-            v2 = k0.multiply_add(dq0, start_0);
-            (v3, v4) = v2.sin_cos();
-            v5 = prepared_1 * v1;
-            v6 = v5 * v3;
-            v7 = slope::sinc_derivative(v0);
-            v8 = k0 * v3;
+            v2 = slope::sinc_derivative(v0);
+            v3 = k0.multiply_add(dq0, start_0);
+            (v4, v5) = v3.sin_cos();
+            v6 = prepared_1 * v1;
+            v7 = v6 * v4;
+            v8 = k0 * v4;
             v9 = k0 * v1;
-            v10 = v8 * v7;
-            v11 = v9.multiply_add(v4, v10);
+            v10 = v8 * v2;
+            v11 = v9.multiply_add(v5, v10);
             v12 = prepared_2.multiply_add(v11, k5);
-            image[0] = v6;
+            image[0] = v7;
             matrix[0][0] = v12;
         }
         #[inline(always)]
@@ -498,6 +504,10 @@ const _: () = {
         ) {
             fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
         }
+    }
+    impl<R: Real> Collocated<R> for Pendulum<R> {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {
         type Proof = ();

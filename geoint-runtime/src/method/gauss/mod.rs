@@ -22,6 +22,7 @@
 //! ```
 
 mod fields;
+mod stages;
 mod tableau;
 mod velocities;
 
@@ -50,7 +51,7 @@ pub struct Gauss<const S: usize>;
 pub struct ImplicitMidpoint;
 
 /// How the stages of a step are found: of [`ByField`](crate::system::ByField) or [`ByVelocities`](crate::system::ByVelocities).
-pub trait Stages<Y: PhaseSpace<R>, R: Real> {
+pub trait StageForm<Y: PhaseSpace<R>, R: Real> {
     /// Coefficients of one step.
     type Prepared<const S: usize>: Clone;
     /// What a step hands on to the next one.
@@ -77,12 +78,12 @@ pub trait Stages<Y: PhaseSpace<R>, R: Real> {
 
 impl<Y: Collocated<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
-    Y::Stages: Stages<Y, R>,
+    Y::Stages: StageForm<Y, R>,
     Gauss<S>: GaussTableau<S>,
 {
     type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocated<R>>::Proof>>::Both;
-    type Prepared = <Y::Stages as Stages<Y, R>>::Prepared<S>;
-    type Memory = <Y::Stages as Stages<Y, R>>::Memory<S>;
+    type Prepared = <Y::Stages as StageForm<Y, R>>::Prepared<S>;
+    type Memory = <Y::Stages as StageForm<Y, R>>::Memory<S>;
 
     fn claims(&self) -> Claims {
         Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
@@ -93,11 +94,11 @@ where
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        <Y::Stages as Stages<Y, R>>::prepare::<S>(system, h)
+        <Y::Stages as StageForm<Y, R>>::prepare::<S>(system, h)
     }
 
     fn memory() -> Self::Memory {
-        <Y::Stages as Stages<Y, R>>::memory::<S>()
+        <Y::Stages as StageForm<Y, R>>::memory::<S>()
     }
 
     #[inline(always)]
@@ -106,13 +107,13 @@ where
         memory: &mut Self::Memory,
         step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        <Y::Stages as Stages<Y, R>>::step::<S, C, P>(prepared, memory, step)
+        <Y::Stages as StageForm<Y, R>>::step::<S, C, P>(prepared, memory, step)
     }
 }
 
 impl<Y: Collocated<R>, R: Real> Method<Y, R> for ImplicitMidpoint
 where
-    Y::Stages: Stages<Y, R>,
+    Y::Stages: StageForm<Y, R>,
 {
     type Proof = <Y as Collocated<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;

@@ -154,7 +154,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        x.is_finite() && self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
+        x.is_finite() && (M::shows(&self.prepared) || self.is_defined(steps, x))
+    }
+
+    #[inline(always)]
+    fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
     }
 
     /// When steps end that led to `x`.

@@ -1,10 +1,11 @@
 //! Steps of the polarised discrete gradient of a Lagrangian that is quadratic in v: see [`PolarisedForm`].
 
 use super::GradientSteps;
-use crate::method::{Probe, Refusal, Step, check_conditions, check_poles, start};
+use crate::method::{Deciding, Probe, Refusal, Step, check_conditions, check_poles, start};
 use crate::scalar::Real;
+use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
-use crate::space::vector::{scaled, sum};
+use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{ByPolarisation, Orientation, PolarisedForm, Poles, acceleration, row_scale, velocity_near};
 
@@ -42,54 +43,94 @@ impl<S: PolarisedForm<R>, R: Real> GradientSteps<S, R> for ByPolarisation {
         Memory { newton, orientation, sums }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let (none, z, half) = (S::Array::zero(), x.z, R::from_f64(0.5));
+        let (none, z, middle) = (S::Array::zero(), x.z, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
         let (v, positive) = velocity_near(system, t, &z, none).ok_or(Refusal::Singular)?;
         let sign = orientation.sign::<R>(|| Some(positive))?;
         orientation.agrees(Some(positive))?;
-        let begun = system.begin(parameters, t + half * *h, &z, &v);
+        let begun = system.begin(parameters, middle, &z, &v);
+        let (mut p, mut mass) = (none, S::Array::fill(none));
+        system.mass(t, &z[0], &v, &mut p, &mut mass);
         let mut units = none;
-        {
-            let (mut p, mut mass) = (none, S::Array::fill(none));
-            system.mass(t, &z[0], &v, &mut p, &mut mass);
-            for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {
-                units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
-            }
-            units.as_mut_slice()[0] *= sign;
+        for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {
+            units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
         }
+        units.as_mut_slice()[0] *= sign;
 
-        // q₁ − q₀ = h (v₀ + d/2).
-        let shift = |d: &S::Array| {
-            let mut mean = v;
-            mean.add_scaled(half, d);
-            scaled(*h, &mean)
-        };
-        let explicit = move || scaled(*h, &acceleration(system, t, &z[0], &v));
-        let evaluate = |probe: &mut P, d: &S::Array, matrix: &mut Square<S::Array>| {
-            probe.visit(t, &[sum(&z[0], &shift(d)), z[1]], &());
-            let mut residual = none;
-            system.equation(parameters, &begun, d, &mut residual, matrix);
-            let mut image = *d;
-            let rows = S::Array::entries::<S::Array>(matrix).iter_mut().zip(image.as_mut_slice());
-            for (i, (row, image)) in rows.enumerate() {
-                let unit = units.as_slice()[i];
-                for x in row.as_mut_slice() {
-                    *x *= unit;
-                }
-                *image = (-unit).multiply_add(residual.as_slice()[i], *image);
-            }
-            image
-        };
-        let image = |probe: &mut P, d: &S::Array| evaluate(probe, d, &mut S::Array::fill(none));
-        // −2v₀ turns v round: nothing moves.
-        let still = P::PATIENT.then_some(-2.0);
-        let (d, _) = newton.solve((&v, still), explicit, probe, image, evaluate)?;
+        let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
+        let mut deciding = Deciding { probe, end: z };
+        let (d, _) = newton.solve(&equation, &mut deciding)?;
+        let Deciding { probe, end } = deciding;
 
-        let increments = [shift(&d), system.impulse(parameters, &begun, &d)];
-        let decided = sum(&z, &increments);
+        let increments = [equation.shift(&d), system.impulse(parameters, &begun, &d)];
         let before = start::<S, R, C>(x);
         x.add_with(sums, &increments, &S::Phase::zero());
-        check_conditions(system, t + half * *h, &decided, x)?;
+        check_conditions(system, middle, &end, x)?;
+        let last = velocity_near(system, t + *h, &x.z, sum(&v, &d));
+        orientation.agrees(last.map(|(_, positive)| positive))?;
         check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// M(q₁)v₁ + a(q₁) = p₁ for d = v₁ − v₀.
+struct Equation<'a, S: PolarisedForm<R>, R: Real> {
+    system: &'a S,
+    parameters: &'a S::Parameters,
+    t: R,
+    h: R,
+    z: S::Phase,
+    v: S::Array,
+    begun: S::Start,
+    /// A row over |Mᵢᵢ| has the unit of the velocity.
+    units: S::Array,
+}
+
+impl<S: PolarisedForm<R>, R: Real> Clone for Equation<'_, S, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: PolarisedForm<R>, R: Real> Copy for Equation<'_, S, R> {}
+
+impl<S: PolarisedForm<R>, R: Real> Equation<'_, S, R> {
+    /// q₁ − q₀ = h (v₀ + d/2).
+    #[inline(always)]
+    fn shift(&self, d: &S::Array) -> S::Array {
+        scaled(self.h, &moved(&self.v, R::from_f64(0.5), d))
+    }
+}
+
+impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Deciding<'_, P, S::Phase>>
+    for Equation<'_, S, R>
+{
+    /// −2v₀ turns v round: nothing moves.
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(-2.0) } else { None };
+
+    #[inline(always)]
+    fn origin(&self) -> S::Array {
+        self.v
+    }
+
+    fn explicit(&self) -> S::Array {
+        scaled(self.h, &acceleration(self.system, self.t, &self.z[0], &self.v))
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Array, matrix: &mut Square<S::Array>) -> S::Array {
+        difference(d, &self.residual(watch, d, matrix))
+    }
+
+    #[inline(always)]
+    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Array, matrix: &mut Square<S::Array>) -> S::Array {
+        watch.visit(self.t, &[sum(&self.z[0], &self.shift(d)), self.z[1]]);
+        let mut residual = S::Array::zero();
+        self.system.equation(self.parameters, &self.begun, d, &mut residual, matrix);
+        let rows = S::Array::entries::<S::Array>(matrix).iter_mut().zip(residual.as_mut_slice());
+        for ((row, residual), unit) in rows.zip(self.units.as_slice()) {
+            *row = scaled(*unit, row);
+            *residual *= *unit;
+        }
+        residual
     }
 }
