@@ -52,6 +52,7 @@ pub(crate) fn canonical(
         pieces: vec![],
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
+        lagrangian: None,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),

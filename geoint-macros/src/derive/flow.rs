@@ -186,6 +186,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         modified: None,
         pieces: vec![],
         integrals: integrals(graph, kept, n),
+        lagrangian: None,
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),

@@ -13,6 +13,7 @@ mod bodies;
 mod flow;
 mod parts;
 mod liouville;
+mod velocities;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -25,6 +26,7 @@ pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use parts::{Parted, parts};
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
-    StepKernel, System, Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
+    PiecesOf, StepKernel, System, Undamped, VelocityKernels,
 };
+pub(crate) use velocities::velocities;

@@ -3,6 +3,7 @@
 use super::domain::Domain;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::{Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -28,6 +29,19 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
+    /// What velocities have to do with it, of a Lagrangian.
+    pub(crate) lagrangian: Option<Lagrangian<K>>,
+}
+
+/// From velocities to momenta, and back.
+#[derive(Debug)]
+pub(crate) struct Lagrangian<K = Kernel> {
+    /// L, as a function of velocities.
+    pub(crate) value: K,
+    /// ∂L/∂v.
+    pub(crate) momenta: K,
+    /// v, as a function of momenta, where that is known.
+    pub(crate) velocities: Option<K>,
 }
 
 /// What an energy lacks.
@@ -120,6 +134,21 @@ pub(crate) enum Implicit<K> {
     Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of a Lagrangian, for velocities.
+    Velocities(VelocityKernels<K>),
+}
+
+/// A Lagrangian by its derivatives.
+#[derive(Debug)]
+pub(crate) struct VelocityKernels<K> {
+    /// The increments of velocities, which are solved for.
+    pub(crate) increments: Vec<Symbol>,
+    /// ∂L/∂v and M.
+    pub(crate) mass: K,
+    /// ∂L/∂v and the force, with their derivatives by q and v; the force.
+    pub(crate) stage: K,
+    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    pub(crate) polarised: Option<K>,
 }
 
 /// Functions of x that a flow keeps, or whose change is known.
@@ -189,6 +218,20 @@ impl FlowKernel {
 }
 
 impl System {
+    /// The same with what a Lagrangian adds.
+    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, route, .. }: &Legendre) -> System {
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let lagrangian = Lagrangian {
+            value: kernel(&[*lagrangian]),
+            momenta: kernel(momenta),
+            velocities: match route {
+                Route::Energy(_, velocities) => Some(kernel(velocities)),
+                Route::Velocities(_) => None,
+            },
+        };
+        System { lagrangian: Some(lagrangian), ..self }
+    }
+
     /// The statements of all kernels. After that nothing is added to the graph.
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
@@ -206,7 +249,14 @@ impl System {
             rate: self.rate.map(&mut plan),
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
+            lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
         }
+    }
+}
+
+impl<K> Lagrangian<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
+        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: self.velocities.map(&mut *of) }
     }
 }
 
@@ -282,6 +332,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
+                let (mass, stage) = (of(mass), of(stage));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            }
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })

@@ -185,3 +185,33 @@ fn what_is_recovered_stands_beside_what_is_listed() {
     assert!((system.energy(&state) - 0.34).abs() < 1e-15);
     assert!((system.integrals(0.0, &state.x)[1] - (1.7 * 0.34 + 0.2) / 2.0).abs() < 1e-15);
 }
+
+/// A field of which the second integral alone is named, under a name of its own.
+#[vector_field(keeps(momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0))]
+fn turning(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {
+    [(b - c) / a * x[1] * x[2], (c - a) / b * x[2] * x[0], (a - b) / c * x[0] * x[1]]
+}
+
+/// Steps are relaxed to the energy of a field, or to what it names first; the other integral moves.
+#[test]
+fn steps_of_fields_are_relaxed() {
+    use super::systems::EulerTop;
+    let start = [0.5, 0.8, -0.4];
+    let (top, unnamed) = (EulerTop { a: 1.0, b: 2.0, c: 3.0 }, Turning { a: 1.0, b: 2.0, c: 3.0 });
+    let change = |after: FlowState<[f64; 3]>| {
+        let before = FlowState::new(start);
+        [top.energy(&after) - top.energy(&before), top.momentum(&after) - top.momentum(&before)].map(f64::abs)
+    };
+    let [energy, momentum] = change(end(top, Relaxation(RK4), start, 100.0, 1000));
+    assert!(energy < 4e-15 && momentum > 1e-9, "{energy:e} {momentum:e}");
+    let [energy, momentum] = change(end(unnamed, Relaxation(RK4), start, 100.0, 1000));
+    assert!(energy > 1e-9 && momentum < 4e-15, "{energy:e} {momentum:e}");
+    let [energy, _] = change(end(top, Projection(RK4, Energy), start, 100.0, 1000));
+    assert!(energy < 4e-15, "{energy:e}");
+    // A control: RK4 alone; and H of a field that was recovered.
+    let [energy, momentum] = change(end(top, RK4, start, 100.0, 1000));
+    assert!(energy > 1e-8 && momentum > 1e-8, "{energy:e} {momentum:e}");
+    let before = HenonField.energy(&FlowState::new(HENON.start));
+    let relaxed = end(HenonField, Relaxation(RK4), HENON.start, 20.0, 200);
+    assert!((HenonField.energy(&relaxed) - before).abs() < 1e-15);
+}
