@@ -88,11 +88,10 @@ fn anomaly<R: Real>(orbit: &Orbits<R, 1>) -> R {
         let small = newton.abs().less_equal(x.abs() * R::from_f64(SMALL)) & d.abs().less_equal(x.abs());
         let shrinks = (d.abs() + d.abs()).less_equal(last.abs());
         let next = either(small | shrinks & inside(x + d, near, far), x + d, middle(near, far));
-        let rest = either(small, zero(), next - x);
-        let done = !(rest.magnitude() > R::epsilon() * x.magnitude());
+        last = either(small, zero(), next - x);
+        let (rest, size) = (last.magnitude(), x.magnitude());
         x = either(small, x, next);
-        last = rest;
-        if done {
+        if rest <= R::epsilon() * size || rest.is_nan() {
             break;
         }
     }
