@@ -13,8 +13,8 @@ pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate,
 pub use crate::system::{
     Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
     Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
-    FourthOrderField, Hamiltonian, ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace,
-    Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
-    VectorField as DifferentialEquation, canonical_rate,
+    FourthOrderField, Hamiltonian, ImplicitStep, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole,
+    PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, VectorField as DifferentialEquation, canonical_rate,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

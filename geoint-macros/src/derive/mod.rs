@@ -8,6 +8,7 @@ mod domain;
 mod system;
 mod implicit;
 mod canonical;
+mod perturbed;
 mod contact;
 mod bodies;
 mod flow;
@@ -21,6 +22,7 @@ pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use parts::parts;
+pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,

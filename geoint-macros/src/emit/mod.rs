@@ -11,6 +11,7 @@ mod flow;
 mod flows;
 mod implicit;
 mod kernel;
+mod perturbed;
 mod pieces;
 mod poles;
 pub(crate) mod report;
@@ -61,6 +62,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
+    let parted = system.perturbed.as_ref().map(|found| perturbed::perturbed(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
@@ -78,7 +80,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         }
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
-    around(context, report, &quote!(#inherent #space #integrals #(#pieces)* #flows #modified #implicit))
+    around(context, report, &quote!(#inherent #space #integrals #(#pieces)* #flows #parted #modified #implicit))
 }
 
 /// The same of rigid bodies.

@@ -8,6 +8,7 @@ mod contact;
 mod implicit;
 mod integrals;
 mod modified;
+mod perturbed;
 mod poles;
 mod separable;
 mod rates;
@@ -17,6 +18,7 @@ pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pi
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField};
 pub use modified::ModifiedEnergy;
+pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;
 mod jumps;
 pub(crate) use jumps::jump_between;

@@ -73,7 +73,14 @@ where
     type Memory = Newton<[Y::Unknown; S]>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+        Claims {
+            order: 2 * S as u32,
+            symmetric: true,
+            symplectic: true,
+            conserves_energy: false,
+            perturbed: &[],
+            forces: None,
+        }
     }
 
     fn name(&self) -> Name {

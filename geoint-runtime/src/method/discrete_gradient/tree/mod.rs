@@ -47,7 +47,7 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     type Memory = Memory<S, R>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
     }
 
     fn name(&self) -> Name {
