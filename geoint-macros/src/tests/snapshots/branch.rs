@@ -69,10 +69,10 @@ const _: () = {
         CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
-        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, slope,
+        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
+        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
+        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, slope,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -342,6 +342,60 @@ const _: () = {
             _: &mut [R; 1],
             _: &mut [R; 1],
             _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Spring`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
+        label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
+    )]
+    pub trait PartedSpring {
+        type Proof;
+    }
+    impl<R: Real + PartedSpring> PerturbedSystem<R> for Spring {
+        type Proof = <R as PartedSpring>::Proof;
+        type Exact = ::core::convert::Infallible;
+        type Rest = ::core::convert::Infallible;
+        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn exact(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn rest(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + PartedSpring> PerturbedGradient<R> for Spring {
+        type Proof = <R as PartedSpring>::Proof;
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
         ) {
             match *never {}
         }

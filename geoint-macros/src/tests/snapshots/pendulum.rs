@@ -79,10 +79,10 @@ const _: () = {
         CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
         ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes, ProofAnd,
-        QuadraticKinetic, Real, Separable, Snapshot, Square, State, canonical_rate,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, slope,
+        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
+        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
+        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, slope,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -286,6 +286,60 @@ const _: () = {
             s: &mut (),
         ) {
             gradient_kick(self, prepared, t, q, p);
+        }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Pendulum`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
+        label = "the term is: -m·l·g·cos(q)"
+    )]
+    pub trait PartedPendulum {
+        type Proof;
+    }
+    impl<R: Real + PartedPendulum> PerturbedSystem<R> for Pendulum<R> {
+        type Proof = <R as PartedPendulum>::Proof;
+        type Exact = ::core::convert::Infallible;
+        type Rest = ::core::convert::Infallible;
+        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn exact(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn rest(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + PartedPendulum> PerturbedGradient<R> for Pendulum<R> {
+        type Proof = <R as PartedPendulum>::Proof;
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+        ) {
+            match *never {}
         }
     }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {

@@ -3,8 +3,10 @@
 //! Where B is small against A by ε, an error is a sum of parts with powers of ε: that of order (s₁, s₂, …) is O(ε hˢ¹ + ε² hˢ² + …).
 
 mod inner;
+mod processed;
 
 pub use inner::Inner;
+pub use processed::Processed;
 
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;

@@ -21,7 +21,7 @@ pub use force_gradient::{
 };
 pub use near_integrable::{
     Aba8_4, Aba8_6_4, Aba10_6_4, Rnia10_8_6, Saba2Gradient, Saba3Gradient, Saba4, Saba4Gradient, Saba5Gradient,
-    WisdomHolman,
+    WisdomHolman, WisdomHolmanGradient, WisdomHolmanProcessed,
 };
 pub use nystrom::{BceRkn17_8, BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a};
 pub use pieces::{BlanesMoan4X, BlanesMoan6X};

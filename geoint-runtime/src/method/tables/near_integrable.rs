@@ -1,6 +1,6 @@
 //! Tables for H = A + B, a part A with an exact flow and a small rest B: the outer flows are those of A.
 
-use crate::method::perturbed::Perturbation;
+use crate::method::perturbed::{Perturbation, Processed};
 use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
 
 /// Half of A, B, half of A. Orders (2, 2), 1 force: the map of J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528. Steps of an eighth
@@ -176,4 +176,16 @@ pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = 
     )
     .with_inner_gradients([0.0, 0.0, 0.0022705431214192648194349550500391298792644087408074])
     .near_integrable(&[10, 4]),
+);
+
+/// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force: for planets to 10⁻⁶.
+pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
+    Processed::new("WisdomHolmanProcessed", &[10, 2], Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]));
+
+/// The same with a force gradient in the kick. Orders (10, 4), 1 force: for planets to 10⁻⁹ and better.
+pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(
+    "WisdomHolmanGradient",
+    &[10, 4],
+    Splitting::<1, DriftFirst<WithGradient>>::palindrome("WisdomHolman", 2, [0.5], [1.0])
+        .with_inner_gradients([1.0 / 24.0]),
 );
