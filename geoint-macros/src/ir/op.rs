@@ -196,10 +196,36 @@ functions! {
     KeplerGRate kepler_g_rate(square, eta, speed, mu, h) Neither Everywhere;
 }
 
+/// Functions of the same arguments that share their work.
+const PARTNERS: [[Function; 2]; 10] = {
+    use Function::*;
+    [
+        [Sin, Cos],
+        [Sinc, SincDerivative],
+        [Sinhc, SinhcDerivative],
+        [Arc, ArcDerivative],
+        [ExpSlope, ExpSlopeDerivative],
+        [LnSlope, LnSlopeDerivative],
+        [TanhSlope, TanhSlopeDerivative],
+        [PowfSlope, PowfSlopeDerivative],
+        [AbsSlope, AbsSlopeDerivative],
+        [StumpffC1, StumpffC1Derivative],
+    ]
+};
+
 impl Function {
     /// The functions that one call of Kepler's motion computes together, in order.
     pub(crate) const KEPLER: [Function; 4] =
         [Function::KeplerF, Function::KeplerG, Function::KeplerFRate, Function::KeplerGRate];
+
+    /// The function that shares the work of this one.
+    pub(crate) fn partner(self) -> Option<Function> {
+        PARTNERS.iter().find_map(|[a, b]| match self {
+            f if f == *a => Some(*b),
+            f if f == *b => Some(*a),
+            _ => None,
+        })
+    }
 
     pub(crate) fn entry(self) -> &'static Entry {
         &FUNCTIONS[self as usize]

@@ -165,12 +165,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Linear(constant, terms) => self.linear(constant, terms),
             Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
-            Node::Call(function @ (Function::Sin | Function::Cos), args) => self.trigonometric(function, args[0]),
             Node::Call(function, args) if Function::KEPLER.contains(&function) => self.kepler(id, &args),
-            Node::Call(function, args) => {
-                let args = args.iter().map(|arg| self.operand(*arg)).collect();
-                self.emit(Instruction::Call(function, args))
-            }
+            Node::Call(function, args) => self.call(function, &args),
             Node::Select(condition, _, _) => self.select(id, condition),
             Node::Compare(relation, a, b) => {
                 let (a, b) = (self.operand(a), self.operand(b));
@@ -193,23 +189,35 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
 
     // ------------------------------------------------------------------------------------------ functions, branches
 
-    /// One call where both sine and cosine are needed.
-    fn trigonometric(&mut self, function: Function, arg: Id) -> Operand {
-        let other = if function == Function::Sin { Function::Cos } else { Function::Sin };
-        let value = self.operand(arg);
-        let partner = self.graph.call(other, &[arg]);
-        let wanted = self.scopes.last().is_some_and(|scope| scope.always.contains(partner));
-        if !wanted || self.known(partner).is_some() {
-            return self.emit(Instruction::Call(function, vec![value]));
-        }
-        let ready = self.ready(&value) + Instruction::CALL_LATENCY;
-        let (sin, cos) = (self.register(ready), self.register(ready));
-        let (own, others) = if function == Function::Sin { (sin, cos) } else { (cos, sin) };
+    /// A function, and beside it the one that shares its work, if that is needed too: sine and cosine are one call, a mean and its
+    /// derivative have the same branches.
+    fn call(&mut self, function: Function, args: &[Id]) -> Operand {
+        let values: Vec<Operand> = args.iter().map(|arg| self.operand(*arg)).collect();
+        let partner = function.partner().map(|partner| (partner, self.graph.call(partner, args)));
+        let wanted =
+            |id: Id| self.scopes.last().is_some_and(|scope| scope.always.contains(id)) && self.known(id).is_none();
+        let Some((partner, id)) = partner.filter(|(_, id)| wanted(*id)) else {
+            return self.emit(Instruction::Call(function, values));
+        };
+        let (own, others) = match function {
+            Function::Sin | Function::Cos => {
+                let ready = self.ready(&values[0]) + Instruction::CALL_LATENCY;
+                let (sin, cos) = (self.register(ready), self.register(ready));
+                if let Some(scope) = self.scopes.last_mut() {
+                    scope.block.statements.push(Statement::SinCos(sin, cos, values[0]));
+                }
+                let both = [sin, cos].map(Operand::Register);
+                if function == Function::Sin { both.into() } else { (both[1], both[0]) }
+            }
+            _ => {
+                let own = self.emit(Instruction::Call(function, values.clone()));
+                (own, self.emit(Instruction::Call(partner, values)))
+            }
+        };
         if let Some(scope) = self.scopes.last_mut() {
-            scope.block.statements.push(Statement::SinCos(sin, cos, value));
-            scope.values.insert(partner, Operand::Register(others));
+            scope.values.insert(id, others);
         }
-        Operand::Register(own)
+        own
     }
 
     /// Kepler's motion along all orbits that do not need each other, as one call.

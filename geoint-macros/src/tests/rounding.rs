@@ -60,24 +60,26 @@ pub(super) fn rounded(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) 
                 let inherited: f64 = args.iter().enumerate().filter(|(_, arg)| arg.error > 0.0).map(passed).sum();
                 Rounded { value, error: 4.0 * value.abs() + inherited }
             }
-            Node::Select(c, a, b) => {
-                let chosen = of(if of(c).value == 1.0 { a } else { b });
-                Rounded { error: chosen.error + of(c).error, ..chosen }
-            }
-            // What rounding may decide is not known at all.
-            Node::Compare(relation, a, b) => {
-                let (a, b) = (of(a), of(b));
-                let rounding = 4.0 * f64::EPSILON * (a.error + b.error);
-                let open = rounding > 0.0 && (a.value - b.value).abs() <= rounding;
-                let error = if open { f64::INFINITY } else { 0.0 };
-                Rounded { error, ..truth(relation.holds(a.value, b.value)) }
-            }
-            Node::And(a, b) => Rounded { value: of(a).value * of(b).value, error: of(a).error + of(b).error },
-            Node::Or(a, b) => Rounded { value: of(a).value.max(of(b).value), error: of(a).error + of(b).error },
-            Node::Not(a) => Rounded { value: 1.0 - of(a).value, ..of(a) },
+            Node::Select(c, a, b) => of(if of(c).value == 1.0 { a } else { b }),
+            Node::Compare(relation, a, b) => truth(relation.holds(of(a).value, of(b).value)),
+            Node::And(a, b) => exact(of(a).value * of(b).value),
+            Node::Or(a, b) => exact(of(a).value.max(of(b).value)),
+            Node::Not(a) => exact(1.0 - of(a).value),
             Node::Truth(value) => truth(*value),
         };
         values.insert(id, x);
     }
     values[&root]
+}
+
+/// Whether a comparison on the way to `root` is decided by rounding.
+pub(super) fn is_undecided(graph: &Graph, root: Id, symbol: &impl Fn(Symbol) -> f64) -> bool {
+    graph.reachable(&[root]).into_iter().any(|id| match graph.node(id) {
+        Node::Compare(_, a, b) => {
+            let [a, b] = [a, b].map(|id| rounded(graph, *id, symbol));
+            let rounding = 4.0 * f64::EPSILON * (a.error + b.error);
+            rounding > 0.0 && (a.value - b.value).abs() <= rounding
+        }
+        _ => false,
+    })
 }

@@ -1,7 +1,7 @@
 //! Schedules do what the graph means: statements are interpreted and compared with the value of the nodes.
 
 use super::fuzz::{config, energy};
-use super::rounding::rounded;
+use super::rounding::{is_undecided, rounded};
 use super::{Noise, lowered};
 use crate::diff;
 use crate::ir::eval::eval;
@@ -227,7 +227,7 @@ proptest! {
         for (root, found) in roots.iter().zip(results) {
             let expected = rounded(&before, *root, &input);
             // What is not finite, or nothing but rounding, tells nothing.
-            if expected.value.is_finite() && expected.error.is_finite() {
+            if expected.value.is_finite() && expected.error.is_finite() && !is_undecided(&before, *root, &input) {
                 let difference = (found - expected.value).abs();
                 prop_assert!(difference <= 4.0 * f64::EPSILON * expected.error + 1e-290, "{found} {expected:?} of {text}");
             }

@@ -20,8 +20,8 @@ pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
 pub use name::Name;
+pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, start};
 pub use probe::{Probe, Unwatched};
-pub(crate) use probe::{check_conditions, check_end, check_poles, start};
 pub use splitting::{gradient_kick, modified_verlet};
 
 pub use crate::solving::Refusal;

@@ -33,6 +33,26 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     fn visit(&mut self, _: R, _: &S::Phase, _: &S::Action) {}
 }
 
+/// A probe that remembers the end of the step at which an equation decided conditions of the energy last.
+pub(crate) struct Deciding<'a, P, Z> {
+    pub probe: &'a mut P,
+    pub end: Z,
+}
+
+impl<P, Z: Array> Deciding<'_, P, Z> {
+    /// The energy is about to be evaluated for a step that ends here, if its conditions matter.
+    #[inline(always)]
+    pub(crate) fn visit<S: PhaseSpace<R, Phase = Z, Action = ()>, R: Real>(&mut self, t: R, end: &Z)
+    where
+        P: Probe<S, R>,
+    {
+        self.probe.visit(t, end, &());
+        if !S::JUMPS.is_empty() {
+            self.end = *end;
+        }
+    }
+}
+
 /// Whether the energy is defined at the end of a step from `before`, and has no pole on the way there, for methods that evaluate it in
 /// between only.
 #[inline(always)]
@@ -49,7 +69,7 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 
 /// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
 ///
-/// Without patience the step is spoilt where only a search can tell, so that it is repeated: one more way out of the loop over steps
+/// Without patience the step is marked where only a search can tell, so that it is repeated: one more way out of the loop over steps
 /// would cost a tenth of a short step.
 #[inline(always)]
 pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
@@ -63,9 +83,7 @@ pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     if P::PATIENT || Known::<S, R>::SEARCHED {
         return Refusal::outside(poles.between(system, divided, ends));
     }
-    if !poles.is_clear(system, divided, ends) {
-        x.z.as_mut_slice()[0] = R::from_f64(f64::NAN);
-    }
+    x.doubtful |= !poles.is_clear(system, divided, ends);
     Ok(())
 }
 

@@ -5,6 +5,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
+use crate::solving::equation::StepEquation;
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
@@ -22,6 +23,21 @@ const MAX_ITERATIONS: u32 = 100;
 /// `still` times `origin`.
 ///
 /// At that increment nothing moves, so that the energy is defined there if it is at the start of the step.
+#[cold]
+#[inline(never)]
+pub(crate) fn approach_solution<A: Array, W>(
+    still: f64,
+    sizes: &Sizes<A>,
+    equation: impl StepEquation<A, W>,
+    watch: &mut W,
+) -> A {
+    approach(&equation.origin(), still, sizes, |x, residual, matrix| {
+        *residual = equation.residual(watch, x, matrix);
+        Ok(())
+    })
+}
+
+/// The same for any residual.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(

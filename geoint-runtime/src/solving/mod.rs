@@ -1,11 +1,12 @@
 //! Equations of implicit steps: how they are solved, and when a solution is one.
 
 mod damped;
+pub(crate) mod equation;
 mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
-mod planar;
 mod noise;
+mod planar;
 mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;

@@ -3,12 +3,14 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
+use crate::solving::equation::StepEquation;
 use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::predictor::Predictor;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::Sizes;
-use crate::space::{Array, Square};
+use crate::space::Array;
+use crate::space::vector::difference;
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
@@ -59,32 +61,21 @@ impl<A: Array> Newton<A> {
         }
     }
 
-    /// Solves x = g(x) for an increment of `origin`, to rounding, from the increments before or from `explicit`.
+    /// Solves an equation to rounding, from the increments before or from its explicit guess.
     ///
-    /// `image` is g, `derivative` writes 1 − g' as well; both are given the `context`. The iteration does not stop at a
-    /// tolerance but where the next correction is bound to be below the rounding of `origin + x`: symmetry of a step, and the
-    /// order of its compositions, hold only at the solved point.
+    /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
+    /// symmetry of a step, and the order of its compositions, hold only at the solved point.
     ///
     /// Returned as well is what the last correction could not subtract from the digits of x. That has a bias: what is left of x − g
     /// is a multiple of the last digit of x, and so is, nearly, a small correction.
     ///
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
-    ///
-    /// Where no guess leads to a solution, `still` times `origin`, if given, is a start from which one is approached: at that increment
-    /// nothing moves, so that the energy is defined there if it is at the start of the step.
     #[inline(always)]
-    pub(crate) fn solve<Q>(
-        &mut self,
-        (origin, still): (&A, Option<f64>),
-        explicit: impl Fn() -> A + Copy,
-        context: &mut Q,
-        image: impl Fn(&mut Q, &A) -> A,
-        derivative: impl Fn(&mut Q, &A, &mut Square<A>) -> A,
-    ) -> Result<(A, A), Refusal> {
+    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Result<(A, A), Refusal> {
         if A::LEN > MOST_UNKNOWNS && (!self.stiff || self.steps.is_multiple_of(ANOTHER_TRY)) {
-            let guess = if self.predictor.started { self.predictor.predict() } else { aside(explicit) };
-            let found = self.fixed_point(guess, origin, |x| image(context, x));
+            let guess = if self.predictor.started { self.predictor.predict() } else { explicit(*equation) };
+            let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
             if let Some(x) = found {
                 self.push(&x);
@@ -99,28 +90,27 @@ impl<A: Array> Newton<A> {
             match attempt {
                 Attempt::Extrapolated => {}
                 Attempt::Explicit => {
-                    guess.copy_from(&aside(explicit));
-                    scale.include(origin, &guess);
+                    guess.copy_from(&explicit(*equation));
+                    scale.include(&equation.origin(), &guess);
                 }
-                Attempt::Damped(still) => {
-                    guess = damped::approach(origin, still, &self.sizes, |x, residual, matrix| {
-                        *residual = *x;
-                        residual.add_scaled(A::Real::from_f64(-1.0), &derivative(context, x, matrix));
-                        Ok(())
-                    });
+                Attempt::Damped => {
+                    if let Some(still) = E::STANDSTILL {
+                        guess = damped::approach_solution(still, &self.sizes, *equation, watch);
+                    }
                 }
             }
-            match self.iterate((guess, &scale), origin, still.is_some(), |x, matrix| derivative(context, x, matrix)) {
+            match self.iterate((guess, &scale), equation, watch) {
                 Ok((x, lost, iterations)) => {
                     self.rough = iterations >= ROUGH && self.predictor.started;
                     self.push(&x);
                     return Ok((x, lost));
                 }
                 Err(refusal) => {
-                    attempt = match (attempt, still) {
+                    attempt = match attempt {
                         // Something may have happened that was not to be foreseen.
-                        (Attempt::Extrapolated, _) => Attempt::Explicit,
-                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        Attempt::Extrapolated => Attempt::Explicit,
+                        // No guess leads to a solution.
+                        Attempt::Explicit if E::STANDSTILL.is_some() => Attempt::Damped,
                         _ => return Err(refusal),
                     }
                 }
@@ -135,39 +125,36 @@ impl<A: Array> Newton<A> {
     }
 
     #[inline(always)]
-    fn iterate(
+    fn iterate<W, E: StepEquation<A, W>>(
         &mut self,
         (guess, scale): (A, &Sizes<A>),
-        origin: &A,
-        patient: bool,
-        mut derivative: impl FnMut(&A, &mut Square<A>) -> A,
+        equation: &E,
+        watch: &mut W,
     ) -> Result<(A, A, u32), Refusal> {
-        let minus = A::Real::from_f64(-1.0);
+        let origin = equation.origin();
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
         for iterations in 1..=MAX_ITERATIONS {
-            let (next, mut delta) = (derivative(&x, &mut matrix), x);
-            delta.add_scaled(minus, &next);
+            let mut delta = equation.residual(watch, &x, &mut matrix);
             let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
                 return Err(if delta.is_finite() { Refusal::Singular } else { corrections.not_converged() });
             };
-            let mut lost = x;
-            x.add_scaled(minus, &delta);
-            lost.add_scaled(minus, &x);
-            lost.add_scaled(minus, &delta);
+            let before = x;
+            x = difference(&x, &delta);
+            let lost = difference(&difference(&before, &x), &delta);
             // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
             if iterations == 1 && self.sizes.exceed(&delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
-            let correction = self.sizes.relative(&delta, origin, &x);
+            let correction = self.sizes.relative(&delta, &origin, &x);
             if iterations == 2 {
                 self.see(correction, corrections.last());
             }
             let verdict = corrections.judge::<A::Real>(correction);
-            let image = |x: &A| derivative(x, &mut matrix);
-            if verdict == Verdict::Solved || verdict == Verdict::Stuck && patient && self.is_noise(origin, &x, image) {
-                self.sizes.include(origin, &x);
+            let mut noise = || E::STANDSTILL.is_some() && self.is_noise(x, *equation, watch);
+            if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
+                self.sizes.include(&origin, &x);
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }
             if verdict == Verdict::Stuck {
@@ -182,33 +169,31 @@ impl<A: Array> Newton<A> {
 
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
-    fn is_noise(&self, origin: &A, x: &A, mut image: impl FnMut(&A) -> A) -> bool {
-        let mut residual = |x: &A| {
-            let mut r = *x;
-            r.add_scaled(A::Real::from_f64(-1.0), &image(x));
-            r
-        };
+    #[inline(never)]
+    fn is_noise<W, E: StepEquation<A, W>>(&self, x: A, equation: E, watch: &mut W) -> bool {
+        let mut unused = A::fill(A::zero());
+        let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
-        sizes.include(origin, x);
+        sizes.include(&equation.origin(), &x);
         let [n, kinds] = self.kinds;
-        let left = residual(x);
-        let noise = noise::measure(&sizes, x, |i| i / n % kinds, |x| Some(residual(x)));
-        noise::explains(&noise, &left, &sizes)
+        let noise = noise::measure(&sizes, &x, |i| i / n % kinds, |x| Some(residual(x)));
+        // Here last: who watches has seen the solution last.
+        noise::explains(&noise, &residual(&x), &sizes)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
     #[inline(always)]
-    fn fixed_point(&mut self, guess: A, origin: &A, mut image: impl FnMut(&A) -> A) -> Option<A> {
-        let mut x = guess;
+    fn fixed_point<W, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
+        let (origin, mut x) = (equation.origin(), guess);
         let mut corrections = Corrections::of_order(1);
         loop {
-            let (next, mut delta) = (image(&x), x);
-            delta.add_scaled(A::Real::from_f64(-1.0), &next);
+            let next = equation.image(watch, &x);
+            let delta = difference(&x, &next);
             x = next;
-            let correction = self.sizes.relative(&delta, origin, &x);
+            let correction = self.sizes.relative(&delta, &origin, &x);
             let before = corrections.last();
             if corrections.judge::<A::Real>(correction) == Verdict::Solved {
-                self.sizes.include(origin, &x);
+                self.sizes.include(&origin, &x);
                 return Some(x);
             }
             if correction.is_nan() || correction > SHRINKING * before {
@@ -234,15 +219,14 @@ impl<A: Array> Newton<A> {
 enum Attempt {
     Extrapolated,
     Explicit,
-    Damped(f64),
+    Damped,
 }
 
-/// Out of line: the optimiser takes a sine to be so cheap that it computes it before it knows whether it is needed. By value:
-/// what is pointed at from elsewhere is not kept in registers.
+/// Out of line: the optimiser takes a sine to be so cheap that it computes it before it knows whether it is needed.
 #[cold]
 #[inline(never)]
-fn aside<A: Array>(explicit: impl Fn() -> A) -> A {
-    let guess = explicit();
+fn explicit<A: Array, W>(equation: impl StepEquation<A, W>) -> A {
+    let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }
 }

@@ -19,12 +19,14 @@ pub struct Point<Z: Array, C, S = ()> {
     pub(crate) compensation: S,
     /// How far time is ahead of t₀ + n·h: methods that scale their steps say so here.
     pub ahead: DoubleWord<Z::Real>,
+    /// A step of the fast path can not tell that it was good: it is to be repeated, watched.
+    pub(crate) doubtful: bool,
 }
 
 impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
     /// A point without rounding errors so far.
     pub fn with_action(z: Z, s: S) -> Self {
-        Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()) }
+        Point { z, s, sums: C::new(), compensation: S::zero(), ahead: DoubleWord::new(zero()), doubtful: false }
     }
 
     /// The same point with sums of another kind, without rounding errors so far.
@@ -32,10 +34,10 @@ impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Point<Z, C, S> {
         Point { ahead: self.ahead, ..Point::with_action(self.z, self.s) }
     }
 
-    /// Whether every coordinate is a finite number.
+    /// Whether every coordinate is a finite number, and no step is in doubt.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        self.z.is_finite() && self.s.is_finite()
+        !self.doubtful && self.z.is_finite() && self.s.is_finite()
     }
 
     /// z ← z + dz.

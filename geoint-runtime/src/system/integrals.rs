@@ -39,9 +39,9 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What depends on parameters and h.
-    type FourthParameters: Clone + core::fmt::Debug;
+    type FourthParameters: Copy + core::fmt::Debug;
     /// What depends on the start of a step.
-    type FourthStart;
+    type FourthStart: Copy;
 
     /// What depends on parameters and h.
     fn fourth_parameters(&self, h: R) -> Self::FourthParameters;

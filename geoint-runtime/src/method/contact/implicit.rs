@@ -4,7 +4,9 @@ use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
+use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
+use crate::space::vector::moved;
 use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ImplicitStep, Poles};
 
@@ -19,6 +21,55 @@ pub struct Prepared<P, R> {
 /// What a step of `M` needs.
 type PreparedFor<S, M, R> = Prepared<<S as ImplicitStep<M, R>>::Constants, R>;
 
+/// d = Φ(d), where the energy is evaluated at x + `ahead`·d.
+struct Equation<'a, S: ImplicitStep<M, R>, M, R: Real> {
+    system: &'a S,
+    constants: &'a S::Constants,
+    begun: S::Start,
+    /// The time of the middle of the step.
+    middle: R,
+    origin: S::Unknown,
+    ahead: f64,
+}
+
+impl<S: ImplicitStep<M, R>, M, R: Real> Clone for Equation<'_, S, M, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: ImplicitStep<M, R>, M, R: Real> Copy for Equation<'_, S, M, R> {}
+
+impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, P> for Equation<'_, S, M, R> {
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+
+    #[inline(always)]
+    fn origin(&self) -> S::Unknown {
+        self.origin
+    }
+
+    /// Φ(Φ(0)) is the explicit midpoint rule, or as good.
+    fn explicit(&self) -> S::Unknown {
+        let Equation { system, constants, begun, .. } = self;
+        let none = S::Unknown::zero();
+        let [mut once, mut twice] = [none; 2];
+        let mut unused = S::Unknown::fill(none);
+        system.image(constants, begun, &none, &mut once, &mut unused);
+        system.image(constants, begun, &once, &mut twice, &mut unused);
+        twice
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>) -> S::Unknown {
+        let Equation { system, constants, begun, middle, origin, ahead } = self;
+        let PerCoordinate { z, s } = apart::<S, M, R>(&moved(origin, R::from_f64(*ahead), d));
+        probe.visit(*middle, &z, &s);
+        let mut image = S::Unknown::zero();
+        system.image(constants, begun, d, &mut image, matrix);
+        image
+    }
+}
+
 /// A step that evaluates the energy at x + `ahead`·d.
 #[inline(always)]
 fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
@@ -27,34 +78,16 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     ahead: f64,
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let (none, n, middle) = (S::Unknown::zero(), S::Phase::LEN, t + *half);
-    let mut origin = none;
+    let (n, middle) = (S::Phase::LEN, t + *half);
+    let mut origin = S::Unknown::zero();
     let entries = origin.as_mut_slice();
     entries[..n].copy_from_slice(Array::as_slice(&x.z));
     entries[n] = x.s;
     let begun = system.begin(constants, middle, &origin);
+    let equation = Equation::<S, M, R> { system, constants, begun, middle, origin, ahead };
+    let (d, _) = newton.solve(&equation, probe)?;
 
-    // Φ(Φ(0)) is the explicit midpoint rule, or as good.
-    let explicit = || {
-        let [mut once, mut twice] = [none; 2];
-        let mut unused = S::Unknown::fill(none);
-        system.image(constants, &begun, &none, &mut once, &mut unused);
-        system.image(constants, &begun, &once, &mut twice, &mut unused);
-        twice
-    };
-    let evaluate = |probe: &mut P, d: &S::Unknown, matrix: &mut Square<S::Unknown>| {
-        let (mut seen, mut f) = (origin, none);
-        seen.add_scaled(R::from_f64(ahead), d);
-        let PerCoordinate { z, s } = apart::<S, M, R>(&seen);
-        probe.visit(middle, &z, &s);
-        system.image(constants, &begun, d, &mut f, matrix);
-        f
-    };
-    let image = |probe: &mut P, d: &S::Unknown| evaluate(probe, d, &mut S::Unknown::fill(none));
-    let still = P::PATIENT.then_some(0.0);
-    let (d, _) = newton.solve((&origin, still), explicit, probe, image, evaluate)?;
-
-    let end = system.end(constants, &begun, &d);
+    let end = system.end(constants, &equation.begun, &d);
     if !end.is_finite() {
         return Err(Refusal::Singular);
     }

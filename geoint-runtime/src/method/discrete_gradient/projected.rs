@@ -2,13 +2,13 @@
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
+use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
+use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Snapshot, Square, Summation};
 use crate::system::{FourthOrderField, Poles};
-use core::cell::Cell;
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -24,6 +24,53 @@ pub struct Memory<Z: Array> {
     newton: Newton<Z>,
     /// What is kept is worth compensated sums.
     sums: Compensated<Z>,
+}
+
+/// d = h·f̄(z, z + d).
+struct Equation<'a, S: FourthOrderField<R>, R: Real> {
+    system: &'a S,
+    parameters: &'a S::FourthParameters,
+    t: R,
+    h: R,
+    z: S::Phase,
+    begun: S::FourthStart,
+}
+
+impl<S: FourthOrderField<R>, R: Real> Clone for Equation<'_, S, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: FourthOrderField<R>, R: Real> Copy for Equation<'_, S, R> {}
+
+impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Deciding<'_, P, S::Phase>>
+    for Equation<'_, S, R>
+{
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+
+    #[inline(always)]
+    fn origin(&self) -> S::Phase {
+        self.z
+    }
+
+    /// The explicit midpoint rule.
+    fn explicit(&self) -> S::Phase {
+        let Equation { system, t, h, z, .. } = self;
+        let half = R::from_f64(0.5) * *h;
+        let mut rate = S::Phase::zero();
+        system.rate(*t, z, &mut rate);
+        system.rate(*t + half, &moved(z, half, &rate), &mut rate);
+        scaled(*h, &rate)
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
+        watch.visit(self.t, &sum(&self.z, d));
+        let mut image = S::Phase::zero();
+        self.system.fourth_slope(self.parameters, &self.begun, d, &mut image, matrix);
+        image
+    }
 }
 
 impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradient> {
@@ -55,31 +102,13 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     ) -> Result<(), Refusal> {
         let (z, h, half) = (x.z, *h, R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
-        // The explicit midpoint rule.
-        let explicit = move || {
-            let mut rate = S::Phase::zero();
-            system.rate(t, &z, &mut rate);
-            system.rate(t + half, &moved(&z, half, &rate), &mut rate);
-            scaled(h, &rate)
-        };
         let begun = system.fourth_begin(parameters, t + half, &z);
-        // The end of the step at which conditions were decided last.
-        let decided = Cell::new(z);
-        let evaluate = |probe: &mut P, d: &S::Phase, matrix: &mut Square<S::Phase>| {
-            let end = sum(&z, d);
-            probe.visit(t, &end, &());
-            if !S::JUMPS.is_empty() {
-                decided.set(end);
-            }
-            let mut image = S::Phase::zero();
-            system.fourth_slope(parameters, &begun, d, &mut image, matrix);
-            image
-        };
-        let image = |probe: &mut P, d: &S::Phase| evaluate(probe, d, &mut S::Phase::fill(S::Phase::zero()));
-        let (d, lost) = newton.solve((&z, P::PATIENT.then_some(0.0)), explicit, probe, image, evaluate)?;
+        let mut deciding = Deciding { probe, end: z };
+        let (d, lost) = newton.solve(&Equation { system, parameters, t, h, z, begun }, &mut deciding)?;
+        let Deciding { probe, end } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);
-        check_conditions(system, t + half, &decided.get(), x)?;
+        check_conditions(system, t + half, &end, x)?;
         check_end(poles, [t, t + h], &before, Step { system, t, x, probe })
     }
 }

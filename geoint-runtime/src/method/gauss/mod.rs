@@ -21,6 +21,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod stages;
 mod tableau;
 
 pub use tableau::GaussTableau;
@@ -29,10 +30,10 @@ use crate::method::composition::{Composed, Composition, SymmetricMap};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
-use crate::space::vector::sum;
-use crate::space::{Array, Square};
+use crate::space::Array;
 use crate::space::{Snapshot, Summation};
 use crate::system::{Collocation, Poles};
+use stages::Stages;
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -115,68 +116,17 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        Prepared { poles, constants, h, coupling, nodes, weights, increments }: &Self::Prepared,
+        prepared: &Self::Prepared,
         newton: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let zero = Y::Unknown::zero();
         let (y0, changed) = Y::start(&x.z);
-        let velocity = system.velocity(constants, &changed);
+        let velocity = system.velocity(&prepared.constants, &changed);
         probe.visit(t, &x.z, &());
+        let (k, _) = newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe)?;
 
-        // The stages as if y' were constant.
-        let nodes = *nodes;
-        let explicit = move || {
-            let (mut rate, mut slope) = (velocity, Y::Unknown::fill(zero));
-            if Y::DERIVATIVE == 1 {
-                system.field(constants, t, &y0, &mut rate, &mut slope);
-            }
-            core::array::from_fn(|i| {
-                let (mut y, mut f) = (y0, zero);
-                y.add_scaled(nodes[i], &rate);
-                system.field(constants, t + nodes[i], &y, &mut f, &mut slope);
-                f
-            })
-        };
-
-        // The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
-        let mut visible = zero;
-        visible.add_scaled(R::from_f64(1.0) / *h, &changed);
-        // f(Yᵢ) and f'(Yᵢ) of a stage.
-        let point = &*x;
-        let stage = |probe: &mut P, i: usize, k: &[Y::Unknown; S], slope: &mut Square<Y::Unknown>| {
-            let (mut change, mut f) = (zero, zero);
-            change.add_scaled(nodes[i], &velocity);
-            for j in 0..S {
-                system.add(constants, coupling[i][j], &k[j], &mut change);
-            }
-            probe.visit(t + nodes[i], &sum(&point.z, &Y::increments(&change, &zero)), &());
-            system.field(constants, t + nodes[i], &sum(&y0, &change), &mut f, slope);
-            f
-        };
-        let image = |probe: &mut P, k: &[Y::Unknown; S]| {
-            core::array::from_fn(|i| stage(probe, i, k, &mut Y::Unknown::fill(zero)))
-        };
-        // −2p/h turns p round in the middle of the step.
-        let still = P::PATIENT.then_some(if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 });
-        let (k, _) = newton.solve((&[visible; S], still), explicit, probe, image, |probe, k, derivative| {
-            let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(derivative);
-            core::array::from_fn(|i| {
-                // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
-                let mut slope = Y::Unknown::fill(zero);
-                let f = stage(probe, i, k, &mut slope);
-                for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
-                    let row = &mut rows[i * Y::Unknown::LEN + r];
-                    for j in 0..S {
-                        row[j] = zero;
-                        system.add(constants, -coupling[i][j], slope_row, &mut row[j]);
-                    }
-                    row[i].as_mut_slice()[r] += R::from_f64(1.0);
-                }
-                f
-            })
-        })?;
-
+        let Prepared { poles, constants, h, weights, increments, .. } = prepared;
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {

@@ -3,12 +3,12 @@
 //! The impulse is what f̄ adds to what it changes: to y = (q, p) itself; or, if T is quadratic, to the momenta alone, and then the
 //! increment of y = q is d = h ∂T/∂p at the mean momentum.
 
-use crate::method::{Probe, Refusal, check_conditions};
+use crate::method::{Deciding, Probe};
 use crate::scalar::{Real, zero};
-use crate::space::vector::sum;
+use crate::solving::equation::StepEquation;
+use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Point, Square, Summation, exact_sum};
 use crate::system::DiscreteField;
-use core::cell::Cell;
 
 /// What depends on parameters and h.
 #[derive(Clone, Debug)]
@@ -72,14 +72,17 @@ pub(super) struct Equation<'a, S: DiscreteField<R>, R: Real> {
     /// Compensations: what y is too small by, if the step is to count with it, and what `changed` is too small by.
     compensation: (Option<S::Unknown>, S::Unknown),
     start: S::Start,
-    /// The end of the step at which conditions of the energy were decided last.
-    decided: Cell<S::Phase>,
 }
 
-impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
-    /// At this multiple of `changed` as an impulse nothing moves: −2p turns p round, and its mean is 0.
-    pub(super) const STANDSTILL: f64 = if S::DERIVATIVE == 1 { 0.0 } else { -2.0 };
+impl<S: DiscreteField<R>, R: Real> Clone for Equation<'_, S, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
 
+impl<S: DiscreteField<R>, R: Real> Copy for Equation<'_, S, R> {}
+
+impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     #[inline(always)]
     pub(super) fn of_step<C: Summation<S::Phase>>(
         system: &'a S,
@@ -91,7 +94,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
         let (of_y, of_changed) = S::start(&x.sums.compensation());
         let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
-        Equation { system, coefficients, t, z: x.z, y, changed, compensation, start, decided: Cell::new(x.z) }
+        Equation { system, coefficients, t, z: x.z, y, changed, compensation, start }
     }
 
     /// The increments of (q, p) that go with an impulse.
@@ -102,53 +105,12 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
 
     /// h·f̄ for no impulse.
     #[inline(always)]
-    pub(super) fn without_impulse(&self) -> S::Unknown {
+    pub(super) fn without_impulse<P: Probe<S, R>>(&self, watch: &mut Deciding<'_, P, S::Phase>) -> S::Unknown {
         let none = S::Unknown::zero();
         let (mut image, mut unused) = (none, S::Unknown::fill(none));
         let change = self.coefficients.change(self.system, &self.changed, &none);
-        self.decide(&change, &none);
+        watch.visit(self.t, &self.end(&change, &none));
         self.coefficients.evaluate(self.system, &self.start, &change, &mut image, &mut unused);
-        image
-    }
-
-    /// The impulse of the explicit midpoint rule. It takes what it needs by value: pointed at from elsewhere, that would not stay
-    /// in registers.
-    #[inline(always)]
-    pub(super) fn explicit_midpoint(&self) -> impl Fn() -> S::Unknown + Copy + use<'a, S, R> {
-        let (system, coefficients, t, y, changed) = (self.system, self.coefficients, self.t, self.y, self.changed);
-        move || {
-            let (none, half) = (S::Unknown::zero(), R::from_f64(0.5) * coefficients.h);
-            let (mut rate, mut f) = (system.velocity(&coefficients.constants, &changed), none);
-            let mut unused = S::Unknown::fill(none);
-            if S::DERIVATIVE == 1 {
-                system.field(&coefficients.constants, t, &y, &mut rate, &mut unused);
-            }
-            let mut middle = y;
-            middle.add_scaled(half, &rate);
-            system.field(&coefficients.constants, t + half, &middle, &mut f, &mut unused);
-            let mut impulse = none;
-            impulse.add_scaled(coefficients.h, &f);
-            impulse
-        }
-    }
-
-    /// h·f̄ for an impulse, and the matrix of Newton's iteration.
-    #[inline(always)]
-    pub(super) fn image<P: Probe<S, R>>(
-        &self,
-        probe: &mut P,
-        impulse: &S::Unknown,
-        matrix: &mut Square<S::Unknown>,
-    ) -> S::Unknown {
-        let mut change = self.coefficients.change(self.system, &self.changed, impulse);
-        probe.visit(self.t, &self.end(&change, impulse), &());
-        if let Some(compensation) = &self.compensation.0 {
-            // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
-            change.add_scaled(R::from_f64(2.0), compensation);
-        }
-        self.decide(&change, impulse);
-        let mut image = S::Unknown::zero();
-        self.coefficients.evaluate(self.system, &self.start, &change, &mut image, matrix);
         image
     }
 
@@ -156,21 +118,6 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     #[inline(always)]
     fn end(&self, change: &S::Unknown, impulse: &S::Unknown) -> S::Phase {
         sum(&self.z, &S::increments(change, impulse))
-    }
-
-    /// Remembers the end of the step for these increments, if the energy has conditions.
-    #[inline(always)]
-    fn decide(&self, change: &S::Unknown, impulse: &S::Unknown) {
-        if !S::JUMPS.is_empty() {
-            self.decided.set(self.end(change, impulse));
-        }
-    }
-
-    /// Refuses an end of the step at which rounding has decided a condition otherwise than the equation has, and the energy jumps.
-    #[inline(always)]
-    pub(super) fn check_conditions<C>(&self, x: &Point<S::Phase, C>) -> Result<(), Refusal> {
-        let middle = self.t + R::from_f64(0.5) * self.coefficients.h;
-        check_conditions(self.system, middle, &self.decided.get(), x)
     }
 
     /// What the increments of (q, p) are too small by: `lost` of the impulse; and of y what [`Coefficients::change`] rounds off in
@@ -192,5 +139,52 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
             self.system.add(&self.coefficients.constants, self.coefficients.h, &mean, &mut change);
         }
         S::increments(&change, lost)
+    }
+}
+
+impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
+    for Equation<'_, S, R>
+{
+    /// −2p as an impulse turns p round, and the mean of p is 0.
+    const STANDSTILL: Option<f64> = match (P::PATIENT, S::DERIVATIVE) {
+        (false, _) => None,
+        (true, 1) => Some(0.0),
+        _ => Some(-2.0),
+    };
+
+    #[inline(always)]
+    fn origin(&self) -> S::Unknown {
+        self.changed
+    }
+
+    /// The impulse of the explicit midpoint rule.
+    fn explicit(&self) -> S::Unknown {
+        let Equation { system, coefficients: Coefficients { constants, h, .. }, t, y, changed, .. } = self;
+        let (half, mut f) = (R::from_f64(0.5) * *h, S::Unknown::zero());
+        let mut unused = S::Unknown::fill(f);
+        let mut rate = system.velocity(constants, changed);
+        if S::DERIVATIVE == 1 {
+            system.field(constants, *t, y, &mut rate, &mut unused);
+        }
+        system.field(constants, *t + half, &moved(y, half, &rate), &mut f, &mut unused);
+        scaled(*h, &f)
+    }
+
+    #[inline(always)]
+    fn evaluate(
+        &self,
+        watch: &mut Deciding<'_, P, S::Phase>,
+        impulse: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        let mut change = self.coefficients.change(self.system, &self.changed, impulse);
+        watch.visit(self.t, &self.end(&change, impulse));
+        if let Some(compensation) = &self.compensation.0 {
+            // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
+            change.add_scaled(R::from_f64(2.0), compensation);
+        }
+        let mut image = S::Unknown::zero();
+        self.coefficients.evaluate(self.system, &self.start, &change, &mut image, matrix);
+        image
     }
 }

@@ -5,11 +5,11 @@ mod equation;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_poles, start};
+use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::Newton;
-use crate::space::{Array, Compensated, Snapshot, Square, Summation};
+use crate::space::{Array, Compensated, Snapshot, Summation};
 use crate::system::{Conservative, DiscreteField, Poles};
 use equation::{Coefficients, Equation};
 
@@ -72,10 +72,11 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
         let equation = Equation::of_step(system, coefficients, t, x);
+        let mut deciding = Deciding { probe, end: x.z };
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
         if S::Inverse::EXISTS {
-            let impulse = inverse.times(&equation.without_impulse());
+            let impulse = inverse.times(&equation.without_impulse(&mut deciding));
             let before = start::<S, R, C>(x);
             x.add_with(sums, &equation.increments(&impulse), &S::Phase::zero());
             if !impulse.is_finite() {
@@ -85,20 +86,13 @@ impl<S: DiscreteField<R>, R: Real> Method<S, R> for DiscreteGradient {
             return check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe });
         }
 
-        let initial_guess = equation.explicit_midpoint();
-        let image = |probe: &mut P, impulse: &S::Unknown| {
-            equation.image(probe, impulse, &mut S::Unknown::fill(S::Unknown::zero()))
-        };
-        let derivative = |probe: &mut P, impulse: &S::Unknown, matrix: &mut Square<S::Unknown>| {
-            equation.image(probe, impulse, matrix)
-        };
-        let standstill = P::PATIENT.then_some(Equation::<S, R>::STANDSTILL);
-        let (impulse, lost) = newton.solve((&equation.changed, standstill), initial_guess, probe, image, derivative)?;
+        let (impulse, lost) = newton.solve(&equation, &mut deciding)?;
+        let Deciding { probe, end } = deciding;
 
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
         x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
-        equation.check_conditions(x)?;
+        check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &end, x)?;
         check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe })
     }
 }

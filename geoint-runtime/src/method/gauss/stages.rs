@@ -1,0 +1,109 @@
+//! The equation of the stages.
+
+use super::Prepared;
+use crate::method::Probe;
+use crate::scalar::Real;
+use crate::solving::equation::StepEquation;
+use crate::space::vector::{scaled, sum};
+use crate::space::{Array, Square};
+use crate::system::Collocation;
+
+/// kᵢ = f(Yᵢ) for the derivatives at all stages.
+pub(super) struct Stages<'a, Y: Collocation<R>, R: Real, const S: usize> {
+    pub(super) system: &'a Y,
+    pub(super) prepared: &'a Prepared<Y::Constants, R, S>,
+    pub(super) t: R,
+    pub(super) z: Y::Phase,
+    pub(super) y0: Y::Unknown,
+    /// What h·k is added to.
+    pub(super) changed: Y::Unknown,
+    pub(super) velocity: Y::Unknown,
+}
+
+impl<Y: Collocation<R>, R: Real, const S: usize> Clone for Stages<'_, Y, R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Y: Collocation<R>, R: Real, const S: usize> Copy for Stages<'_, Y, R, S> {}
+
+impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
+    /// f(Yᵢ) and f'(Yᵢ).
+    #[inline(always)]
+    fn stage<P: Probe<Y, R>>(
+        &self,
+        probe: &mut P,
+        i: usize,
+        k: &[Y::Unknown; S],
+        slope: &mut Square<Y::Unknown>,
+    ) -> Y::Unknown {
+        let Prepared { constants, nodes, coupling, .. } = self.prepared;
+        let (mut change, mut f) = (scaled(nodes[i], &self.velocity), Y::Unknown::zero());
+        for j in 0..S {
+            self.system.add(constants, coupling[i][j], &k[j], &mut change);
+        }
+        let t = self.t + nodes[i];
+        probe.visit(t, &sum(&self.z, &Y::increments(&change, &Y::Unknown::zero())), &());
+        self.system.field(constants, t, &sum(&self.y0, &change), &mut f, slope);
+        f
+    }
+}
+
+impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Unknown; S], P>
+    for Stages<'_, Y, R, S>
+{
+    /// −2p/h turns p round in the middle of the step.
+    const STANDSTILL: Option<f64> = match (P::PATIENT, Y::DERIVATIVE) {
+        (false, _) => None,
+        (true, 1) => Some(0.0),
+        _ => Some(-2.0),
+    };
+
+    /// The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
+    #[inline(always)]
+    fn origin(&self) -> [Y::Unknown; S] {
+        [scaled(R::from_f64(1.0) / self.prepared.h, &self.changed); S]
+    }
+
+    /// The stages as if y' were constant.
+    fn explicit(&self) -> [Y::Unknown; S] {
+        let Prepared { constants, nodes, .. } = self.prepared;
+        let mut slope = Y::Unknown::fill(Y::Unknown::zero());
+        let mut rate = self.velocity;
+        if Y::DERIVATIVE == 1 {
+            self.system.field(constants, self.t, &self.y0, &mut rate, &mut slope);
+        }
+        nodes.map(|node| {
+            let (mut y, mut f) = (self.y0, Y::Unknown::zero());
+            y.add_scaled(node, &rate);
+            self.system.field(constants, self.t + node, &y, &mut f, &mut slope);
+            f
+        })
+    }
+
+    #[inline(always)]
+    fn image(&self, probe: &mut P, k: &[Y::Unknown; S]) -> [Y::Unknown; S] {
+        core::array::from_fn(|i| self.stage(probe, i, k, &mut Y::Unknown::fill(Y::Unknown::zero())))
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, probe: &mut P, k: &[Y::Unknown; S], matrix: &mut Square<[Y::Unknown; S]>) -> [Y::Unknown; S] {
+        let Prepared { constants, coupling, .. } = self.prepared;
+        let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
+        core::array::from_fn(|i| {
+            // f'(Yᵢ)·∂Yᵢ/∂kⱼ.
+            let mut slope = Y::Unknown::fill(Y::Unknown::zero());
+            let f = self.stage(probe, i, k, &mut slope);
+            for (r, slope_row) in Y::Unknown::entries::<Y::Unknown>(&mut slope).iter().enumerate() {
+                let row = &mut rows[i * Y::Unknown::LEN + r];
+                for j in 0..S {
+                    row[j] = Y::Unknown::zero();
+                    self.system.add(constants, -coupling[i][j], slope_row, &mut row[j]);
+                }
+                row[i].as_mut_slice()[r] += R::from_f64(1.0);
+            }
+            f
+        })
+    }
+}
