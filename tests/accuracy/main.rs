@@ -8,6 +8,7 @@ mod slopes;
 mod tables;
 mod modified;
 mod orders;
+mod perturbed;
 mod corrected;
 mod geometry;
 mod discrete_gradients;

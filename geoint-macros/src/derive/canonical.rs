@@ -31,7 +31,7 @@ pub(crate) fn canonical(
         .as_ref()
         .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
     let perturbed = match drag {
-        Some(term) => Err(Missing { marker: "Undamped", term, why: DAMPED, pair: None }),
+        Some(term) => Err(Missing { marker: "UndampedParts", term, why: DAMPED, pair: None }),
         None => perturbed::kernels(graph, division, degrees),
     };
     let separable = match (drag, &structure.split) {
