@@ -61,3 +61,6 @@ pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` 
 
 pub(crate) const NOT_ONE_MASS: &str =
     "`coordinates` need one constant mass a body, T = Σ |pᵢ|²/2mᵢ, and this term is another one";
+
+pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, and here is no \
+                                        such term";

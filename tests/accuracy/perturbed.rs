@@ -285,3 +285,53 @@ fn test_particles() {
     assert!((with(1e-20) - limit).norm() < 1e-11 * limit.norm());
     assert!((with(1e-5) - limit).norm() > 1e-9 * limit.norm());
 }
+
+/// What cannot go on is an error that says why, and the state is the last good one.
+#[test]
+fn what_has_no_orbit_is_refused() {
+    let (system, start) = (Planets::system::<f64>(), Planets::initial::<f64>(0.0));
+    for body in 0..3 {
+        let mut massless = system;
+        massless.m[body] = 0.0;
+        let mut sim = massless.integrator(WisdomHolman, 0.1, start);
+        let expected = format!("division by zero: m[{body}]");
+        let refused = sim.step();
+        assert!(matches!(refused, Err(StepError::OutsideDomain { what, .. }) if what == expected), "{refused:?}");
+        assert_eq!(sim.state(), start);
+    }
+    let mut together = start;
+    together.q[1] = together.q[0];
+    let mut sim = system.integrator(Aba10_6_4, 0.1, together);
+    assert!(matches!(sim.advance(10), Err(StepError::OutsideDomain { .. })));
+    assert_eq!(sim.state(), together);
+    // From rest, at distance 1, two bodies meet after π/√8 units of time.
+    let pair = Planets { m: [1.0, 1e-3, 1e-30], g: 1.0 / 1.001, k: 0.0 };
+    let rest = State::new([[0.0, 0.0], [1.0, 0.0], [0.0, 50.0]], [[0.0; 2]; 3]);
+    let mut sim = pair.integrator(WisdomHolman, 0.05, rest);
+    let refused = sim.advance(100);
+    assert!(matches!(refused, Err(StepError::NonFinite { .. })), "{refused:?}");
+    assert_eq!(sim.steps(), 22);
+    assert!(sim.state().q[1][0].is_finite() && sim.state().q[1][0] < 0.1);
+}
+
+/// A and B by name: the same as what is found by itself, and a part that is not found.
+#[hamiltonian(split = "p * p / (2.0 * m) + k * q * q / 2.0 | epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)")]
+fn hardening_by_hand(q: f64, p: f64, m: f64, k: f64, epsilon: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0 + epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)
+}
+
+#[test]
+fn parts_by_name_are_those_that_are_found() {
+    let (m, k, epsilon, start) = (1.7, 0.9, 0.2, State::new(0.9, 0.3));
+    let mut found = Hardening { m, k, epsilon }.integrator(Aba8_6_4, 0.3, start);
+    let mut named = HardeningByHand { m, k, epsilon }.integrator(Aba8_6_4, 0.3, start);
+    found.advance(100).expect("no singularity");
+    named.advance(100).expect("no singularity");
+    assert!((found.state().q - named.state().q).abs() < 1e-13);
+    assert!(Hardening::<f64>::REPORT.contains("A = p²/(2·m) + q²·k/2"), "{}", Hardening::<f64>::REPORT);
+    // Where the rest is nothing the step is exact.
+    let mut free = Hardening { m, k, epsilon: 0.0 }.integrator(WisdomHolman, 20.0, start);
+    free.step().expect("no singularity");
+    let (sin, cos) = (20.0 * (k / m).sqrt()).sin_cos();
+    assert!((free.state().q - (start.q * cos + start.p / (k * m).sqrt() * sin)).abs() < 1e-14);
+}

@@ -3,8 +3,8 @@
 use super::super::polynomial::{Polynomial, is_free, is_momentum, times_powers};
 use super::NoPart;
 use crate::analyze::{self, Parts};
-use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
-use crate::messages::{NOT_BODIES, NOT_ONE_MASS};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::messages::{NO_ATTRACTION, NOT_BODIES, NOT_ONE_MASS};
 use crate::parse::Shape;
 use std::collections::BTreeSet;
 
@@ -38,6 +38,9 @@ pub(crate) fn attraction(graph: &mut Graph, parts: &Parts, shape: &Shape) -> Res
             Some((bodies, strength)) => pairs.push(Pair { bodies, strength, term }),
             None => others.push(term),
         }
+    }
+    if pairs.is_empty() {
+        return Err(NoPart { term: parts.potential, why: NO_ATTRACTION });
     }
     Ok(Attraction { masses, pairs, others })
 }
@@ -74,6 +77,18 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
     Ok(masses)
 }
 
+/// r² of a power that is 1/r: of r², or of a distance in the plane.
+fn distance_squared(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
+    match graph.node(base).clone() {
+        _ if exponent == (Ratio { numerator: -1, denominator: 2 }) => Some(base),
+        Node::Call(Function::Hypot, args) if exponent == Ratio::integer(-1) => {
+            let squares = [args[0], args[1]].map(|x| graph.pow(x, Ratio::integer(2)));
+            Some(graph.sum(&squares))
+        }
+        _ => None,
+    }
+}
+
 /// The two bodies and c of −c/|qᵢ − qⱼ|, if a term is that.
 fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], Id)> {
     let is_state = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::T;
@@ -84,8 +99,8 @@ fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], I
         if is_free(graph, base, &is_state) {
             let factor = graph.pow(base, exponent);
             strength = graph.mul(strength, factor);
-        } else if exponent == (Ratio { numerator: -1, denominator: 2 }) && square.is_none() {
-            square = Some(base);
+        } else if square.is_none() {
+            square = Some(distance_squared(graph, base, exponent)?);
         } else {
             return None;
         }

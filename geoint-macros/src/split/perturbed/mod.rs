@@ -10,7 +10,7 @@ use super::families::piece;
 use super::flow::Flow;
 use super::polynomial::{Polynomial, is_momentum, times_powers};
 use super::time::Clock;
-use crate::analyze::{self, Structure};
+use crate::analyze::{self, Split, Structure};
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use crate::lower::Place;
@@ -68,7 +68,10 @@ pub(crate) fn divided(
             _ => Err(NoPart { term: structure.energy, why: NOT_TWO_PARTS }),
         };
     }
-    let parts = structure.parts().ok_or(NoPart { term: structure.energy, why: NO_EXACT_PART })?;
+    let parts = match &structure.split {
+        Split::Separable(parts) => parts,
+        Split::Coupled(term) => return Err(NoPart { term: *term, why: NO_EXACT_PART }),
+    };
     if let Some((Coordinates::Jacobi, _)) = energy.inner {
         let shape = &energy.coordinates.shape;
         let attraction = attraction(graph, parts, shape)?;
