@@ -10,7 +10,7 @@ use crate::legendre::{self, Legendre, NoFriction};
 use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, FULL_MASS, NOT_QUADRATIC};
 use crate::parse::{Energy, Form, Requirement, Role};
-use crate::split::Pieces;
+use crate::split::{Division, NoExactPart, Pieces};
 use proc_macro2::Span;
 use std::collections::HashMap;
 use wording::{in_case, open, remains};
@@ -214,24 +214,7 @@ pub(crate) fn pieces(
             let printer = Printer::new(graph, &name);
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
-        let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        let missing = difference(graph, root, sum);
-        let verdict = analyze::identity(graph, missing);
-        let printer = Printer::new(graph, &name);
-        let wrong = matches!(verdict, Identity::Wrong(_));
-        let message = match verdict.rest() {
-            _ if verdict.is_zero() => None,
-            Some(Remainder { rest, certain, case }) => {
-                let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
-                let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
-                Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
-            }
-            None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
-            None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
-        };
-        if let Some(message) = message {
-            errors.at_place(whole(groups), message);
-        }
+        adds_up(root, groups, graph, &name, &mut errors);
     }
     if let Some(span) = energy.lift
         && let Some(term) = analyze::not_affine(graph, root)
@@ -241,6 +224,59 @@ pub(crate) fn pieces(
         errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
     }
     errors.or(())
+}
+
+/// Reports a part with an exact flow, and a rest, that were asked for and are not there.
+pub(crate) fn division(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Division,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let asked = match (groups, energy.inner) {
+        (Some(groups), _) => Some(whole(groups)),
+        (None, inner) => inner.map(|(_, span)| (span, span)),
+    };
+    if let (Some(asked), Err(NoExactPart { term, why })) = (asked, found) {
+        let group = groups.and_then(|groups| groups.iter().find(|(group, _)| group == term)).map(|(_, place)| *place);
+        let place = group.or_else(|| written(graph, places, *term)).unwrap_or(asked);
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
+    }
+    if let Some(groups) = groups {
+        adds_up(root, groups, graph, &name, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports what groups miss of the energy.
+fn adds_up(
+    root: Id,
+    groups: &[(Id, Place)],
+    graph: &mut Graph,
+    name: &impl Fn(Symbol) -> String,
+    errors: &mut Diagnostics,
+) {
+    let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+    let missing = difference(graph, root, sum);
+    let verdict = analyze::identity(graph, missing);
+    let printer = Printer::new(graph, name);
+    let wrong = matches!(verdict, Identity::Wrong(_));
+    let message = match verdict.rest() {
+        _ if verdict.is_zero() => None,
+        Some(Remainder { rest, certain, case }) => {
+            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+        }
+        None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+        None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+    };
+    if let Some(message) = message {
+        errors.at_place(whole(groups), message);
+    }
 }
 
 /// From the first group to the last.

@@ -69,8 +69,13 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(graph, lowered.damping);
-    let (derived, gradient) = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
+    let groups = lowered.groups.as_deref();
+    let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
+    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more

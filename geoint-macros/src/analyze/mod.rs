@@ -150,6 +150,12 @@ pub(crate) fn terms_where(graph: &mut Graph, root: Id, apart: impl Fn(Reads) -> 
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
+/// The same with sums taken apart that have a common factor free of q and p.
+pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
+    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| true);
+    terms.into_iter().map(|term| term.build(graph)).collect()
+}
+
 /// What a node reads.
 pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
     dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))

@@ -183,6 +183,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         slopes: None,
         rate: Some(Kernel::new(Levels::One, field.clone())),
         splitting: None,
+        perturbed: None,
         modified: None,
         pieces: vec![],
         integrals: integrals(graph, kept, n),

@@ -8,6 +8,7 @@ mod domain;
 mod system;
 mod implicit;
 mod canonical;
+mod perturbed;
 mod contact;
 mod bodies;
 mod flow;
@@ -24,6 +25,7 @@ pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use parts::{Parted, parts};
+pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,

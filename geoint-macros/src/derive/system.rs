@@ -1,6 +1,7 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Legendre, Route};
@@ -20,6 +21,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) rate: Option<K>,
     /// Kick and drift; of energies in q and p.
     pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
+    /// A part with an exact flow, and a rest that is a kick; of energies in q and p without an action.
+    pub(crate) perturbed: Option<Result<Perturbed<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
     /// The flows whose composition is a step, for each splitting.
@@ -238,6 +241,7 @@ impl System {
         System {
             proven: self.proven,
             splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
+            perturbed: self.perturbed.map(|perturbed| Ok(perturbed?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),

@@ -51,6 +51,8 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Method",
     "ModifiedEnergy",
     "PerCoordinate",
+    "PerturbedGradient",
+    "PerturbedSystem",
     "PhaseSpace",
     "PieceClock",
     "PrincipalAxes",
