@@ -141,6 +141,10 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByTree;
+        }
         impl<R: Real + #marker> DiscreteField<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Parameters = #never;
