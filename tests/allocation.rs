@@ -146,10 +146,13 @@ fn stepping_allocates_nothing() {
     methods::separable(&mut steps);
     methods::nystrom(&mut steps);
     methods::force_gradient(&mut steps);
+    methods::perturbed(&mut steps);
+    methods::perturbed_gradient(&mut steps);
+    methods::processed(&mut steps);
     methods::itoh_abe(&mut steps);
     methods::itoh_abe_one_way(&mut steps);
     methods::cubic(&mut steps);
-    assert_eq!(steps.0, 91);
+    assert_eq!(steps.0, 109);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);

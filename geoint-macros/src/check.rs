@@ -1,16 +1,19 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Value, Why, Witness};
+pub(crate) mod wording;
+
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::legendre::{self, Legendre, NoFriction};
 use crate::lower::{Integral, Place};
 use crate::messages::{COUPLED, DAMPED, FULL_MASS, NOT_QUADRATIC};
 use crate::parse::{Energy, Form, Requirement, Role};
-use crate::split::Pieces;
+use crate::split::{Division, NoExactPart, Pieces};
 use proc_macro2::Span;
 use std::collections::HashMap;
+use wording::{in_case, open, remains};
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
 pub(crate) fn requests(
@@ -211,24 +214,7 @@ pub(crate) fn pieces(
             let printer = Printer::new(graph, &name);
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
-        let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        let missing = difference(graph, root, sum);
-        let verdict = analyze::identity(graph, missing);
-        let printer = Printer::new(graph, &name);
-        let wrong = matches!(verdict, Identity::Wrong(_));
-        let message = match verdict.rest() {
-            _ if verdict.is_zero() => None,
-            Some(Remainder { rest, certain, case }) => {
-                let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
-                let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
-                Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
-            }
-            None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
-            None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
-        };
-        if let Some(message) = message {
-            errors.at_place(whole(groups), message);
-        }
+        adds_up(root, groups, graph, &name, &mut errors);
     }
     if let Some(span) = energy.lift
         && let Some(term) = analyze::not_affine(graph, root)
@@ -238,6 +224,59 @@ pub(crate) fn pieces(
         errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
     }
     errors.or(())
+}
+
+/// Reports a part with an exact flow, and a rest, that were asked for and are not there.
+pub(crate) fn division(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Division,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let asked = match (groups, energy.inner) {
+        (Some(groups), _) => Some(whole(groups)),
+        (None, inner) => inner.map(|(_, span)| (span, span)),
+    };
+    if let (Some(asked), Err(NoExactPart { term, why })) = (asked, found) {
+        let group = groups.and_then(|groups| groups.iter().find(|(group, _)| group == term)).map(|(_, place)| *place);
+        let place = group.or_else(|| written(graph, places, *term)).unwrap_or(asked);
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
+    }
+    if let Some(groups) = groups {
+        adds_up(root, groups, graph, &name, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports what groups miss of the energy.
+fn adds_up(
+    root: Id,
+    groups: &[(Id, Place)],
+    graph: &mut Graph,
+    name: &impl Fn(Symbol) -> String,
+    errors: &mut Diagnostics,
+) {
+    let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+    let missing = difference(graph, root, sum);
+    let verdict = analyze::identity(graph, missing);
+    let printer = Printer::new(graph, name);
+    let wrong = matches!(verdict, Identity::Wrong(_));
+    let message = match verdict.rest() {
+        _ if verdict.is_zero() => None,
+        Some(Remainder { rest, certain, case }) => {
+            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+        }
+        None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+        None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+    };
+    if let Some(message) = message {
+        errors.at_place(whole(groups), message);
+    }
 }
 
 /// From the first group to the last.
@@ -263,13 +302,6 @@ fn is_term(graph: &Graph, id: Id) -> bool {
 fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
     let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
     if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
-}
-
-/// " where a < b and not c = d", or nothing.
-fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
-    let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
-    let conditions: Vec<String> = case.iter().map(condition).collect();
-    if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
 }
 
 /// Reports S that is not skew, and damping that is none.
@@ -305,34 +337,6 @@ pub(crate) fn structure(
 fn written(graph: &Graph, places: &HashMap<Id, Place>, id: Id) -> Option<Place> {
     let more = !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_));
     places.get(&id).copied().filter(|_| more)
-}
-
-/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
-fn remains<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, rest: Option<&Remainder>, witness: &Witness) -> String {
-    match rest {
-        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => {
-            let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
-            let state: Vec<String> = witness.state.iter().map(symbol).collect();
-            let value = match witness.value {
-                Value::Exact(value) => ratio(value),
-                Value::Near(value) => format!("{value:.3e}"),
-            };
-            format!(" is {value} where {}", state.join(", "))
-        }
-    }
-}
-
-fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
-    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
-}
-
-/// What remains of what was not decided.
-fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
-    match verdict.rest() {
-        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => String::new(),
-    }
 }
 
 /// Reports functions that are not kept, and those that are functions of others.

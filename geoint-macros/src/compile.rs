@@ -1,8 +1,8 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
-use crate::derive::{Flow, System, proof};
+use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
-use crate::emit::report::Source;
+use crate::emit::report::{OfField, Source};
 use crate::ir::Id;
 use crate::legendre::{self, Legendre, Route};
 use crate::lower::{self, Lowered};
@@ -69,8 +69,13 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(graph, lowered.damping);
-    let (derived, gradient) = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
+    let groups = lowered.groups.as_deref();
+    let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
+    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
@@ -109,8 +114,13 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
-    let poisson = (&structure.matrix[..], structure.poisson.is_ok());
-    let pieces = derive::parts(graph, &flow, Some(poisson), damping.is_some()); // by terms of H, and by planes
+    let parted = Parted {
+        integral: lowered.energy,
+        matrix: structure.matrix.clone(),
+        poisson: structure.poisson.is_ok(),
+        unique: None,
+    };
+    let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
     let system = System { pieces, ..system }.scheduled(graph);
     let graph = &*graph;
@@ -126,11 +136,22 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let mut flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(graph, &flow);
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
+    let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?
+    match liouville.kept() {
+        Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
+        None => flow.divergent = liouville.divergent(),
+    }
     flow.search(graph, None, |symbol| context.user_name(symbol));
-    let pieces = derive::parts(graph, &flow, None, false);
+    let parted = Parted::of_field(graph, &flow); // S, known or searched for
+    let pieces = derive::parts(graph, &flow, parted.as_ref(), false);
     let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::flow(&context, graph, (&flow, Source::Field(&found)), &system);
+    let report = emit::report::flow(
+        &context,
+        graph,
+        (&flow, Source::Field(OfField { proofs: &found, liouville: &liouville, parted: parted.as_ref() })),
+        &system,
+    );
     Ok(emit::items(&context, graph, &system, &report))
 }
 

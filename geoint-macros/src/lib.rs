@@ -82,6 +82,7 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
+/// - `coordinates = jacobi`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
 /// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
@@ -161,6 +162,48 @@ use proc_macro::TokenStream;
 /// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
+///
+/// # A part that is solved exactly
+///
+/// `WisdomHolman`, `Aba10_6_4`, `Perturbation(table)` and their like alternate the exact flow of a part A of the energy with kicks by the
+/// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
+///
+/// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
+/// - those of `split = "A | B"`, in the language of the body: A has to be a sum that `#[contact_hamiltonian]` knows the flow of, and that both
+///   add up to H is decided exactly;
+/// - with `coordinates = jacobi` Kepler's motion of each body about those before it in the array, and what is left. Masses are read off T,
+///   Σ |pᵢ|²/2mᵢ, and attractions off the terms −c/|qᵢ − qⱼ| of V; other terms of V may be any. An order of the bodies that is not that of
+///   their distances makes B large, not wrong.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A star and two planets; their attraction has a small correction.
+/// #[hamiltonian(coordinates = jacobi)]
+/// fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64, c: f64) -> f64 {
+///     let mut energy = 0.0;
+///     for i in 0..3 {
+///         energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
+///         for j in 0..i {
+///             let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);
+///             energy -= g * m[i] * m[j] * (1.0 / square.sqrt() + c / square);
+///         }
+///     }
+///     energy
+/// }
+///
+/// let system = Planets { m: [1.0, 1e-3, 3e-4], g: 1.0, c: 1e-6 };
+/// let start = State::new([[0.0, 0.0], [1.0, 0.0], [-2.5, 0.0]], [[0.0, -8.1e-4], [0.0, 1e-3], [0.0, -1.9e-4]]);
+/// let mut sim = system.integrator(WisdomHolmanGradient, 0.3, start);
+/// let energy = sim.energy();
+/// sim.advance(10_000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-8);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The state is what it is without: coordinates of Jacobi, and the way of a processor, are between the first step and the state that is
+/// looked at. A body whose mass is zero has no momentum that could be divided by it, and is refused (`StepError::OutsideDomain`); 1e-30 is
+/// none. An orbit that meets the body in its focus ends there (`StepError::NonFinite`).
 ///
 /// # Rigid bodies
 ///

@@ -6,11 +6,14 @@ pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this ter
 pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this term, so that `PoissonSplitting` has no pieces; use \
                                       `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
-pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and with more than 3 coordinates none is solved for, so \
+pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and more than 12 planes without one are not solved for, so \
                                      that `PlanarSplitting` has no pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
-pub(crate) const NO_STRUCTURE: &str = "a field is split into planes by S of x' = S(x) ∇I, which is not known here: write the system as \
+pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
+
+pub(crate) const NOTHING_KEPT: &str = "nothing was named that this field keeps, and no energy has it, because its divergence is not 0: name \
+                                       what it keeps, `#[vector_field(keeps(name = expression))]`, or use `ImplicitMidpoint`, `Gauss` or `RK4`";
 
 pub(crate) const DAMPED_FLOW: &str =
     "damping is no part of these pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
@@ -43,3 +46,27 @@ pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the a
 
 pub(crate) const BODIES_COUPLED: &str = "this term couples the angular momenta of two bodies, so that the drift is not that of free \
                                          rigid bodies";
+
+pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each \
+                                        other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one";
+
+pub(crate) const NOT_A_KICK: &str =
+    "the second part of `split` has to be a kick, a function of positions and time alone, and this is none";
+
+pub(crate) const NOT_TWO_PARTS: &str = "`split = \"A | B\"` has two parts, the one with an exact flow first";
+
+pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
+    "no flow in closed form is known for the first part of `split`, which is to be solved exactly";
+
+pub(crate) const NOT_NYSTROM_EXACT: &str = "the part with an exact flow is not of degree 2 in the momenta with constant coefficients of \
+                                            their squares, so that a kick with a force gradient is none; use a table without, such as \
+                                            `Aba10_6_4`";
+
+pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` and `p` be arrays of vectors, one a body, as in \
+                                     `[Vector3<f64>; 6]` or `[[f64; 2]; 3]`";
+
+pub(crate) const NOT_ONE_MASS: &str =
+    "`coordinates` need one constant mass a body, T = Σ |pᵢ|²/2mᵢ, and this term is another one";
+
+pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, and here is no \
+                                        such term";

@@ -165,6 +165,8 @@ pub use method::gauss::{Gauss, ImplicitMidpoint};
 #[doc(inline)]
 pub use method::kahan::Kahan;
 #[doc(inline)]
+pub use method::perturbed::Perturbation;
+#[doc(inline)]
 pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
 #[doc(inline)]
 pub use method::splitting::{
@@ -182,8 +184,9 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Lagrangian,
-    Mechanical, ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
+    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
+    QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -193,9 +196,10 @@ pub mod prelude {
         Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4,
-        Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint,
-        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
+        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
+        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
+        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
+        vector_field,
     };
 }
 

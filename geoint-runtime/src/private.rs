@@ -1,6 +1,7 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
@@ -15,8 +16,9 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
     Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, Lagrangian as LagrangianSystem,
-    Mean, Mechanical as MechanicalContact, ModifiedEnergy, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
+    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
+    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
     PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
 };

@@ -44,6 +44,7 @@ pub(crate) fn contact(
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
         rate,
         splitting: Some(splitting),
+        perturbed: None,
         modified,
         pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),

@@ -40,7 +40,7 @@ impl<'a> Roots<'a> {
 /// A condition under which the energy is undefined.
 #[derive(Clone, Debug)]
 pub(crate) struct Check {
-    argument: Id,
+    pub(super) argument: Id,
     pub(crate) if_it_is: Sign,
     /// What that is, and of what.
     pub(crate) what: String,
@@ -159,7 +159,7 @@ fn guarded(graph: &mut Graph, condition: Option<Id>, node: Id) -> Id {
 
 /// What has to be tested of one node for the energy, and its gradient, to be defined. Under a condition it is tested where that holds:
 /// that is what an `if` around a root is for.
-fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
+pub(super) fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
     match graph.node(id).clone() {
         Node::Power(base, exponent) => {
             let (sign, what) = match (exponent.is_integer(), exponent.numerator < 0) {

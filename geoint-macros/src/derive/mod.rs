@@ -8,10 +8,12 @@ mod domain;
 mod system;
 mod implicit;
 mod canonical;
+mod perturbed;
 mod contact;
 mod bodies;
 mod flow;
 mod parts;
+mod liouville;
 mod velocities;
 pub(crate) mod proof;
 
@@ -21,7 +23,9 @@ pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
-pub(crate) use parts::parts;
+pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
+pub(crate) use parts::{Parted, parts};
+pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,

@@ -1,6 +1,7 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Legendre, Route};
@@ -20,6 +21,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) rate: Option<K>,
     /// Kick and drift; of energies in q and p.
     pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
+    /// A part with an exact flow, and a rest that is a kick; of energies in q and p without an action.
+    pub(crate) perturbed: Option<Result<Perturbed<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
     /// The flows whose composition is a step, for each splitting.
@@ -158,8 +161,10 @@ pub(crate) struct Integrals<K = Kernel> {
     /// Whether users call each by its name.
     pub(crate) functions: Vec<bool>,
     pub(crate) values: K,
-    /// Those that are kept.
+    /// Those that are kept, and do not read time.
     pub(crate) constant: Vec<usize>,
+    /// Which of these stands for the energy.
+    pub(crate) energy: Option<usize>,
     /// The gradients of these, one after the other.
     pub(crate) slopes: K,
     /// What these change by over an increment.
@@ -178,8 +183,12 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
     pub(crate) discrete: Option<K>,
+    /// Why there is no such thing, if there is more to say of it than that nothing is kept.
+    pub(crate) nothing_kept: Option<Missing>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
+    /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
+    pub(crate) momenta: K,
     /// Whether Newton's iteration has a kernel of its own.
     pub(crate) folded: bool,
     /// Whether the equation of a step is linear.
@@ -232,6 +241,7 @@ impl System {
         System {
             proven: self.proven,
             splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
+            perturbed: self.perturbed.map(|perturbed| Ok(perturbed?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),
@@ -302,6 +312,7 @@ impl<K> Integrals<K> {
             names: self.names,
             functions: self.functions,
             constant: self.constant,
+            energy: self.energy,
             values: of(self.values),
             slopes: of(self.slopes),
             changes: of(self.changes),
@@ -318,7 +329,9 @@ impl<K> Implicit<K> {
                 second_order: field.second_order,
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
+                nothing_kept: field.nothing_kept,
                 fourth: field.fourth.map(&mut *of),
+                momenta: of(field.momenta),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,

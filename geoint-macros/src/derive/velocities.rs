@@ -33,6 +33,7 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
         splitting: Some(Err(Missing { marker: "Uncoupled", term: long, why: FULL_MASS, pair: None })),
         modified: None,
         pieces: vec![],
+        perturbed: None,
         implicit: Implicit::Velocities(VelocityKernels {
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: Kernel::new(Levels::One, known),

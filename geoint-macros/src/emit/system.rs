@@ -135,6 +135,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     let given = if context.energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let rate = vector_field(context, system);
     let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
+    let kept = system.proven.contains(&"Autonomous").then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -152,6 +153,27 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
         }
         #rate
         #gradient
+        #kept
+    }
+}
+
+/// `impl KeepsEnergy`; with the value of what is kept where it is not that of H.
+pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Option<TokenStream>) -> TokenStream {
+    let (name, phase) = (self_type(context), context.phase());
+    let value = value.map(|value| {
+        quote! {
+            #[inline]
+            fn kept_energy(&self, t: R, z: &#phase) -> R {
+                #value
+            }
+        }
+    });
+    quote! {
+        impl<R: Real> KeepsEnergy<R> for #name {
+            type Proof = ();
+            type Kept = #kept;
+            #value
+        }
     }
 }
 

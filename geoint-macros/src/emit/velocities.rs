@@ -15,7 +15,7 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels<Plan>)
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
     let (n, quadratic) = (places.len(), polarised.is_some());
-    let mass = context.values(mass, |values| write_field(["momentum", "mass"], &places, &values));
+    let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
@@ -78,8 +78,8 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
     let parameters = context.stored(plan, 0);
     let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
     let given = (increments, "d");
-    let equation =
-        context.planned(&plan.last[0], given, |values| write_field(["residual", "matrix"], &places, &values));
+    let equation = context
+        .planned(&plan.last[0], given, |values| write_field(context, ["residual", "matrix"], &plan.last[0], &values));
     let impulse = context.planned(&plan.last[1], given, |values| write("impulse", &places, &values));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {

@@ -101,7 +101,7 @@ fn power(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &
         Node::Power(base, exponent) => (inside_abs(graph, base)?, exponent),
         Node::Call(Function::Powf, ref args) => match graph.as_number(args[1])? {
             Number::Exact(exponent) => (inside_abs(graph, args[0])?, exponent),
-            Number::Float(_) => return None,
+            Number::Root(..) | Number::Float(_) => return None,
         },
         _ => return None,
     };

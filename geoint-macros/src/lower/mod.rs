@@ -23,7 +23,7 @@ mod value;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy, Form};
-pub(crate) use flow::{Integral, Skew};
+pub(crate) use flow::{Integral, Skew, canonical};
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;

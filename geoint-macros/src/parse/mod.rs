@@ -13,7 +13,7 @@ mod signature;
 pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 pub(crate) use names::IMPORTED;
-pub(crate) use options::Requirement;
+pub(crate) use options::{Coordinates, Requirement};
 pub(crate) use outside::Outside;
 pub(crate) use shape::{Leaf, Shape, over_scalar};
 
@@ -93,7 +93,9 @@ pub(crate) struct Energy {
     pub(crate) damping: Option<syn::Expr>,
     /// Rayleigh's dissipation function R of a Lagrangian, in terms of the arguments.
     pub(crate) rayleigh: Option<syn::Expr>,
-    /// How a contact Hamiltonian is to be split into pieces, in terms of the arguments.
+    /// The coordinates in which methods move bodies.
+    pub(crate) inner: Option<(Coordinates, Span)>,
+    /// How an energy is to be split into pieces, in terms of the arguments.
     pub(crate) split: Option<Vec<syn::Expr>>,
     /// S of x' = S(x) ∇H, in terms of the arguments.
     pub(crate) structure: Option<StructureForm>,
@@ -231,7 +233,19 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     }
     match coordinates {
         Some(coordinates) => {
-            let Options { requirements, damping, rayleigh, structure, keeps, split, lift, outside, with, .. } = options;
+            let Options {
+                requirements,
+                damping,
+                rayleigh,
+                structure,
+                keeps,
+                split,
+                coordinates: inner,
+                lift,
+                outside,
+                with,
+                ..
+            } = options;
             errors.or(Energy {
                 form,
                 name,
@@ -244,6 +258,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 rayleigh,
                 structure,
                 keeps,
+                inner,
                 split,
                 lift,
                 outside: Rc::new(outside),

@@ -22,13 +22,14 @@ pub(super) struct Options {
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
+    pub(super) coordinates: Option<(Coordinates, Span)>,
     pub(super) lift: Option<Span>,
     pub(super) outside: Outside,
     pub(super) with: Vec<syn::Path>,
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -88,7 +89,13 @@ impl Options {
                     let message = "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`";
                     return Err(syn::Error::new_spanned(key, message));
                 }
-                "split" if contact => {
+                "coordinates" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    let name: Ident = input.parse()?;
+                    let coordinates = Coordinates::named(&name)?;
+                    options.coordinates = Some((coordinates, name.span()));
+                }
+                "split" if energy => {
                     input.parse::<Token![=]>()?;
                     if !input.peek(syn::LitStr) {
                         return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
@@ -158,15 +165,22 @@ impl Options {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
         let damped = self.damping.as_ref().map(Spanned::span);
+        let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
+        let parted = self.coordinates.map(|(_, span)| span).or(split);
         let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
         let wrong = match (&self.structure, attitude) {
             (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
-            (Some(_), None) => role(Role::Momentum).or(required).map(|span| (span, NO_MOMENTA)),
-            (None, None) => m.map(|m| (m, WITHOUT_ATTITUDE)),
+            (Some(_), None) => role(Role::Momentum).or(required).or(parted).map(|span| (span, NO_MOMENTA)),
+            (None, None) => {
+                let both = self.coordinates.filter(|_| split.is_some()).map(|(_, span)| (span, TWO_WAYS));
+                let damped = damped.and(parted).map(|span| (span, DAMPED_PARTS));
+                m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
+            }
             (None, Some(_)) => {
                 let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
                 let damped = damped.map(|span| (span, DAMPED_BODY));
-                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(position)
+                let parted = parted.map(|span| (span, PARTS_OF_BODIES));
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted).or(position)
             }
         };
         wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
@@ -200,6 +214,12 @@ const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energie
 const ALWAYS_SEPARABLE: &str =
     "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
 
+const TWO_WAYS: &str = "`coordinates` says how the energy is split: leave `split` out";
+
+const DAMPED_PARTS: &str = "damping is no part of an exact flow or a kick: leave it out, or this";
+
+const PARTS_OF_BODIES: &str = "with `attitude` the parts of the energy are known, T(m) and V(r): leave this out";
+
 const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
 /// `"terms | terms"` as expressions.
@@ -231,4 +251,20 @@ impl Parse for Group {
 pub(crate) enum Requirement {
     Separable,
     QuadraticKinetic,
+}
+
+/// Coordinates in which methods move the bodies of an energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Coordinates {
+    /// Each body as seen from the centre of mass of those before it.
+    Jacobi,
+}
+
+impl Coordinates {
+    fn named(name: &Ident) -> syn::Result<Coordinates> {
+        match name.to_string().as_str() {
+            "jacobi" => Ok(Coordinates::Jacobi),
+            _ => Err(syn::Error::new_spanned(name, "the coordinates of bodies that there are: `coordinates = jacobi`")),
+        }
+    }
 }

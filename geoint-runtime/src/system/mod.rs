@@ -10,6 +10,7 @@ mod implicit;
 mod integrals;
 mod lagrangian;
 mod modified;
+mod perturbed;
 mod poles;
 mod separable;
 mod rates;
@@ -19,9 +20,10 @@ pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
 pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
-pub use integrals::{FirstIntegrals, FourthOrderField};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
+pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;
 mod jumps;
 pub(crate) use jumps::jump_between;
@@ -180,7 +182,7 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"
 )]
-pub trait Autonomous<R: Real = f64>: Conservative<R> {
+pub trait Autonomous<R: Real = f64>: Conservative<R> + KeepsEnergy<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

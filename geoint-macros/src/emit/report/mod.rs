@@ -4,6 +4,7 @@ mod bodies;
 mod canonical;
 mod contact;
 mod pieces;
+mod field;
 mod flow;
 mod lagrangian;
 
@@ -11,7 +12,7 @@ use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
-pub(crate) use flow::{Source, flow};
+pub(crate) use flow::{OfField, Source, flow};
 pub(crate) use lagrangian::{lagrangian, velocities};
 
 /// How much something costs.

@@ -69,8 +69,9 @@ const _: () = {
         PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
         Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, LagrangianSystem, Mean, MechanicalContact,
-        Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock, PrincipalAxes,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
         ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
         VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
         modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
@@ -343,6 +344,60 @@ const _: () = {
             _: &mut [R; 1],
             _: &mut [R; 1],
             _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Spring`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
+        label = "the term is: if 0 < q | q⁴·cos(t) | else | 0 |"
+    )]
+    pub trait PartedSpring {
+        type Proof;
+    }
+    impl<R: Real + PartedSpring> PerturbedSystem<R> for Spring {
+        type Proof = <R as PartedSpring>::Proof;
+        type Exact = ::core::convert::Infallible;
+        type Rest = ::core::convert::Infallible;
+        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn exact(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn rest(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + PartedSpring> PerturbedGradient<R> for Spring {
+        type Proof = <R as PartedSpring>::Proof;
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
         ) {
             match *never {}
         }
@@ -745,11 +800,17 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
+            let momenta = |z: &[[R; 1]; 2]| {
+                let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
             fourth_order::slope::<
                 false,
+                1,
                 _,
                 _,
-            >(self, parameters, start, d, image, matrix);
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
     }
     impl<R: Real> Collocated<R> for Spring {

@@ -24,6 +24,7 @@
 
 #[doc(hidden)]
 pub mod canonical;
+mod columns;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;

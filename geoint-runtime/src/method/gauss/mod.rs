@@ -86,7 +86,14 @@ where
     type Memory = <Y::Stages as StageForm<Y, R>>::Memory<S>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+        Claims {
+            order: 2 * S as u32,
+            symmetric: true,
+            symplectic: true,
+            conserves_energy: false,
+            perturbed: &[],
+            forces: None,
+        }
     }
 
     fn name(&self) -> Name {

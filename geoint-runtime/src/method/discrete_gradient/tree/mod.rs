@@ -56,7 +56,7 @@ where
     type Memory = <S::Gradient as GradientSteps<S, R>>::Memory;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
     }
 
     fn name(&self) -> Name {
