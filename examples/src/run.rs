@@ -1,5 +1,6 @@
 //! Runs of a system, and numbers about them.
 
+use geoint_runtime::running::{Scalar, Trajectory};
 use geoint_runtime::system::StateOf;
 use geoint_runtime::{Method, PhaseSpace, StepError};
 
@@ -17,6 +18,29 @@ pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
     let mut sim = geoint_runtime::Integrator::new(system, method, h, start);
     let later = sim.sampled(1).take((duration / h).round() as usize);
     std::iter::once(Ok(start)).chain(later).collect()
+}
+
+/// The times of the next steps of a run, about twenty a decade, each with the largest change of some functions of the state so far.
+///
+/// # Errors
+/// That of a step.
+pub fn changes<T: Trajectory, const N: usize>(
+    run: &mut T,
+    steps: u64,
+    functions: impl Fn(&T::State) -> [f64; N],
+) -> Result<Vec<(Scalar<T>, [f64; N])>, StepError> {
+    let before = functions(&run.state());
+    let (mut so_far, mut samples, mut due) = ([0.0; N], vec![], 0);
+    for n in 1..=steps {
+        run.step()?;
+        let after = functions(&run.state());
+        so_far = std::array::from_fn(|i| largest([so_far[i], after[i] - before[i]]));
+        if n >= due || n == steps {
+            samples.push((run.time(), so_far));
+            due = n + n.div_ceil(9);
+        }
+    }
+    Ok(samples)
 }
 
 /// The largest of the absolute values; not a number if one of them is none.

@@ -1,15 +1,19 @@
 //! What the user asked for against what was proven.
 
-use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Value, Why, Witness};
+pub(crate) mod wording;
+
+use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol, print::Printer};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::legendre::{self, Legendre, NoFriction};
 use crate::lower::{Integral, Place};
-use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
-use crate::parse::{Energy, Requirement};
+use crate::messages::{COUPLED, DAMPED, FULL_MASS, NOT_QUADRATIC};
+use crate::parse::{Energy, Form, Requirement, Role};
 use crate::split::{Division, NoExactPart, Pieces};
 use proc_macro2::Span;
 use std::collections::HashMap;
+use wording::{in_case, open, remains};
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
 pub(crate) fn requests(
@@ -63,6 +67,111 @@ pub(crate) fn bodies(
     })
 }
 
+/// Reports a Lagrangian that has no energy here, and friction that is none.
+pub(crate) fn lagrangian(
+    energy: &Energy,
+    (found, friction): (std::result::Result<Legendre, legendre::Flaw>, std::result::Result<Option<Damped>, NoFriction>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<(Legendre, Option<Damped>)> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    let [q, v] = [Symbol::Q, Symbol::V].map(|kind| move |i: &u32| kind(*i));
+    let named = |symbol: Symbol| printer.named(symbol);
+    let velocities =
+        energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
+    match (energy.form, &friction) {
+        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.rayleigh, FRICTION_OF_ACTION),
+        (_, Err(NoFriction::Degree)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
+        (_, Err(NoFriction::AtRest(rest))) => {
+            errors.at(&energy.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
+        }
+        _ => {}
+    }
+    if let Err(flaw) = &found {
+        let all =
+            |velocities: &[u32]| velocities.iter().map(|i| format!("`{}`", named(v(i)))).collect::<Vec<_>>().join(", ");
+        let (message, term) = match flaw {
+            legendre::Flaw::Unread(i) => {
+                let [q, v] = [named(q(i)), named(v(i))];
+                let message = format!(
+                    "`{v}` is not read, so that `{q}` has no inertia, and ∂L/∂{q} = 0 is no differential equation: solve that for `{q}` and \
+                     put it in, or give it a mass"
+                );
+                (message, None)
+            }
+            legendre::Flaw::Linear(momenta) => {
+                let momenta: Vec<String> = momenta.iter().map(|momentum| printer.excerpt(*momentum)).collect();
+                let message = format!(
+                    "this Lagrangian is linear in the velocities, so that its equations are of first order: write them as \
+                     `#[hamiltonian(structure = …)]` of the energy −L at {} = 0; the momenta ∂L/∂v are {}",
+                    velocities.map(ToString::to_string).unwrap_or_default(),
+                    momenta.join(", ")
+                );
+                (message, None)
+            }
+            legendre::Flaw::LinearIn(i, momentum) => {
+                let message = format!(
+                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}",
+                    named(v(i)),
+                    printer.excerpt(*momentum)
+                );
+                (message, None)
+            }
+            legendre::Flaw::Singular(velocities) => {
+                let message = format!(
+                    "the mass matrix ∂²L/∂v² of {} is singular at every state, so that these velocities do not follow from momenta: some \
+                     combination of them has no inertia",
+                    all(velocities)
+                );
+                (message, None)
+            }
+            legendre::Flaw::NotClosed(velocities, of) => {
+                let message = format!(
+                    "no formula is known for {} as functions of their momenta; known are Lagrangians that are quadratic in velocities, and \
+                     A√(S + v·Cv), A|v|ⁿ, A eᵛ, A ln v and A cosh v, with terms that are linear: {}",
+                    all(velocities),
+                    printer.excerpt(*of)
+                );
+                (message, Some(*of))
+            }
+        };
+        match (term.and_then(|term| written(graph, places, term)), velocities) {
+            (Some(place), _) => errors.at_place(place, message),
+            (None, Some(velocities)) => errors.at(velocities, message),
+            (None, None) => errors.at(&energy.item.sig.ident, message),
+        }
+    }
+    let (Ok(legendre), Ok(friction)) = (found, friction) else {
+        return errors.or(()).map(|()| unreachable!("reported"));
+    };
+    errors.or((legendre, friction))
+}
+
+/// Reports friction that is none, and what is required of an energy that is not derived.
+pub(crate) fn velocities(
+    energy: &Energy,
+    (long, damping): (Id, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    for (_, span) in &energy.requirements {
+        let place = written(graph, places, long).unwrap_or((*span, *span));
+        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+    }
+    errors.or(())
+}
+
+/// The rows of a matrix of damping.
+type Damped = Vec<Vec<Id>>;
+
 /// Damping that is none.
 fn flaw_of_damping<F: Fn(Symbol) -> String>(
     energy: &Energy,
@@ -84,7 +193,7 @@ fn flaw_of_damping<F: Fn(Symbol) -> String>(
             ),
             Flaw::Indefinite => INDEFINITE.into(),
         };
-        errors.at(&energy.damping, message);
+        errors.at(&energy.damping.as_ref().or(energy.rayleigh.as_ref()), message);
     }
 }
 
@@ -195,13 +304,6 @@ fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest:
     if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
 }
 
-/// " where a < b and not c = d", or nothing.
-fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
-    let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
-    let conditions: Vec<String> = case.iter().map(condition).collect();
-    if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
-}
-
 /// Reports S that is not skew, and damping that is none.
 pub(crate) fn structure(
     energy: &Energy,
@@ -235,34 +337,6 @@ pub(crate) fn structure(
 fn written(graph: &Graph, places: &HashMap<Id, Place>, id: Id) -> Option<Place> {
     let more = !matches!(graph.node(id), Node::Symbol(_) | Node::Number(_));
     places.get(&id).copied().filter(|_| more)
-}
-
-/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
-fn remains<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, rest: Option<&Remainder>, witness: &Witness) -> String {
-    match rest {
-        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => {
-            let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
-            let state: Vec<String> = witness.state.iter().map(symbol).collect();
-            let value = match witness.value {
-                Value::Exact(value) => ratio(value),
-                Value::Near(value) => format!("{value:.3e}"),
-            };
-            format!(" is {value} where {}", state.join(", "))
-        }
-    }
-}
-
-fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
-    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
-}
-
-/// What remains of what was not decided.
-fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
-    match verdict.rest() {
-        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
-        None => String::new(),
-    }
 }
 
 /// Reports functions that are not kept, and those that are functions of others.
@@ -321,6 +395,14 @@ const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to th
 
 const NO_LIFT: &str =
     "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
+
+const FRICTION_OF_ACTION: &str =
+    "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
+
+const NOT_RAYLEIGH: &str = "Rayleigh's function has to be a quadratic form in the velocities, such as `c * v * v / 2.0`; its coefficients may \
+                            read positions, parameters and time";
+
+const NO_REST: &str = "Rayleigh's function has to be a quadratic form in the velocities, so that friction vanishes at rest, but there ∂R/∂v is";
 
 const INDEFINITE: &str = "damping takes energy away, but this matrix gives some at some velocity: write one that is positive \
                           semidefinite";

@@ -12,6 +12,7 @@ mod analyze;
 mod diff;
 mod schedule;
 mod split;
+mod legendre;
 mod derive;
 mod check;
 mod emit;
@@ -405,6 +406,106 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()
+}
+
+/// Makes an integrable system from a Lagrangian L(q, v) with the velocities v = q', or L(q, v, t), or L(q, v, s, t).
+///
+/// Its energy is H = p·v − L with p = ∂L/∂v, and from there on everything is as under [`macro@hamiltonian`], or with an argument `s`
+/// as under [`macro@contact_hamiltonian`]: the state is (q, p), or (q, p, s), and all methods that are for H are for L.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Two pendulums; q angles from below, v their rates.
+/// #[lagrangian]
+/// fn double_pendulum(q: [f64; 2], v: [f64; 2], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
+///     let x = [l[0] * v[0], l[1] * v[1]];
+///     let coupling = 2.0 * x[0] * x[1] * (q[0] - q[1]).cos();
+///     let kinetic = 0.5 * m[0] * x[0].powi(2) + 0.5 * m[1] * (x[0].powi(2) + x[1].powi(2) + coupling);
+///     kinetic + (m[0] + m[1]) * g * l[0] * q[0].cos() + m[1] * g * l[1] * q[1].cos()
+/// }
+///
+/// let system = DoublePendulum { m: [1.0, 0.6], l: [1.0, 0.8], g: 9.81 };
+/// // At rest, the lower one out of the vertical.
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, system.at([0.0, 1.4], [0.0, 0.0]));
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-12);
+/// println!("{:?} {:?}", sim.state().q, system.velocity(&sim.state()));
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Functions
+///
+/// - `system.at(q, v)` and `system.at_time(t, q, v)` are states; with an action `system.at(q, v, s)`, `system.at_time(t, q, v, s)`.
+/// - `system.momentum(t, q, v)` and `system.lagrangian(t, q, v)` are p and L, with `s` as a last argument where there is one.
+/// - `system.velocity(&state)`, or `sim.velocity()`, are v.
+/// - `system.energy(&state)` is H, which is T + V where L = T − V with a T that is quadratic in v, and else is not: `REPORT` says so.
+///
+/// # Which Lagrangians
+///
+/// v has to follow from p in closed form. It does where L is quadratic in v, with any mass matrix ∂²L/∂v² of positions, time and
+/// parameters, which is factored as LDLᵀ and never inverted; and where L is a sum of such parts and of terms in other velocities, each
+/// one of
+///
+/// - A√(S + v·Cv), such as −mc²√(1 − v·v/c²), or n√(1 + v·v) of light;
+/// - A|v|ⁿ of one velocity, A eᵛ, A ln v, A cosh v, with a multiple of v and a constant inside.
+///
+/// Terms that are linear in v, of magnetic fields or moving frames, may be added to both. A and C, S and M may read positions, time and
+/// the action. A mass matrix that is singular at every state is refused; at a state where it is singular steps are refused.
+///
+/// # Friction
+///
+/// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the
+/// energy falls at the rate 2R, in a step of `DiscreteGradient` by what the mean velocity says, exactly.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A pendulum with friction in its joint.
+/// #[lagrangian(rayleigh = c * v * v / 2.0)]
+/// fn pendulum(q: f64, v: f64, m: f64, l: f64, g: f64, c: f64) -> f64 {
+///     m * l * l * v * v / 2.0 + m * g * l * q.cos()
+/// }
+///
+/// let system = Pendulum { m: 0.7, l: 1.2, g: 9.81, c: 0.2 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.1, system.at(1.0, 0.0));
+/// let energy = sim.energy();
+/// sim.advance(100)?;
+/// assert!(sim.energy() < energy);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Herglotz' principle
+///
+/// With an argument `s`, the action, s' = L(q, v, s, t), and the equations are d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v: those of the contact
+/// Hamiltonian p·v − L. A term −γs is friction.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A pendulum that is braked.
+/// #[lagrangian]
+/// fn braked(q: f64, v: f64, s: f64, m: f64, g: f64, gamma: f64) -> f64 {
+///     m * v * v / 2.0 + m * g * q.cos() - gamma * s
+/// }
+///
+/// let system = Braked { m: 0.7, g: 9.81, gamma: 0.2 };
+/// let mut sim = system.integrator(Suzuki4.of(ContactSplitting), 0.05, system.at(1.0, 0.0, 0.0));
+/// sim.advance(100)?;
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Arguments of the attribute
+///
+/// - `name = Type`: the name of the struct.
+/// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
+/// - `rayleigh = R`: see above.
+/// - `require(separable, quadratic_kinetic)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
+///   [`macro@hamiltonian`]; what is required is required of H.
+#[proc_macro_attribute]
+pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
 }
 
 /// Makes a function one that energies may call: it is inlined, and differentiated with them.

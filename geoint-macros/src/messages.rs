@@ -6,11 +6,14 @@ pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this ter
 pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this term, so that `PoissonSplitting` has no pieces; use \
                                       `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
-pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and with more than 3 coordinates none is solved for, so \
+pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and more than 12 planes without one are not solved for, so \
                                      that `PlanarSplitting` has no pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
-pub(crate) const NO_STRUCTURE: &str = "a field is split into planes by S of x' = S(x) ∇I, which is not known here: write the system as \
+pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
+
+pub(crate) const NOTHING_KEPT: &str = "nothing was named that this field keeps, and no energy has it, because its divergence is not 0: name \
+                                       what it keeps, `#[vector_field(keeps(name = expression))]`, or use `ImplicitMidpoint`, `Gauss` or `RK4`";
 
 pub(crate) const DAMPED_FLOW: &str =
     "damping is no part of these pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
@@ -24,6 +27,9 @@ pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a qua
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
+                                    kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";

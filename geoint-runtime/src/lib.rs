@@ -22,7 +22,7 @@
 //! ```
 //!
 //! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
-//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), and
+//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), [Lagrangians](#lagrangians), and
 //! [differential equations with first integrals](#vector-fields-and-first-integrals).
 //!
 #![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
@@ -34,6 +34,8 @@
 #![doc = include_str!("../docs/contact.md")]
 //!
 #![doc = include_str!("../docs/figures/contact_compared.svg")]
+//!
+#![doc = include_str!("../docs/lagrangians.md")]
 //!
 #![doc = include_str!("../docs/flows.md")]
 //!
@@ -144,7 +146,7 @@ pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, vector_field};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -182,9 +184,9 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, Mechanical,
-    ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates,
-    Separable, VectorField,
+    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
+    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
+    QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -196,7 +198,8 @@ pub mod prelude {
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
         Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
         Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, vector_field,
+        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
+        vector_field,
     };
 }
 

@@ -13,7 +13,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
 use geoint_runtime::space::{Coordinates, Snapshot};
 use geoint_runtime::system::StateOf;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -22,10 +22,11 @@ use std::time::{Duration, Instant};
 const COMPARED: (u64, f64) = (1000, 1e-12);
 
 fn main() {
-    let by_hand: Vec<Pair> = [pendulum(), kepler(), contact(), henon_heiles(), outer_solar_system(), double_pendulum()]
-        .into_iter()
-        .flatten()
-        .collect();
+    let by_hand: Vec<Pair> =
+        [pendulum(), kepler(), contact(), henon_heiles(), outer_solar_system(), double_pendulum(), flows(), bodies()]
+            .into_iter()
+            .flatten()
+            .collect();
     for pair in &by_hand {
         let (steps, bound) = COMPARED;
         let difference = pair.difference(steps);
@@ -344,6 +345,81 @@ fn double_pendulum() -> Vec<Pair> {
         name: "double pendulum, ImplicitMidpoint".into(),
         subject: generated(black_box(systems::DoublePendulum { m, l, g }), ImplicitMidpoint, h, plane(start)),
         unit: Box::new(move |n| hand().implicit_midpoint(black_box(h), n, start).to_vec()),
+    }]
+}
+
+/// Fields with integrals: predators and prey, a free body.
+fn flows() -> Vec<Pair> {
+    let (h, start) = (0.02, [1.0, 0.5]);
+    let predators = || black_box(systems::LotkaVolterra { a: 2.0, b: 1.0, c: 1.0 });
+    let hand = move || {
+        let systems::LotkaVolterra { a, b, c } = predators();
+        black_box(by_hand::lotka_volterra::LotkaVolterra { a, b, c })
+    };
+    let (inertia, velocity) = ([1.0, 2.0, 3.0], [0.5, 0.8, -0.4]);
+    let momentum = [0, 1, 2].map(|i| inertia[i] * velocity[i]);
+    let body = move || black_box(by_hand::free_body::FreeBody { inertia });
+    let (momenta, velocities) = (systems::FreeMomentum { inertia }, systems::FreeVelocity { inertia });
+    vec![
+        Pair {
+            name: "Lotka–Volterra, DiscreteGradient".into(),
+            subject: flow(predators(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<false>(black_box(h), n, start).to_vec()),
+        },
+        Pair {
+            name: "Lotka–Volterra, DiscreteGradient, same sums".into(),
+            subject: flow(predators(), DiscreteGradient, h, start),
+            unit: Box::new(move |n| hand().discrete_gradient::<true>(black_box(h), n, start).to_vec()),
+        },
+        Pair {
+            name: "Euler's top, DiscreteGradient".into(),
+            subject: flow(momenta, DiscreteGradient, h, momentum),
+            unit: Box::new(move |n| body().discrete_gradient::<false>(black_box(h), n, momentum).to_vec()),
+        },
+        Pair {
+            name: "Euler's top, DiscreteGradient, same sums".into(),
+            subject: flow(momenta, DiscreteGradient, h, momentum),
+            unit: Box::new(move |n| body().discrete_gradient::<true>(black_box(h), n, momentum).to_vec()),
+        },
+        Pair {
+            name: "Euler's top, PlanarSplitting".into(),
+            subject: flow(velocities, PlanarSplitting, h, velocity),
+            unit: Box::new(move |n| body().rotations(black_box(h), n, velocity).to_vec()),
+        },
+    ]
+}
+
+fn flow<S, M, const N: usize>(system: S, method: M, h: f64, start: [f64; N]) -> Run
+where
+    S: PhaseSpace<State = FlowState<[f64; N]>> + 'static,
+    M: Method<S> + 'static,
+{
+    Box::new(move |n| {
+        let mut sim = Integrator::new(black_box(system), method, black_box(h), FlowState::new(start));
+        sim.advance(n).expect("a regular problem");
+        sim.state().x.to_vec()
+    })
+}
+
+/// A heavy body by its attitude.
+fn bodies() -> Vec<Pair> {
+    let (h, inertia, c) = (0.05, [1.0, 2.0, 3.0], [0.3, -0.2, 0.7]);
+    let momentum = [0.5, 1.6, -1.2];
+    let hand = move || black_box(by_hand::heavy_body::HeavyBody { inertia, c });
+    vec![Pair {
+        name: "heavy body, StormerVerlet".into(),
+        subject: Box::new(move |n| {
+            let system = black_box(systems::HeavyBody { inertia, c: Vector3::from(c) });
+            let start = BodyState::new(UnitQuaternion::identity(), Vector3::from(momentum));
+            let mut sim = system.integrator(StormerVerlet, black_box(h), start);
+            sim.advance(n).expect("a regular problem");
+            let BodyState { r, m, .. } = sim.state();
+            [r.coords.as_slice(), m.as_slice()].concat()
+        }),
+        unit: Box::new(move |n| {
+            let (r, m) = hand().verlet(black_box(h), n, [0.0, 0.0, 0.0, 1.0], momentum);
+            [&r[..], &m].concat()
+        }),
     }]
 }
 

@@ -1,7 +1,7 @@
 //! The energies whose generated steps are timed.
 
 use geoint_runtime::{contact_hamiltonian, hamiltonian};
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
 /// Planar pendulum.
 #[hamiltonian]
@@ -56,4 +56,31 @@ pub(crate) fn double_pendulum(q: [f64; 2], p: [f64; 2], m: [f64; 2], l: [f64; 2]
         - 2.0 * m[1] * l[0] * l[1] * p[0] * p[1] * cos)
         / (2.0 * m[1] * l[0] * l[0] * l[1] * l[1] * (m[0] + m[1] * sin * sin));
     kinetic - total * g * l[0] * q[0].cos() - m[1] * g * l[1] * q[1].cos()
+}
+
+/// Predators and prey.
+#[hamiltonian(structure = [[0.0, -x[0] * x[1]], [x[0] * x[1], 0.0]])]
+pub(crate) fn lotka_volterra(x: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
+    b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()
+}
+
+/// A free body; x is the angular momentum.
+#[hamiltonian(structure = so3)]
+pub(crate) fn free_momentum(x: [f64; 3], inertia: [f64; 3]) -> f64 {
+    (0..3).map(|i| x[i] * x[i] / (2.0 * inertia[i])).sum()
+}
+
+/// The same; x is the angular velocity.
+#[hamiltonian(structure = |i, j| {
+    let k = 3 - i - j;
+    (if j == i + 1 { -1.0 } else { 1.0 }) * inertia[k] * x[k] / (inertia[i] * inertia[j])
+})]
+pub(crate) fn free_velocity(x: [f64; 3], inertia: [f64; 3]) -> f64 {
+    (0..3).map(|i| inertia[i] * x[i] * x[i] / 2.0).sum()
+}
+
+/// A heavy body about a fixed point.
+#[hamiltonian(attitude = r)]
+pub(crate) fn heavy_body(r: UnitQuaternion<f64>, m: Vector3<f64>, inertia: [f64; 3], c: Vector3<f64>) -> f64 {
+    (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0 + (r * c).z
 }

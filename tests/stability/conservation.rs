@@ -40,6 +40,57 @@ fn discrete_gradient_keeps_energy_and_angular_momentum() {
     assert!(energy > 1e-2 && spin > 1e-2, "{energy:.1e} {spin:.1e}");
 }
 
+/// Two charges that a third, heavy one holds, in space.
+#[hamiltonian]
+fn charges(q: [[f64; 3]; 2], p: [[f64; 3]; 2], m: f64) -> f64 {
+    let square = |a: [f64; 3]| a.iter().map(|x| x * x).sum::<f64>();
+    let apart = (0..3).map(|i| (q[0][i] - q[1][i]).powi(2)).sum::<f64>();
+    square(p[0]) / 2.0 + square(p[1]) / (2.0 * m) - 2.0 / square(q[0]).sqrt() - 2.0 / square(q[1]).sqrt()
+        + 0.3 / apart.sqrt()
+}
+
+/// A centre whose strength changes in time: the angular momentum alone is kept.
+#[hamiltonian]
+fn breathing(q: [f64; 2], p: [f64; 2], t: f64, mu: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 + mu * (1.0 + t.sin() / 3.0) * (q[0] * q[0] + q[1] * q[1]).powi(2) / 4.0
+}
+
+/// Steps of order 4 list the momenta that are found beside H: linear ones, angular momentum, with time and without.
+#[test]
+fn steps_of_order_4_keep_momenta() {
+    let fourth = FourthOrder(DiscreteGradient);
+    let (energy, spin) = ellipse_errors(fourth);
+    println!("ellipse: energy {energy:.1e}, angular momentum {spin:.1e}");
+    assert!(energy <= 2e-14 && spin <= 1e-14, "{energy:.1e} {spin:.1e}");
+    // By the other formula it is kept to the order.
+    let (_, spin) = ellipse_errors(FourthOrder(Gonzalez));
+    assert!(spin > 1e-9, "{spin:.1e}");
+
+    let system = Charges { m: 1.7 };
+    let start = State::new([[1.0, 0.2, -0.1], [-1.4, 0.3, 0.5]], [[-0.2, 1.3, 0.1], [0.3, -1.9, 0.4]]);
+    let angular = |state: &State<[[f64; 3]; 2]>| -> [f64; 3] {
+        std::array::from_fn(|k| {
+            let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+            (0..2).map(|body| state.q[body][i] * state.p[body][j] - state.q[body][j] * state.p[body][i]).sum()
+        })
+    };
+    let mut sim = system.integrator(fourth, 0.02, start);
+    let (energy, before) = (system.energy(&start), angular(&start));
+    for _ in 0..20 {
+        sim.advance(25).unwrap();
+        let state = sim.state();
+        assert!((system.energy(&state) - energy).abs() < 4e-14, "{:e}", system.energy(&state) - energy);
+        for (now, before) in angular(&state).iter().zip(before) {
+            assert!((now - before).abs() < 4e-14, "{:e}", now - before);
+        }
+    }
+
+    let start = State::new([0.7, 0.3], [-0.2, 0.9]);
+    let mut sim = Breathing { mu: 1.3 }.integrator(fourth, 0.1, start);
+    sim.advance(1000).unwrap();
+    assert!((momentum(&sim.state()) - momentum(&start)).abs() < 1e-13);
+}
+
 /// Energy errors of a run, relative to the start, at every `stride`-th step.
 fn errors<P: Problem, M: Method<P::Over<f64>, f64>>(method: M, h: f64, stride: u64, samples: usize) -> Vec<(f64, f64)> {
     let (system, start) = (P::system::<f64>(), P::initial::<f64>(0.0));

@@ -113,7 +113,6 @@ fn small_waves_without_a_derivative() {
 
 /// The mean velocity of the tree discrete gradient, projected.
 #[test]
-#[ignore = "refused at amplitudes of 1e-11"]
 fn small_waves_of_order_four() {
     runs("ring of 5", Ring5 { m: 0.6 }, FourthOrder(DiscreteGradient), 1e-11);
 }

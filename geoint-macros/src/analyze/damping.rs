@@ -79,7 +79,7 @@ fn flaw(graph: &Graph, matrix: &[Vec<Id>]) -> Option<Flaw> {
 fn definiteness(graph: &Graph, matrix: &[Vec<Id>]) -> Option<bool> {
     let number = |id: &Id| match graph.as_number(*id)? {
         Number::Exact(ratio) => Some(ratio),
-        Number::Float(_) => None,
+        Number::Root(..) | Number::Float(_) => None,
     };
     let mut c: Vec<Vec<Ratio>> = matrix.iter().map(|row| row.iter().map(number).collect()).collect::<Option<_>>()?;
     for k in 0..c.len() {

@@ -57,11 +57,11 @@ impl Monomial {
             Number::Exact(ratio) if ratio.is_short() => {
                 return match number.pow(Ratio::integer(power))? {
                     Number::Exact(number) => Some(Monomial { number, ..Monomial::ONE }),
-                    Number::Float(_) => None,
+                    Number::Root(..) | Number::Float(_) => None,
                 };
             }
             Number::Exact(ratio) => Atom::Long(ratio.numerator.abs(), ratio.denominator),
-            Number::Float(_) => Atom::Float(number.to_f64().abs().to_bits()),
+            Number::Root(..) | Number::Float(_) => Atom::Float(number.to_f64().abs().to_bits()),
         };
         let sign = if number.is_negative() && power % 2 != 0 { -1 } else { 1 };
         Some(Monomial { number: Ratio::integer(sign), atoms: vec![(magnitude, power)], ..Monomial::ONE })

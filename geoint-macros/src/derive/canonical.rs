@@ -39,7 +39,7 @@ pub(crate) fn canonical(
         (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
         (None, Split::Separable(parts)) => Ok(parts),
     };
-    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), degrees));
+    let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
     let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
     // Damping that depends on the state makes a field of a higher degree.
@@ -58,8 +58,9 @@ pub(crate) fn canonical(
         perturbed: Some(perturbed),
         modified,
         pieces: vec![],
-        implicit: Implicit::Field(fields.kernels(graph, structure)),
+        implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
+        lagrangian: None,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),
@@ -77,10 +78,12 @@ fn kick_drift(
     graph: &mut Graph,
     parts: &Parts,
     (force, gradient): (&[Id], &Gradient),
-    degrees: u32,
+    partial: &[Partial],
 ) -> KickDrift<Kernel> {
-    let kick = kick(graph, parts.potential, degrees);
+    let degrees = gradient.q.len() as u32;
+    let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);
     let shift = scaled_gradient(graph, parts.kinetic, Number::ONE, degrees);
+    let kick = increments(graph, Symbol::P, &impulse.q);
     let drift = increments(graph, Symbol::Q, &shift.p);
     let gradient_kick = match parts.not_quadratic {
         None if degrees <= FEW => Ok(GradientKick::Collocation),
@@ -91,7 +94,8 @@ fn kick_drift(
         Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
     };
     let repeats = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
-    KickDrift { kick, drift, exact_in_time: false, repeats, gradient_kick, undamped: None }
+    let shows = repeats && super::domain::shows(graph, &impulse.q, partial);
+    KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }
 
 /// The flow of V.

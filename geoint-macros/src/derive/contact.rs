@@ -49,6 +49,7 @@ pub(crate) fn contact(
         pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
         integrals: None,
+        lagrangian: None,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)
@@ -85,6 +86,7 @@ fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {
         drift: damped_drift,
         exact_in_time: *clock == Clock::Own,
         repeats: false,
+        shows: false,
         undamped: Some(Undamped {
             kick: (mechanics.free_kick != mechanics.kick).then(|| kernel(&mechanics.free_kick)),
             drift: (mechanics.free_drift != *drift).then(|| kernel(&mechanics.free_drift)),

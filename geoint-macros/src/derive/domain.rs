@@ -40,7 +40,7 @@ impl<'a> Roots<'a> {
 /// A condition under which the energy is undefined.
 #[derive(Clone, Debug)]
 pub(crate) struct Check {
-    argument: Id,
+    pub(super) argument: Id,
     pub(crate) if_it_is: Sign,
     /// What that is, and of what.
     pub(crate) what: String,
@@ -122,6 +122,35 @@ fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[Partial]) -> bool {
     })
 }
 
+/// Whether values are not finite where one of the nodes is not defined: each of them has a base that is divided by on the way to a value,
+/// through nothing but sums and products.
+pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[Partial]) -> bool {
+    let mut divided: HashSet<(Id, bool)> = HashSet::new();
+    let mut open = values.to_vec();
+    let mut seen: HashSet<Id> = HashSet::new();
+    while let Some(id) = open.pop() {
+        match graph.node(id) {
+            Node::Power(base, exponent) if exponent.numerator < 0 => {
+                divided.extend([(*base, true), (*base, exponent.is_integer())]);
+            }
+            Node::Linear(..) | Node::Product(_) if seen.insert(id) => graph.node(id).for_each_child(|id| open.push(id)),
+            _ => {}
+        }
+    }
+    partial.iter().all(|Partial { node, condition }| {
+        if !analyze::reads(graph, *node).state() || checks_of(graph, *node).is_empty() {
+            return true;
+        }
+        // 1/√x² is a power of a power.
+        let (mut base, mut whole) = (*node, true);
+        while let Node::Power(inner, exponent) = graph.node(base) {
+            whole &= exponent.is_integer() || !analyze::has_edge(graph, base);
+            base = *inner;
+        }
+        condition.is_none() && divided.contains(&(base, whole))
+    })
+}
+
 /// A node where a condition holds, and elsewhere 1, at which every function of the language is defined.
 fn guarded(graph: &mut Graph, condition: Option<Id>, node: Id) -> Id {
     let one = graph.integer(1);
@@ -130,7 +159,7 @@ fn guarded(graph: &mut Graph, condition: Option<Id>, node: Id) -> Id {
 
 /// What has to be tested of one node for the energy, and its gradient, to be defined. Under a condition it is tested where that holds:
 /// that is what an `if` around a root is for.
-fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
+pub(super) fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
     match graph.node(id).clone() {
         Node::Power(base, exponent) => {
             let (sign, what) = match (exponent.is_integer(), exponent.numerator < 0) {

@@ -3,16 +3,20 @@
 use super::domain::{Domain, Roots};
 use super::implicit;
 use super::proof;
-use super::system::{FieldKernels, Implicit, Integrals, System};
+use super::system::{FieldKernels, Implicit, Integrals, Missing, System};
 use crate::analyze::{self, Damping, MeanValue, claims, search};
 use crate::diff;
 use crate::diff::field::{Field, taking};
 use crate::diff::flow::{self, Conserved, Order};
 use crate::ir::{Graph, Id, Partial, Symbol, print::Printer};
-use crate::lower::Integral;
+use crate::lower::{Integral, canonical};
+use crate::messages::NOTHING_KEPT;
 use crate::parse::{Form, Kept};
 use crate::schedule::{Kernel, Levels};
 use std::collections::HashSet;
+
+/// What the energy of a flow is called.
+const ENERGY: &str = "energy";
 
 /// A flow before its methods are derived.
 #[derive(Debug)]
@@ -20,12 +24,14 @@ pub(crate) struct Flow {
     pub(crate) form: Form,
     /// f.
     pub(crate) field: Vec<Id>,
-    /// H with S − C, if x' = (S − C) ∇H.
+    /// H with S − C, if x' = (S − C) ∇H is known.
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
     /// What steps keep.
     pub(crate) kept: Vec<Named>,
     /// What is constant as well, and not listed.
     pub(crate) also: Vec<Id>,
+    /// Its divergence, if no energy has the field because of that.
+    pub(crate) divergent: Option<Id>,
 }
 
 /// A function that is kept, or whose change is known.
@@ -57,7 +63,14 @@ impl Flow {
             conserved: Conserved { value: integral.value, but: integral.but.clone() },
             origin: if kept.assumed { Origin::Assumed } else { Origin::Listed },
         };
-        Flow { form: Form::Field, field: field.to_vec(), energy: None, kept: keeps.map(named).collect(), also: vec![] }
+        Flow {
+            form: Form::Field,
+            field: field.to_vec(),
+            energy: None,
+            kept: keeps.map(named).collect(),
+            also: vec![],
+            divergent: None,
+        }
     }
 
     /// x' = (S − C) ∇H, and what it keeps.
@@ -77,9 +90,29 @@ impl Flow {
         });
         let (matrix, but) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
         let field = flow::times(graph, &matrix, &gradient);
-        let kept = Named { name: "energy".into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
+        let kept = Named { name: ENERGY.into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
         let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
-        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![] }
+        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![], divergent: None }
+    }
+
+    /// x' = J ∇H with an energy that was recovered from the field: it is kept as well, unless it is a function of what is listed.
+    pub(crate) fn recovered(&mut self, graph: &mut Graph, energy: Id, name: impl Fn(Symbol) -> String) {
+        self.energy = Some((energy, canonical(graph, self.field.len())));
+        let functions: Vec<Id> = self.kept.iter().map(|named| named.conserved.value).chain([energy]).collect();
+        let x = proof::coordinates(self.field.len());
+        let new =
+            claims::dependent(graph, &x, &functions).map_or(self.kept.is_empty(), |found| found.integrals.is_empty());
+        if new && !analyze::reads(graph, energy).t {
+            let taken = self.kept.iter().any(|named| named.name == ENERGY);
+            let name = if taken { Printer::new(graph, &name).excerpt(energy) } else { ENERGY.into() };
+            let origin = if taken { Origin::Found } else { Origin::Energy };
+            self.kept.push(Named { name, conserved: Conserved { value: energy, but: None }, origin });
+        }
+    }
+
+    /// Whether S(m) ∇̄H keeps all that is kept: H alone, or with Casimirs.
+    fn is_kept_by_structure(&self) -> bool {
+        self.form == Form::Structured || self.kept.iter().all(|named| named.origin == Origin::Energy)
     }
 
     /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
@@ -90,7 +123,10 @@ impl Flow {
         let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else {
             return;
         };
-        let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
+        let proven = |graph: &mut Graph, value| match rows {
+            Some(rows) => claims::is_casimir(graph, &x, rows, value).is_ok(),
+            None => claims::is_kept(graph, &x, &self.field, value, None).is_zero(),
+        };
         let found: Vec<_> = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
         let known: Vec<Id> = self.kept.iter().map(|kept| kept.conserved.value).collect();
         let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
@@ -121,10 +157,12 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     let collocation =
         Field { jacobian: diff::jacobian(graph, field, &coordinates), unknowns: coordinates, f: field.clone() };
     let discrete = match energy {
-        Some((energy, matrix)) => Some(flow::structured(graph, *energy, matrix)),
-        None if conserved.is_empty() => None,
-        None => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
+        Some((energy, matrix)) if found.is_kept_by_structure() => Some(flow::structured(graph, *energy, matrix)),
+        _ if conserved.is_empty() => None,
+        _ => Some(flow::mean_velocity(graph, field, &conserved, Order::Two)),
     };
+    let missing = |term: &Id| Missing { marker: "KeepsIn", term: *term, why: NOTHING_KEPT, pair: None };
+    let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
     let fourth = (!conserved.is_empty()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
         let h = graph.symbol(Symbol::H);
@@ -132,8 +170,8 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         Kernel::new(Levels::Iterated, equation)
     });
     // Of a field, what it keeps under that name.
-    let named = kept.iter().find(|kept| kept.name == "energy").map(|kept| kept.conserved.value);
-    let value = energy.as_ref().map(|(energy, _)| *energy).or(named);
+    let named = kept.iter().find(|kept| kept.name == ENERGY).map(|kept| kept.conserved.value);
+    let value = named.or(energy.as_ref().map(|(energy, _)| *energy));
     let mut values: Vec<Id> = value.into_iter().chain(conserved.iter().map(|kept| kept.value)).collect();
     values.sort();
     values.dedup();
@@ -149,6 +187,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         modified: None,
         pieces: vec![],
         integrals: integrals(graph, kept, n),
+        lagrangian: None,
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),
@@ -165,7 +204,9 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
                 levels: Levels::Iterated,
                 routines: vec![implicit::roots(&field), vec![], vec![]],
             }),
+            nothing_kept,
             fourth,
+            momenta: Kernel::new(Levels::One, vec![]),
         }),
     }
 }
@@ -176,7 +217,10 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         return None;
     }
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
-    let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
+    // A projection onto what reads time would need to know it at both ends.
+    let steady = |graph: &Graph, i: &usize| kept[*i].conserved.but.is_none() && !analyze::reads(graph, values[*i]).t;
+    let constant: Vec<usize> = (0..kept.len()).filter(|i| steady(graph, i)).collect();
+    let energy = constant.iter().position(|i| kept[*i].name == ENERGY).or((!constant.is_empty()).then_some(0));
     let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
@@ -188,6 +232,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
         functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
         constant,
+        energy,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),
         changes: Kernel::new(Levels::One, changes),

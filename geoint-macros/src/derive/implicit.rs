@@ -2,9 +2,9 @@
 
 use super::system::{FieldKernels, StepKernel};
 use crate::analyze::Structure;
-use crate::diff::Gradient;
 use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
+use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
 use crate::schedule::{Kernel, Levels};
@@ -33,7 +33,7 @@ pub(super) struct Fields {
 
 impl Fields {
     /// The kernels of collocation and of discrete gradients.
-    pub(super) fn kernels(self, graph: &mut Graph, structure: &Structure) -> FieldKernels<Kernel> {
+    pub(super) fn kernels(self, graph: &mut Graph, structure: &Structure, degrees: u32) -> FieldKernels<Kernel> {
         let Fields { field, discrete, second_order } = self;
         let folded = second_order.as_ref().filter(|_| field.unknowns.len() <= MOST_UNKNOWNS);
         let equation = folded.map_or_else(Vec::new, |second_order| equation(graph, &discrete, second_order));
@@ -50,11 +50,23 @@ impl Fields {
                 routines: vec![roots(&field), velocity.to_vec(), acceleration.to_vec()],
             },
             discrete: Some(Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] }),
+            nothing_kept: None,
             fourth: None,
+            momenta: momenta(graph, structure, degrees),
             coordinates: field.unknowns,
             increments: discrete.unknowns,
         }
     }
+}
+
+/// The gradients of what is kept beside H, but for single coordinates, which are kept anyway.
+fn momenta(graph: &mut Graph, structure: &Structure, degrees: u32) -> Kernel {
+    let mut slopes = vec![];
+    for momentum in structure.momenta.iter().filter(|_| structure.damping.is_none()) {
+        let gradient = diff::gradient(graph, momentum.value, degrees);
+        slopes.extend([gradient.q, gradient.p].concat());
+    }
+    Kernel::new(Levels::One, slopes)
 }
 
 pub(super) fn roots(field: &Field) -> Vec<Id> {

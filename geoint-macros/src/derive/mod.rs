@@ -13,6 +13,8 @@ mod contact;
 mod bodies;
 mod flow;
 mod parts;
+mod liouville;
+mod velocities;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -21,10 +23,12 @@ pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
-pub(crate) use parts::parts;
+pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
+pub(crate) use parts::{Parted, parts};
 pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
-    StepKernel, System, Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
+    PiecesOf, StepKernel, System, Undamped, VelocityKernels,
 };
+pub(crate) use velocities::velocities;

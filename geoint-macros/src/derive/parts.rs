@@ -2,43 +2,77 @@
 
 use super::flow::Flow;
 use super::implicit;
+use super::proof::coordinates;
 use super::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
-use crate::analyze;
-use crate::ir::{Graph, Symbol};
+use crate::analyze::{self, claims, search};
+use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
-/// The pieces of every splitting. `structure` is S, and whether its bracket is known to be a Poisson bracket.
-pub(crate) fn parts(
-    graph: &mut Graph,
-    flow: &Flow,
-    structure: Option<(&[Vec<crate::ir::Id>], bool)>,
-    damped: bool,
-) -> Vec<PiecesOf<Kernel>> {
-    let pieces =
-        |splitting, pieces, symplectic, conserves_energy| PiecesOf { splitting, pieces, symplectic, conserves_energy };
-    let Some((structure, poisson)) = structure else {
-        let Some(first) = flow.kept.first() else { return vec![] };
-        let term = first.conserved.value;
-        let missing = Missing { marker: "InPlanes", term, why: NO_STRUCTURE, pair: None };
-        return vec![pieces("PlanarSplitting", Err(missing), false, true)];
-    };
-    let Some((energy, _)) = flow.energy else { return vec![] };
-    let autonomous = !analyze::reads(graph, energy).t;
-    if damped {
-        let missing = |marker| Missing { marker, term: energy, why: DAMPED_FLOW, pair: None };
-        return vec![
-            pieces("PoissonSplitting", Err(missing("InTerms")), poisson, false),
-            pieces("PlanarSplitting", Err(missing("InPlanes")), false, autonomous),
-        ];
-    }
-    let by_terms = split::parts(graph, energy, structure);
-    let by_planes = split::planes(graph, energy, structure);
-    let by_terms = kernels(graph, by_terms, ("InTerms", NOT_POISSON, "are not in involution"));
-    let by_planes = kernels(graph, by_planes, ("InPlanes", NOT_PLANAR, "span the plane"));
-    vec![pieces("PoissonSplitting", by_terms, poisson, false), pieces("PlanarSplitting", by_planes, false, autonomous)]
+/// S of x' = S(x) ∇I.
+#[derive(Clone, Debug)]
+pub(crate) struct Parted {
+    /// I.
+    pub(crate) integral: Id,
+    pub(crate) matrix: Vec<Vec<Id>>,
+    /// Whether it is known to make a Poisson bracket.
+    pub(crate) poisson: bool,
+    /// Of an S that was searched for, whether it is the only one of its kind.
+    pub(crate) unique: Option<bool>,
 }
+
+impl Parted {
+    /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
+    pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
+        let x = coordinates(flow.field.len());
+        let kept = flow.kept.iter().map(|named| &named.conserved).find(|conserved| conserved.but.is_none());
+        let integral = kept.map(|conserved| conserved.value).or(flow.energy.as_ref().map(|(energy, _)| *energy))?;
+        if let Some((_, matrix)) = &flow.energy
+            && claims::is_gradient_form(graph, &x, matrix, integral, &flow.field).is_ok()
+        {
+            return Some(Parted { integral, matrix: matrix.clone(), poisson: true, unique: None });
+        }
+        let search::Structure { matrix, unique } = search::structure(graph, &x, &flow.field, integral)?;
+        let poisson = claims::is_poisson(graph, &x, &matrix).is_ok();
+        Some(Parted { integral, matrix, poisson, unique: Some(unique) })
+    }
+}
+
+/// The pieces of every splitting of a flow.
+pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
+    let both = |poisson, autonomous, [by_terms, by_planes]: [Result<_, Missing>; 2]| {
+        let pieces = |splitting, pieces, symplectic, conserves_energy| PiecesOf {
+            splitting,
+            pieces,
+            symplectic,
+            conserves_energy,
+        };
+        vec![
+            pieces("PoissonSplitting", by_terms, poisson, false),
+            pieces("PlanarSplitting", by_planes, false, autonomous),
+        ]
+    };
+    let missing = |term, why| [TERMS, PLANES].map(|marker| Err(Missing { marker, term, why, pair: None }));
+    let Some(Parted { integral, matrix, poisson, .. }) = parted else {
+        // Without anything that is kept there is nothing to split by.
+        let first = flow.kept.first();
+        return first.map_or_else(Vec::new, |first| both(false, true, missing(first.conserved.value, NO_STRUCTURE)));
+    };
+    let autonomous = !analyze::reads(graph, *integral).t;
+    if damped {
+        return both(*poisson, autonomous, missing(*integral, DAMPED_FLOW));
+    }
+    let by_terms = split::parts(graph, *integral, matrix);
+    let by_planes = split::planes(graph, *integral, matrix);
+    let by_terms = kernels(graph, by_terms, (TERMS, NOT_POISSON, "are not in involution"));
+    let by_planes = kernels(graph, by_planes, (PLANES, NOT_PLANAR, "span the plane"));
+    both(*poisson, autonomous, [by_terms, by_planes])
+}
+
+/// What nothing implements where pieces are missing.
+const TERMS: &str = "InTerms";
+const PLANES: &str = "InPlanes";
 
 fn kernels(
     graph: &mut Graph,

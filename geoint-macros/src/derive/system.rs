@@ -4,6 +4,7 @@ use super::domain::Domain;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::{Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -31,6 +32,19 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
+    /// What velocities have to do with it, of a Lagrangian.
+    pub(crate) lagrangian: Option<Lagrangian<K>>,
+}
+
+/// From velocities to momenta, and back.
+#[derive(Debug)]
+pub(crate) struct Lagrangian<K = Kernel> {
+    /// L, as a function of velocities.
+    pub(crate) value: K,
+    /// ∂L/∂v.
+    pub(crate) momenta: K,
+    /// v, as a function of momenta, where that is known.
+    pub(crate) velocities: Option<K>,
 }
 
 /// What an energy lacks.
@@ -61,6 +75,8 @@ pub(crate) struct KickDrift<K> {
     pub(crate) exact_in_time: bool,
     /// Whether a kick adds to the momenta what positions alone decide.
     pub(crate) repeats: bool,
+    /// Whether a kick where the energy is not defined leaves momenta that are not finite.
+    pub(crate) shows: bool,
     pub(crate) gradient_kick: Result<GradientKick<K>, Missing>,
     /// Of contact systems.
     pub(crate) undamped: Option<Undamped<K>>,
@@ -121,6 +137,21 @@ pub(crate) enum Implicit<K> {
     Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of a Lagrangian, for velocities.
+    Velocities(VelocityKernels<K>),
+}
+
+/// A Lagrangian by its derivatives.
+#[derive(Debug)]
+pub(crate) struct VelocityKernels<K> {
+    /// The increments of velocities, which are solved for.
+    pub(crate) increments: Vec<Symbol>,
+    /// ∂L/∂v and M.
+    pub(crate) mass: K,
+    /// ∂L/∂v and the force, with their derivatives by q and v; the force.
+    pub(crate) stage: K,
+    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    pub(crate) polarised: Option<K>,
 }
 
 /// Functions of x that a flow keeps, or whose change is known.
@@ -130,8 +161,10 @@ pub(crate) struct Integrals<K = Kernel> {
     /// Whether users call each by its name.
     pub(crate) functions: Vec<bool>,
     pub(crate) values: K,
-    /// Those that are kept.
+    /// Those that are kept, and do not read time.
     pub(crate) constant: Vec<usize>,
+    /// Which of these stands for the energy.
+    pub(crate) energy: Option<usize>,
     /// The gradients of these, one after the other.
     pub(crate) slopes: K,
     /// What these change by over an increment.
@@ -150,8 +183,12 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) collocation: K,
     /// f̄ with its derivative; the equation of Newton's iteration; h ∂T/∂p of a mean momentum.
     pub(crate) discrete: Option<K>,
+    /// Why there is no such thing, if there is more to say of it than that nothing is kept.
+    pub(crate) nothing_kept: Option<Missing>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
+    /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
+    pub(crate) momenta: K,
     /// Whether Newton's iteration has a kernel of its own.
     pub(crate) folded: bool,
     /// Whether the equation of a step is linear.
@@ -184,6 +221,20 @@ impl FlowKernel {
 }
 
 impl System {
+    /// The same with what a Lagrangian adds.
+    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, route, .. }: &Legendre) -> System {
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let lagrangian = Lagrangian {
+            value: kernel(&[*lagrangian]),
+            momenta: kernel(momenta),
+            velocities: match route {
+                Route::Energy(_, velocities) => Some(kernel(velocities)),
+                Route::Velocities(_) => None,
+            },
+        };
+        System { lagrangian: Some(lagrangian), ..self }
+    }
+
     /// The statements of all kernels. After that nothing is added to the graph.
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
@@ -202,7 +253,14 @@ impl System {
             rate: self.rate.map(&mut plan),
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
+            lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
         }
+    }
+}
+
+impl<K> Lagrangian<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
+        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: self.velocities.map(&mut *of) }
     }
 }
 
@@ -219,6 +277,7 @@ impl<K> KickDrift<K> {
             drift: self.drift.map(of),
             exact_in_time: self.exact_in_time,
             repeats: self.repeats,
+            shows: self.shows,
             gradient_kick: self.gradient_kick.map(|kick| match kick {
                 GradientKick::Collocation => GradientKick::Collocation,
                 GradientKick::Flow(flow) => GradientKick::Flow(flow.map(of)),
@@ -253,6 +312,7 @@ impl<K> Integrals<K> {
             names: self.names,
             functions: self.functions,
             constant: self.constant,
+            energy: self.energy,
             values: of(self.values),
             slopes: of(self.slopes),
             changes: of(self.changes),
@@ -269,11 +329,17 @@ impl<K> Implicit<K> {
                 second_order: field.second_order,
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
+                nothing_kept: field.nothing_kept,
                 fourth: field.fourth.map(&mut *of),
+                momenta: of(field.momenta),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
+                let (mass, stage) = (of(mass), of(stage));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            }
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })

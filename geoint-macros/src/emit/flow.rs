@@ -1,7 +1,7 @@
 //! What flows offer beside the common part: their field, and what they keep.
 
 use super::kernel::{Context, write};
-use super::system::self_type;
+use super::system::{keeps_energy, self_type};
 use crate::derive::{Integrals, System};
 use crate::ir::Symbol;
 use crate::parse::Energy;
@@ -71,6 +71,10 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
             (0..integrals.constant.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
         write("slopes", &all.collect::<Vec<_>>(), &values)
     });
+    let energy = integrals.energy.map(|k| {
+        let k = Literal::usize_unsuffixed(k);
+        keeps_energy(context, &quote!(Integral<#k>), Some(quote!(FirstIntegrals::integrals(self, t, z)[#k])))
+    });
     let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
     let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
@@ -97,5 +101,6 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
                 #changes
             }
         }
+        #energy
     }
 }

@@ -4,7 +4,6 @@ use super::kernel::{Context, element};
 use super::system::self_type;
 use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
 use crate::ir::{Graph, Symbol, print::Printer};
-use crate::parse::Form;
 use crate::schedule::Plan;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -25,6 +24,11 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
         )
     });
     let repeats = flows.repeats;
+    let shows = flows.shows.then(|| {
+        quote!(
+            const KICKS_SHOW: bool = true;
+        )
+    });
     let [kick, drift] = [("kick", &flows.kick), ("drift", &flows.drift)].map(|(name, each)| flow(context, name, each));
     let gradient_kick = match &flows.gradient_kick {
         Ok(GradientKick::Collocation) => quadratic(
@@ -51,6 +55,7 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
         impl<R: Real> Separable<R> for #name {
             type Proof = ();
             const KICKS_REPEAT: bool = #repeats;
+            #shows
             type Kick = #kick_type;
             type Drift = #drift_type;
             #exact
@@ -78,8 +83,8 @@ pub(super) fn flow(
     let (slots, prepare, body) =
         (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
-        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(_: &mut ()),
-        Form::Contact => quote!(s: &mut R),
+        form if form.has_action() => quote!(s: &mut R),
+        _ => quote!(_: &mut ()),
     };
     let prepare = quote! {
         #[inline]
@@ -243,7 +248,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     };
     let [prepare_kick, prepare_drift] = ["kick", "drift"].map(prepare);
     let [kick, drift] = ["kick", "drift"].map(flow);
-    let mechanical = (context.energy.form == Form::Contact).then(|| {
+    let mechanical = (context.energy.form.has_action()).then(|| {
         let [prepare_kick, prepare_drift] = ["free_kick", "free_drift"].map(prepare);
         let [kick, drift] = ["free_kick", "free_drift"].map(flow);
         quote! {

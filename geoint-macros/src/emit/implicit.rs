@@ -1,25 +1,48 @@
 //! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
 
+use super::flows::unsatisfied;
 use super::kernel::{Context, element, write};
 use super::system::self_type;
 use crate::analyze::MeanValue;
-use crate::derive::FieldKernels;
-use crate::ir::Symbol;
-use crate::schedule::Plan;
+use crate::derive::{FieldKernels, MOST_UNKNOWNS, Missing};
+use crate::ir::{Graph, Number, Symbol};
+use crate::schedule::{Block, Operand, Plan};
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 
 /// The places of a square matrix, row by row.
-fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
-/// The statements that write f and its derivative.
-pub(super) fn write_field(names: [&str; 2], places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
-    let (f, jacobian) = values.split_at(places.len());
-    let f = write(names[0], places, f);
-    let jacobian = write(names[1], &square(places), jacobian);
-    quote!(#f #jacobian)
+/// The statements that write f and its derivative, the results of a block. Of many unknowns most depend on few others: entries that are
+/// zero are written all at once.
+pub(super) fn write_field(
+    context: &Context<'_>,
+    names: [&str; 2],
+    block: &Block,
+    values: &[TokenStream],
+) -> TokenStream {
+    let unknowns = values.len().isqrt();
+    let places = context.unknown_places(unknowns);
+    let (f, jacobian) = values.split_at(unknowns);
+    let f = write(names[0], &places, f);
+    let places = square(&places);
+    if unknowns <= MOST_UNKNOWNS {
+        let jacobian = write(names[1], &places, jacobian);
+        return quote!(#f #jacobian);
+    }
+    let is_zero = |i: &usize| block.results[unknowns + i] == Operand::Constant(Number::ZERO);
+    let (mut some_places, mut some) = (vec![], vec![]);
+    for i in (0..jacobian.len()).filter(|i| !is_zero(i)) {
+        some_places.push(places[i].clone());
+        some.push(jacobian[i].clone());
+    }
+    let (matrix, unknown) = (format_ident!("{}", names[1]), context.unknown_type(unknowns));
+    let zeros = (some.len() < jacobian.len())
+        .then(|| quote!(*#matrix = <#unknown as Array>::fill(<#unknown as Array>::zero());));
+    let jacobian = write(names[1], &some_places, &some);
+    quote!(#f #zeros #jacobian)
 }
 
 fn momenta(degrees: u32) -> Vec<Symbol> {
@@ -36,9 +59,10 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
-    let slope = context.planned(&plan.last[0], given, |values| write_field(names[0], &places, &values));
+    let slope = context.planned(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
     let equation = field.folded.then(|| {
-        let equation = context.planned(&plan.last[1], given, |values| write_field(names[1], &places, &values));
+        let equation =
+            context.planned(&plan.last[1], given, |values| write_field(context, names[1], &plan.last[1], &values));
         quote! {
             #[inline(always)]
             fn equation(
@@ -69,6 +93,10 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     quote! {
+        impl<R: Real> Graded<R> for #name {
+            type Proof = ();
+            type Gradient = ByTree;
+        }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
             type Parameters = [R; #prepared];
@@ -106,9 +134,44 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     }
 }
 
+/// `impl DiscreteField` that no scalar satisfies, of a field that keeps nothing.
+pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (name, phase) = (self_type(context), context.phase());
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> DiscreteField<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+            type Inverse = ();
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase) -> #never {
+                match *never {}
+            }
+            fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
+                match *never {}
+            }
+            fn drift(&self, never: &#never, _: &#phase) -> #phase {
+                match *never {}
+            }
+        }
+    }
+}
+
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
+    let count = momenta.last[0].results.len() / (2 * degrees);
+    let columns = Literal::usize_unsuffixed(1 + count);
+    let places: Vec<Vec<usize>> = (0..count)
+        .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
+        .collect();
+    let slopes = context.values(momenta, |values| write("slopes", &places, &values));
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
@@ -132,7 +195,13 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) ->
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                fourth_order::slope::<#autonomous, _, _>(self, parameters, start, d, image, matrix);
+                let momenta = |z: &#phase| {
+                    let mut slopes = [<#phase as Array>::zero(); #columns];
+                    #parts
+                    #slopes
+                    slopes
+                };
+                fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
         }
     }
@@ -141,12 +210,12 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, autonomous: bool) ->
 /// `impl FourthOrderField`.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
-    let places = context.unknown_places(field.increments.len());
     let parameters = context.stored(plan, 0);
     let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
-    let image = context
-        .planned(&plan.last[0], (&field.increments, "d"), |values| write_field(["image", "matrix"], &places, &values));
+    let image = context.planned(&plan.last[0], (&field.increments, "d"), |values| {
+        write_field(context, ["image", "matrix"], &plan.last[0], &values)
+    });
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
@@ -183,8 +252,9 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     let unknown = context.unknown_type(coordinates.len());
     let places = context.unknown_places(coordinates.len());
     let constants = context.stored(plan, 0);
-    let evaluate =
-        context.planned(&plan.last[0], (coordinates, "y"), |values| write_field(["f", "jacobian"], &places, &values));
+    let evaluate = context.planned(&plan.last[0], (coordinates, "y"), |values| {
+        write_field(context, ["f", "jacobian"], &plan.last[0], &values)
+    });
     let momenta = momenta(context.energy.degrees());
     let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
     let y: Vec<_> = places.iter().map(|indices| element(quote!(y), indices)).collect();
@@ -199,6 +269,10 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
+        impl<R: Real> Collocated<R> for #name {
+            type Proof = ();
+            type Stages = ByField;
+        }
         impl<R: Real> Collocation<R> for #name {
             type Proof = ();
             type Unknown = #unknown;

@@ -13,14 +13,15 @@ use quote::{format_ident, quote};
 pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenStream {
     let StepKernel { unknowns, kernel: plan } = step;
     let (name, method) = (self_type(context), format_ident!("{method}"));
-    let (unknown, places) = (context.unknown_type(unknowns.len()), context.unknown_places(unknowns.len()));
+    let unknown = context.unknown_type(unknowns.len());
     let degrees = context.energy.degrees();
     let before: Vec<Symbol> =
         (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
     let constants = context.stored(plan, 0);
     let begin = context.planned(&plan.stores[1], (&before, "x"), |values| quote!([#(#values),*]));
-    let image =
-        context.planned(&plan.last[0], (unknowns, "d"), |values| write_field(["f", "matrix"], &places, &values));
+    let image = context.planned(&plan.last[0], (unknowns, "d"), |values| {
+        write_field(context, ["f", "matrix"], &plan.last[0], &values)
+    });
     let end = context.planned(&plan.last[1], (unknowns, "d"), |values| quote!([#(#values),*]));
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {

@@ -18,7 +18,7 @@ mod table;
 pub(crate) use graph::{Graph, Node, Partial};
 pub(crate) use hash::HashMap;
 pub(crate) use id::Id;
-pub(crate) use number::Number;
+pub(crate) use number::{Number, factors_of_radicand};
 pub(crate) use op::{Function, Relation, Symbol};
 pub(crate) use ratio::Ratio;
 pub(crate) use table::Table;

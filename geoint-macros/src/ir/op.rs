@@ -7,6 +7,8 @@ pub(crate) enum Symbol {
     Q(u32),
     /// A momentum.
     P(u32),
+    /// A velocity of a Lagrangian.
+    V(u32),
     /// The action of a contact system.
     S,
     /// Time.
@@ -23,12 +25,14 @@ pub(crate) enum Symbol {
     Dp(u32),
     /// The increment of the action over a step.
     Ds,
+    /// The increment of a velocity over a step.
+    Dv(u32),
 }
 
 impl Symbol {
-    /// Whether this is a position, a momentum or the action.
+    /// Whether this is a position, a momentum, a velocity or the action.
     pub(crate) fn is_coordinate(self) -> bool {
-        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::S)
+        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S)
     }
 }
 

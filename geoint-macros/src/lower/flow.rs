@@ -2,7 +2,7 @@
 
 use super::value::Value;
 use super::{Lowering, Place, place};
-use crate::ir::Id;
+use crate::ir::{Graph, Id};
 use crate::parse::{Kept, Shape, StructureForm, StructureKind};
 use quote::ToTokens;
 use syn::Expr;
@@ -30,6 +30,13 @@ pub(crate) struct Integral {
     /// b, if it changes by b·∇I.
     pub(crate) but: Option<Vec<Id>>,
     pub(crate) place: Place,
+}
+
+/// S of (q, p)' = (∂H/∂p, −∂H/∂q) for the halves of x.
+pub(crate) fn canonical(graph: &mut Graph, n: usize) -> Vec<Vec<Id>> {
+    let entry = |i: usize, j: usize| i128::from(j == i + n / 2) - i128::from(i == j + n / 2);
+    let mut row = |i: usize| (0..n).map(|j| graph.integer(entry(i, j))).collect();
+    (0..n).map(&mut row).collect()
 }
 
 impl Lowering {
@@ -73,15 +80,7 @@ impl Lowering {
                     _ => lowering.cross(&x[at + 3..at + 6], i % 3, j % 3),
                 }))
             }
-            StructureKind::Canonical if n.is_multiple_of(2) => Skew::Matrix(self.blocks(n, n, |lowering, i, j, _| {
-                lowering.graph.integer(if j == i + n / 2 {
-                    1
-                } else if i == j + n / 2 {
-                    -1
-                } else {
-                    0
-                })
-            })),
+            StructureKind::Canonical if n.is_multiple_of(2) => Skew::Matrix(canonical(&mut self.graph, n)),
             StructureKind::Nambu if n == 3 => {
                 let value = self.expr(expr);
                 Skew::Nambu(self.real(expr, value))

@@ -18,6 +18,7 @@ pub(super) struct Options {
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
+    pub(super) rayleigh: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
@@ -37,6 +38,10 @@ const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = a
 const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = argument`, `t = argument`, `keeps(integral = …, but = […])`, \
                      `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
+const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
+                          `rayleigh = R`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                          `require(separable, quadratic_kinetic)`";
+
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
@@ -55,6 +60,7 @@ impl Options {
             }
             given.push(key.clone());
             let (system, contact, field) = (form.is_some(), form == Some(Form::Contact), form == Some(Form::Field));
+            let lagrangian = form == Some(Form::Lagrangian);
             let energy = system && !field;
             match key.to_string().as_str() {
                 "with" => options.with = super::function::with(input)?,
@@ -97,11 +103,20 @@ impl Options {
                     options.split = Some(groups(&input.parse()?)?);
                 }
                 "lift" if contact => options.lift = Some(key.span()),
+                "damping" if lagrangian => {
+                    let message =
+                        "a Lagrangian is damped by Rayleigh's function of the velocities: `rayleigh = c * v * v / 2.0`";
+                    return Err(syn::Error::new_spanned(key, message));
+                }
+                "rayleigh" if lagrangian => {
+                    input.parse::<Token![=]>()?;
+                    options.rayleigh = Some(input.parse()?);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                "structure" if energy && !contact => {
+                "structure" if energy && !contact && !lagrangian => {
                     input.parse::<Token![=]>()?;
                     options.structure = Some(StructureForm::new(input.parse()?));
                 }
@@ -110,13 +125,16 @@ impl Options {
                     return Err(syn::Error::new_spanned(key, message));
                 }
                 "keeps" if field => options.keeps = flow::keeps(input)?,
-                name @ ("name" | "q" | "p" | "s" | "t" | "x" | "attitude" | "m") if system && takes(form, name) => {
+                name @ ("name" | "q" | "p" | "v" | "s" | "t" | "x" | "attitude" | "m")
+                    if system && takes(form, name) =>
+                {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
                         "name" => options.name = Some(value),
                         "q" | "x" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
+                        "v" => options.roles.push((Role::Velocity, value)),
                         "s" => options.roles.push((Role::Action, value)),
                         "attitude" => options.roles.push((Role::Attitude, value)),
                         "m" => options.roles.push((Role::AngularMomentum, value)),
@@ -128,6 +146,7 @@ impl Options {
                         Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         Some(Form::Field) => FIELD,
+                        Some(Form::Lagrangian | Form::Herglotz) => LAGRANGIAN,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));
@@ -172,9 +191,11 @@ impl Options {
 /// Whether an attribute has a name for the struct or for an argument.
 fn takes(form: Option<Form>, name: &str) -> bool {
     match name {
-        "q" | "p" => form != Some(Form::Field),
-        "s" => form == Some(Form::Contact),
-        "x" => form != Some(Form::Contact),
+        "q" => form != Some(Form::Field),
+        "p" => !matches!(form, Some(Form::Field | Form::Lagrangian)),
+        "v" => form == Some(Form::Lagrangian),
+        "s" => matches!(form, Some(Form::Contact | Form::Lagrangian)),
+        "x" => !matches!(form, Some(Form::Contact | Form::Lagrangian)),
         "attitude" | "m" => form == Some(Form::Hamiltonian),
         _ => true,
     }

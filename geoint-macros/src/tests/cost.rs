@@ -55,6 +55,21 @@ fn the_gradient_of_the_double_pendulum_is_short() {
     assert!(operations.total() <= 65, "{operations:?}");
 }
 
+/// Of many unknowns, entries of matrices that are zero are written all at once.
+#[test]
+fn sparse_matrices_are_short() {
+    let item = quote! {
+        fn lattice(x: [f64; 20]) -> f64 {
+            x.iter().map(|x| x - x.ln() / 3.0).sum()
+        }
+    };
+    let structure = quote!(structure = |i, j| if j == i + 1 { x[i] * x[j] } else { 0.0 });
+    let text = expand::expand(Form::Hamiltonian, structure, item).to_string();
+    let entries = text.matches("jacobian [").count();
+    // Three diagonals, twice: for collocation and for discrete gradients.
+    assert_eq!(entries, 2 * (20 + 2 * 19));
+}
+
 /// Every `let` opens a scope inside of the one before, down to the end of its block: thousands of them overflow the stack of rustc
 /// where it writes debug information.
 #[test]

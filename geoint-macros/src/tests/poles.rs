@@ -104,3 +104,30 @@ fn no_poles() {
         assert_eq!(found(potential.clone()), Vec::<String>::new(), "{potential}");
     }
 }
+
+/// Where an energy is not defined, does a kick leave momenta that are not finite? Then the end of a step need not be tested.
+#[test]
+fn kicks_show_what_they_divide_by() {
+    let shows = |potential: TokenStream| {
+        let item = quote! {
+            fn f(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+                let [x, y] = q;
+                (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + #potential
+            }
+        };
+        crate::expand::expand(crate::parse::Form::Hamiltonian, TokenStream::new(), item)
+            .to_string()
+            .contains("KICKS_SHOW")
+    };
+    assert!(shows(quote!(k * x * x)));
+    assert!(shows(quote!(k / (x * x + y * y).sqrt())));
+    assert!(shows(quote!(k / (x * x + y * y).powi(6) - m / (x * x + y * y).powi(3))));
+    assert!(shows(quote!(k / (x + y).sqrt())));
+    // ∞·0.
+    assert!(shows(quote!((-k / (x * x)).exp())));
+    // The kick is k/x, for negative x too.
+    assert!(!shows(quote!(k * x.ln())));
+    assert!(!shows(quote!((x * y).sqrt() * (x * y).sqrt())));
+    // Not everywhere.
+    assert!(!shows(quote!(if y > 1.0 { k / x } else { 0.0 })));
+}

@@ -15,6 +15,7 @@ pub(super) fn big(x: f64, bits: usize) -> Big {
 fn constant(x: Number, bits: usize) -> Big {
     match x {
         Number::Exact(ratio) => big(ratio.numerator as f64, bits) / big(ratio.denominator as f64, bits),
+        Number::Root(c, r) => constant(Number::Exact(c), bits) * big(r as f64, bits).sqrt(),
         Number::Float(_) => big(x.to_f64(), bits),
     }
 }

@@ -82,8 +82,8 @@ impl Machine<'_> {
 fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T => 1,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => 2,
     }
 }
 
@@ -143,13 +143,13 @@ fn statements_mean_what_the_graph_means() {
 /// Everything that is derived for the iterations of implicit steps.
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
-        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => {
+        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies | Form::Lagrangian => {
             let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
             let structure = crate::analyze::structure(graph, energy, &shape);
             let gradient = diff::gradient(graph, energy, 1);
             vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]
         }
-        Form::Contact => [diff::contact::midpoint, diff::contact::discrete]
+        Form::Contact | Form::Herglotz => [diff::contact::midpoint, diff::contact::discrete]
             .map(|equation| {
                 let diff::contact::Equation { mut field, end } = equation(graph, energy, 1);
                 field.f.extend(end);
@@ -209,11 +209,11 @@ proptest! {
         let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&roots]);
         let input = |symbol: Symbol| match symbol {
             Symbol::Q(_) => point[0],
-            Symbol::P(_) => point[1],
+            Symbol::P(_) | Symbol::V(_) => point[1],
             Symbol::S => point[2],
             Symbol::Dq(_) => 0.3 * point[3],
             Symbol::Dp(_) => 0.3 * point[4],
-            Symbol::Ds => 0.3 * point[5],
+            Symbol::Ds | Symbol::Dv(_) => 0.3 * point[5],
             Symbol::T => point[6],
             Symbol::H | Symbol::G => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),

@@ -135,6 +135,13 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// The memory before the first step.
     fn memory() -> Self::Memory;
 
+    /// Whether a step does not end in a finite state where the energy is not defined.
+    #[inline(always)]
+    fn shows(prepared: &Self::Prepared) -> bool {
+        let _ = prepared;
+        false
+    }
+
     /// One step, in place. Every point at which the energy is evaluated is shown to `step.probe`.
     ///
     /// # Errors

@@ -30,12 +30,22 @@ pub fn exp2<R: Real>(a: R, b: R) -> R {
     a.max(b).exp2() * ((gap * R::from_f64(core::f64::consts::LN_2)).exp_m1() / gap)
 }
 
-/// ln[a, b] = log1p((M − m)/m)/(M − m), m the smaller and M the larger argument.
+/// ln[a, b] = log1p((M − m)/m)/(M − m), m the smaller and M the larger argument; near each other artanh(w)/(w c) with their
+/// mean c and w = (b − a)/2c.
 #[inline(always)]
 pub fn ln<R: Real>(a: R, b: R) -> R {
-    let m = a.min(b);
-    let t = (b - a).abs() / m + tiny();
-    t.ln_1p() / t * recip_positive(m)
+    let one = R::from_f64(1.0);
+    let (inverse, w) = apart(a, b);
+    let large = || {
+        let m = a.min(b);
+        let t = (b - a).abs() / m + tiny();
+        t.ln_1p() / t * recip_positive(m)
+    };
+    let small = |w: R| {
+        let square = w * w;
+        inverse * square.multiply_add(artanh(square), one)
+    };
+    either(w, NEAR, small, large)
 }
 
 /// ∂ln[a, b]/∂b = (1/b − ln[a, b])/(b − a).
@@ -43,13 +53,37 @@ pub fn ln<R: Real>(a: R, b: R) -> R {
 pub fn ln_derivative<R: Real>(a: R, b: R) -> R {
     let one = R::from_f64(1.0);
     let large = || (one / b - ln(a, b)) / away(b - a);
-    // With ln(a/b) = 2 artanh w.
+    // With ln(b/a) = 2 artanh w.
     let small = |w: R| {
         let square = w * w;
-        let sum = polynomial(square, series!(10, |k| 1.0 / (2 * k + 3) as f64));
-        R::from_f64(-0.5) * (one - w) * (one + (square - w) * sum) / (b * b)
+        R::from_f64(-0.5) * (one + w) * (square + w).multiply_add(artanh(square), one) / (b * b)
     };
-    either((a - b) / (a + b), 0.125, small, large)
+    either(apart(a, b).1, NEAR, small, large)
+}
+
+/// 1/c and w = (b − a)/2c with the mean c, of numbers of which the sum may overflow; not numbers where c is not positive.
+#[inline(always)]
+fn apart<R: Real>(a: R, b: R) -> (R, R) {
+    let half = R::from_f64(0.5);
+    let inverse = recip_positive(half * a + half * b);
+    (inverse, half * (b - a) * inverse)
+}
+
+/// Up to which w the series of artanh is taken.
+const NEAR: f64 = 0.125;
+
+/// (artanh(w)/w − 1)/w² = Σ w²ᵏ/(2k + 3), w² ≤ 1/64: common to both functions, so that it is computed once where both are. Pairs of terms
+/// side by side: Horner's rule is a chain twice as long.
+#[inline(always)]
+fn artanh<R: Real>(square: R) -> R {
+    let pair = |k: usize| {
+        let [first, second] = [0, 1].map(|i| R::from_f64(1.0 / (2 * (k + i) + 3) as f64));
+        second.multiply_add(square, first)
+    };
+    let fourth = square * square;
+    let eighth = fourth * fourth;
+    let (low, high) = (pair(2).multiply_add(fourth, pair(0)), pair(6).multiply_add(fourth, pair(4)));
+    pair(8).multiply_add(eighth, high).multiply_add(eighth, low)
 }
 
 /// (xʳ)[a, b] = M^r·(1 − (m/M)^r)/(M − m), based on m if r < 0; m is the smaller and M the larger argument, neither is

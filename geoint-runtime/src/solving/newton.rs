@@ -152,7 +152,8 @@ impl<A: Array> Newton<A> {
                 self.see(correction, corrections.last());
             }
             let verdict = corrections.judge::<A::Real>(correction);
-            let mut noise = || E::STANDSTILL.is_some() && self.is_noise(x, *equation, watch);
+            let mut noise =
+                || E::STANDSTILL.is_some() && self.is_noise((x, corrections.neighbourhood()), *equation, watch);
             if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
                 self.sizes.include(&origin, &x);
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
@@ -170,13 +171,13 @@ impl<A: Array> Newton<A> {
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
     #[inline(never)]
-    fn is_noise<W, E: StepEquation<A, W>>(&self, x: A, equation: E, watch: &mut W) -> bool {
+    fn is_noise<W, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
         let mut unused = A::fill(A::zero());
         let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin(), &x);
         let [n, kinds] = self.kinds;
-        let noise = noise::measure(&sizes, &x, |i| i / n % kinds, |x| Some(residual(x)));
+        let noise = noise::measure(&sizes, (&x, nearest), |i| i / n % kinds, |x| Some(residual(x)));
         // Here last: who watches has seen the solution last.
         noise::explains(&noise, &residual(&x), &sizes)
     }

@@ -39,6 +39,9 @@ const DISTANCES_PER_EPSILON: i32 = 8;
 /// Unknowns that are moved by more than this part of them are far away. Noise of less than so many ε of what the residual changes by is
 /// none of the point then.
 const NEAR: f64 = 1.0 / 16.0;
+
+/// Farther than this a function that is smooth may not look so.
+const MOST_NEAR: f64 = 1e-3;
 const GROWN: f64 = 8.0;
 
 /// Distances reach from the last digit of the unknowns to this power of 1/ε times it.
@@ -48,12 +51,14 @@ const REACH: i32 = 2;
 ///
 /// Zero where the residual is smooth at no distance: the digits of the unknowns do not resolve it, and nothing is known of its rounding.
 ///
+/// Nearer than `nearest`, relative to `sizes`, all points may have terms that are rounded alike, and the residual is as smooth as x.
+///
 /// Unknowns of the same `kind` have one unit: they are moved by as much as the largest of them. The residual is `None` where there is none.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
     sizes: &Sizes<A>,
-    x: &A,
+    (x, nearest): (&A, f64),
     kind: impl Fn(usize) -> usize,
     mut residual: impl FnMut(&A) -> Option<A>,
 ) -> A {
@@ -66,7 +71,7 @@ pub(crate) fn measure<A: Array>(
     }
     let growth = libm::pow(A::Real::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
     let (mut noise, mut smooth, mut resolved) = (A::zero(), A::fill(false), A::fill(false));
-    let mut distance = A::Real::epsilon();
+    let mut distance = if nearest <= MOST_NEAR { nearest.max(A::Real::epsilon()) } else { A::Real::epsilon() };
     let (smooth, resolved) = (A::entries(&mut smooth), A::entries(&mut resolved));
     'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
         let mut differences = [A::zero(); POINTS];

@@ -86,7 +86,7 @@ impl<A: Array> QuasiNewton<A> {
                     sizes.include(origin, &before);
                     // Positions, then momenta.
                     let kind = |i| i / (A::LEN / 2);
-                    *noise = noise::measure(&sizes, &before, kind, |x| {
+                    *noise = noise::measure(&sizes, (&before, corrections.neighbourhood()), kind, |x| {
                         let mut r = A::zero();
                         residual(x, &mut r, &mut matrix).is_ok().then_some(r)
                     });

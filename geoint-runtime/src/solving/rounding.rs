@@ -22,6 +22,11 @@ const ROUNDINGS: f64 = 64.0;
 /// the whole.
 const MOST_STUCK: u32 = 4;
 
+/// Rounding by which corrections do not shrink is seen at points that are farther apart than they are large, by this, and by the second
+/// factor more each time that it is not seen.
+const FARTHER: f64 = 16.0;
+const AND_FARTHER: f64 = 4.0;
+
 /// What a correction says of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
@@ -43,16 +48,31 @@ pub(crate) struct Corrections {
     before: f64,
     smallest: f64,
     stuck: u32,
+    /// Of the points at which rounding is looked for, in units of a correction.
+    distance: f64,
 }
 
 impl Corrections {
     pub(crate) fn of_order(order: i32) -> Self {
-        Corrections { order, iterations: 0, before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0 }
+        Corrections {
+            order,
+            iterations: 0,
+            before: f64::INFINITY,
+            smallest: f64::INFINITY,
+            stuck: 0,
+            distance: FARTHER,
+        }
     }
 
     /// Corrections that follow are relative to something else.
     pub(crate) fn restart(&mut self) {
-        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, ..*self };
+        let distance = AND_FARTHER * self.distance;
+        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, distance, ..*self };
+    }
+
+    /// Where rounding is looked for that keeps corrections from shrinking, relative to what they correct.
+    pub(crate) fn neighbourhood(&self) -> f64 {
+        self.distance * self.before
     }
 
     /// The last one, relative to what it corrects; infinite if there is none.

@@ -4,6 +4,30 @@ use super::VectorField;
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
+/// One or more functions of the coordinates that the flow of `S` keeps.
+///
+/// Points and increments are arrays of all coordinates: [q, p], or x. Tuples of two or three single invariants are invariants.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a set of invariants of `{S}`",
+    note = "`Energy` is one of every autonomous system whose divided differences are known"
+)]
+pub trait Invariants<S, R: Real = f64>: Copy
+where
+    S: VectorField<R>,
+{
+    /// One scalar an invariant: `R`, or an array.
+    type Values: Array<Real = R>;
+    /// Whether H is a function of the invariants.
+    const KEEP_ENERGY: bool = false;
+
+    /// What they change by between `x` and `x + d`. Write it without subtracting values where you can: what is lost in that
+    /// difference is added to the trajectory.
+    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> Self::Values;
+
+    /// The gradient of each.
+    fn gradients(&self, system: &S, x: &S::Phase) -> <Self::Values as Array>::Map<S::Phase>;
+}
+
 /// A field with first integrals: functions I(z) with f·∇I = 0.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to keep anything",
@@ -23,6 +47,24 @@ pub trait FirstIntegrals<R: Real = f64>: VectorField<R> {
     fn slopes(&self, t: R, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
     /// What they change by from z to z + dz, by divided differences: without cancellation.
     fn changes(&self, t: R, z: &Self::Phase, dz: &Self::Phase) -> Self::Values;
+}
+
+/// A flow that keeps an energy: H, or of a field what it keeps under that name, or keeps first.
+#[diagnostic::on_unimplemented(
+    message = "the flow of `{Self}` was not proven to keep the energy",
+    label = "there is nothing to project onto",
+    note = "an energy is not kept if it depends on time, or is damped",
+    note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`"
+)]
+pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// The energy as methods that project know it.
+    type Kept: Invariants<Self, R, Values = R> + Default;
+    /// Its value.
+    fn kept_energy(&self, t: R, z: &Self::Phase) -> R {
+        self.hamiltonian(t, z, &())
+    }
 }
 
 /// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the

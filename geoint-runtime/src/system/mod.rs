@@ -5,18 +5,23 @@
 
 mod bodies;
 mod contact;
+mod forms;
 mod implicit;
 mod integrals;
+mod lagrangian;
 mod modified;
 mod perturbed;
 mod poles;
 mod separable;
 mod rates;
+mod velocities;
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
-pub use integrals::{FirstIntegrals, FourthOrderField};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;
@@ -25,6 +30,8 @@ pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
+pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
 pub use crate::solving::{Inverse, Inverted};
 
@@ -175,7 +182,7 @@ pub trait Conservative<R: Real = f64>: Hamiltonian<R> + FourthOrderField<R> {
     message = "the flow of `{Self}` was not proven to keep the energy",
     label = "H depends on time, or is damped: there is nothing to project onto"
 )]
-pub trait Autonomous<R: Real = f64>: Conservative<R> {
+pub trait Autonomous<R: Real = f64>: Conservative<R> + KeepsEnergy<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
 }

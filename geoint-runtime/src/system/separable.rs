@@ -22,6 +22,8 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
     /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
     const KICKS_REPEAT: bool = false;
+    /// Whether a kick where the energy is not defined leaves momenta that are not finite.
+    const KICKS_SHOW: bool = false;
     /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not,
     /// [`drift_increments`](Separable::drift_increments) says what it adds.
     const DRIFTS_SHIFT: bool = true;

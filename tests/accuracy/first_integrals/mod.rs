@@ -5,6 +5,7 @@
 
 #![allow(clippy::excessive_precision, reason = "all digits of the reference solutions, rounded once")]
 
+mod recovered;
 mod splittings;
 mod systems;
 
@@ -45,20 +46,25 @@ where
         (x.iter().zip(end).map(|(x, end)| (x - end).abs()).fold(0.0, f64::max), changes)
     }
 
-    /// Compares errors in n, 2n, … steps with a row of the table, and integrals with rounding.
+    /// Compares errors in n, 2n, 4n steps with a row of the table, the order with that which the method claims, and integrals with
+    /// rounding.
     fn holds<M: Method<S> + Copy>(&self, method: M, row: &[f64]) {
-        for (k, expected) in row.iter().enumerate() {
+        let name = format!("{}, {}", self.name, method.name());
+        let errors = [0, 1, 2].map(|k| {
             let (error, changes) = self.run(method, self.steps << k);
-            assert!((error / expected - 1.0).abs() < 0.02, "{} {}: {error:.3e}, not {expected:.3e}", self.name, k);
-            for change in changes {
-                assert!(change <= 2e-14, "{} {k}: an integral moves by {change:e}", self.name);
+            if let Some(expected) = row.get(k) {
+                assert!((error / expected - 1.0).abs() < 0.02, "{name}, {k}: {error:.3e}, not {expected:.3e}");
             }
-        }
-        for pair in row.windows(2) {
-            let order = (pair[0] / pair[1]).log2();
-            let claimed = f64::from(method.claims().order);
-            assert!((order - claimed).abs() < 0.1, "{}: order {order}", self.name);
-        }
+            for change in changes {
+                assert!(change <= 2e-14, "{name}, {k}: an integral moves by {change:e}");
+            }
+            error
+        });
+        let claimed = f64::from(method.claims().order);
+        let [coarse, fine] = [0, 1].map(|k| (errors[k] / errors[k + 1]).log2() - claimed);
+        assert!(fine.abs() < 0.05, "{name}: order {:.3}", claimed + fine);
+        // Of longer steps the next term of the error is seen as well: then what is off falls to a quarter.
+        assert!(coarse.abs() < 0.05 || (3.0..5.0).contains(&(coarse / fine)), "{name}: {coarse:.3}, then {fine:.3}");
     }
 }
 

@@ -293,6 +293,72 @@ fn lorenz_by_planes() {
     LORENZ.splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&energy, None)]);
 }
 
+/// Four sites, none of whose planes has a flow in closed form.
+#[test]
+fn sites_by_planes() {
+    let (energy, norm) =
+        (WAVES.energy(), |x: &[f64; 8]| (0..4).map(|i| (1.0 + x[i] * x[i] + x[4 + i] * x[4 + i]).ln()).sum::<f64>());
+    WAVES.splits(PlanarSplitting, &[5.108e-4, 1.278e-4, 3.196e-5], &[(&energy, None), (&norm, Some(1.2e-4))]);
+}
+
+const CHARGE: Motion<Charge, 6> = Motion {
+    name: "charge",
+    system: Charge,
+    start: [0.5, -0.3, 0.2, 0.4, 0.7, -0.1],
+    time: 5.0,
+    end: [
+        -0.63772189560547351992,
+        0.61721232894004678030,
+        -0.19668686109139586141,
+        -0.53834266129082627439,
+        -0.36740455661945594058,
+        0.10259489007550804684,
+    ],
+    steps: 50,
+};
+
+/// Of the planes of a charge one is solved for; three turn, and so do all nine of heavy tops, or they are parabolas.
+#[test]
+fn more_than_three_coordinates_by_planes() {
+    let energy = CHARGE.energy();
+    CHARGE.splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&energy, None)]);
+    let length = |x: &[f64; 6]| x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+    let rows: [(&Motion<HeavyTop, 6>, &[f64], f64); 3] = [
+        (&LAGRANGE, &[2.251e-2, 5.634e-3, 1.409e-3], 6.12e-3),
+        (&KOVALEVSKAYA, &[3.461e-3, 8.677e-4, 2.171e-4], 2.16e-3),
+        (&GORYACHEV, &[3.419e-3, 8.550e-4, 2.138e-4], 3.08e-3),
+    ];
+    for (top, row, moves) in rows {
+        let energy = top.energy();
+        top.splits(PlanarSplitting, row, &[(&energy, None), (&length, Some(moves))]);
+    }
+}
+
+/// S is searched for: that of predators and of Volterra's lattice is the one that their energies have.
+#[test]
+fn fields_by_planes() {
+    /// The same motion of a field.
+    fn of<S, const N: usize>(motion: &Motion<impl Copy, N>, system: S) -> Motion<S, N> {
+        let Motion { name, start, time, end, steps, .. } = *motion;
+        Motion { name, system, start, time, end, steps }
+    }
+    let predators = of(&PREDATORS, Predators { a: 2.0, b: 1.0, c: 1.0 });
+    let wealth = PREDATORS.energy();
+    predators.splits(PlanarSplitting, &[7.339e-3, 1.838e-3, 4.597e-4], &[(&wealth, None)]);
+    predators.splits(PoissonSplitting, &[3.565e-3, 8.839e-4, 2.205e-4], &[(&wealth, Some(9.1e-3))]);
+    let sum = VOLTERRA.energy();
+    let volterra = of(&VOLTERRA, VolterraField);
+    volterra.splits(PlanarSplitting, &[9.265e-4, 2.317e-4, 5.793e-5], &[(&sum, None), (&odd, Some(3.6e-4))]);
+    volterra.splits(four!(PlanarSplitting), &[3.544e-8, 2.212e-9, 1.382e-10], &[(&sum, None), (&odd, Some(5.1e-8))]);
+    let charge = CHARGE.energy();
+    of(&CHARGE, ChargeField).splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&charge, None)]);
+    // Of many S, one with fewer planes.
+    let (euler, lorenz) = (EULER.energy(), LORENZ.energy());
+    let top = of(&EULER, EulerTop { a: 1.0, b: 2.0, c: 3.0 });
+    top.splits(PlanarSplitting, &[2.982e-4, 7.454e-5, 1.863e-5], &[(&euler, None)]);
+    of(&LORENZ, LorenzField { b: 4.0 }).splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&lorenz, None)]);
+}
+
 /// S of Lorenz's core has no Poisson bracket, and planes keep none.
 #[test]
 fn claims() {

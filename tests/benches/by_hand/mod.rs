@@ -4,9 +4,12 @@
 //! momenta are locals. Only the fractions of the splitting tables are taken from the runtime; nothing else is.
 
 pub(crate) mod double_pendulum;
+pub(crate) mod free_body;
+pub(crate) mod heavy_body;
 pub(crate) mod henon_heiles;
 mod increments;
 pub(crate) mod kepler;
+pub(crate) mod lotka_volterra;
 pub(crate) mod outer_solar_system;
 pub(crate) mod pendulum;
 pub(crate) mod perturbed_kepler;

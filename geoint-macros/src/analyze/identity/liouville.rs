@@ -5,7 +5,8 @@
 //! antiderivatives of terms, and what is put together is checked. Time and parameters are constants here.
 
 use super::multiplied::Sums;
-use super::{Identity, identity, sum_is_zero};
+use super::{Identity, Proof, identity, sum_is_zero};
+use crate::analyze::is_positive;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -14,15 +15,29 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 pub(crate) enum NoEnergy {
     /// ∂²H/∂x∂y would not be ∂²H/∂y∂x: what is known of the difference.
     NotCanonical([Symbol; 2], Identity),
-    /// The field has an energy, but this term has no antiderivative that is known here; or the field is too long.
-    NotElementary(Option<Id>),
+    /// The field is proven to have an energy, but this term has no antiderivative that is known here; or the field is too long.
+    NotElementary(Option<Id>, Proof),
+}
+
+/// What the antiderivative of 1/u is, where u is not known to be positive.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Logarithm {
+    /// ln u, for positive u alone.
+    OfNumber,
+    /// ln|u| as ln(u²)/2, wherever 1/u is defined.
+    OfMagnitude,
 }
 
 /// So many products of two terms for multiplying out what is integrated.
 const PRODUCTS: usize = 2_000;
 
-/// H with q' = ∂H/∂p and p' = −∂H/∂q, where `field` has q' and then p'; without a constant.
-pub(crate) fn energy(graph: &mut Graph, q: &[Symbol], p: &[Symbol], field: &[Id]) -> Result<Id, NoEnergy> {
+/// H with q' = ∂H/∂p and p' = −∂H/∂q, where `field` has q' and then p', and how that was proven; without a constant.
+pub(crate) fn energy(
+    graph: &mut Graph,
+    (q, p): (&[Symbol], &[Symbol]),
+    field: &[Id],
+    logarithm: Logarithm,
+) -> Result<(Id, Proof), NoEnergy> {
     // In the order in which is integrated: p first.
     let variables = [p, q].concat();
     let (by_p, by_q) = field.split_at(q.len());
@@ -31,12 +46,13 @@ pub(crate) fn energy(graph: &mut Graph, q: &[Symbol], p: &[Symbol], field: &[Id]
         slopes.push(graph.neg(*component));
     }
     let second = diff::jacobian(graph, &slopes, &variables);
+    let mut proof = Proof::Multiplied;
     for i in 0..variables.len() {
         for j in 0..i {
             let back = graph.neg(second[j][i]);
-            let verdict = sum_is_zero(graph, &[second[i][j], back]);
-            if !verdict.is_zero() {
-                return Err(NoEnergy::NotCanonical([variables[j], variables[i]], verdict));
+            match sum_is_zero(graph, &[second[i][j], back]) {
+                Identity::Zero(how) => proof = proof.weaker(how),
+                verdict => return Err(NoEnergy::NotCanonical([variables[j], variables[i]], verdict)),
             }
         }
     }
@@ -44,37 +60,47 @@ pub(crate) fn energy(graph: &mut Graph, q: &[Symbol], p: &[Symbol], field: &[Id]
     for (variable, slope) in variables.iter().zip(&slopes) {
         let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
         let rest = graph.sub(*slope, known);
+        if identity(graph, rest).is_zero() {
+            continue;
+        }
         // As it is written, or multiplied out.
         let written = crate::analyze::terms(graph, rest);
-        let integral = match sum_of_antiderivatives(graph, &written, *variable) {
+        let integral = match sum_of_antiderivatives(graph, &written, (*variable, logarithm)) {
             Ok(integral) => integral,
             Err(term) => {
-                let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(NoEnergy::NotElementary(Some(term)))?;
+                let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
+                let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(unknown(term))?;
                 let terms = sums.terms(graph, 0);
-                sum_of_antiderivatives(graph, &terms, *variable).map_err(|term| NoEnergy::NotElementary(Some(term)))?
+                sum_of_antiderivatives(graph, &terms, (*variable, logarithm)).map_err(unknown)?
             }
         };
         energy = graph.add(energy, integral);
     }
     let found = diff::jacobian(graph, &[energy], &variables).remove(0);
+    let mut exact = Proof::Multiplied;
     for (found, slope) in found.iter().zip(&slopes) {
         let back = graph.neg(*slope);
-        if !sum_is_zero(graph, &[*found, back]).is_zero() {
-            return Err(NoEnergy::NotElementary(None));
+        match sum_is_zero(graph, &[*found, back]) {
+            Identity::Zero(how) => exact = exact.weaker(how),
+            _ => return Err(NoEnergy::NotElementary(None, proof)),
         }
     }
-    Ok(energy)
+    Ok((energy, exact))
 }
 
+/// What is integrated over, and how reciprocals are.
+type By = (Symbol, Logarithm);
+
 /// ∫ Σ terms dx, or the first term that has none here.
-fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], x: Symbol) -> Result<Id, Id> {
-    let parts: Result<Vec<Id>, Id> = terms.iter().map(|term| antiderivative(graph, *term, x).ok_or(*term)).collect();
+fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> Result<Id, Id> {
+    let parts: Result<Vec<Id>, Id> = terms.iter().map(|term| antiderivative(graph, *term, by).ok_or(*term)).collect();
     parts.map(|parts| graph.sum(&parts))
 }
 
 /// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; or a power of x times an
 /// exponential or a wave.
-fn antiderivative(graph: &mut Graph, term: Id, x: Symbol) -> Option<Id> {
+fn antiderivative(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
+    let x = by.0;
     let (coefficient, rest) = graph.coefficient(term);
     let mut constant = graph.number(coefficient);
     let mut factors = vec![];
@@ -94,7 +120,7 @@ fn antiderivative(graph: &mut Graph, term: Id, x: Symbol) -> Option<Id> {
         let x = graph.symbol(x);
         return Some(graph.mul(constant, x));
     }
-    let integral = by_substitution(graph, &factors, x).or_else(|| by_parts(graph, &factors, x))?;
+    let integral = by_substitution(graph, &factors, by).or_else(|| by_parts(graph, &factors, by))?;
     Some(graph.mul(constant, integral))
 }
 
@@ -104,10 +130,10 @@ fn product(graph: &mut Graph, factors: &[(Id, Ratio)]) -> Id {
 }
 
 /// ∫ c·φ(u) u' dx = c·Φ(u), where φ(u) is one of the factors and c does not read x.
-fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id> {
+fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
     for k in 0..factors.len() {
         let (base, exponent) = factors[k];
-        let Some((inner, primitive)) = primitive(graph, base, exponent) else { continue };
+        let Some((inner, primitive)) = primitive(graph, (base, exponent), logarithm) else { continue };
         let others: Vec<(Id, Ratio)> = (0..factors.len()).filter(|i| *i != k).map(|i| factors[i]).collect();
         let others = product(graph, &others);
         let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
@@ -121,7 +147,8 @@ fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Opt
 }
 
 /// ∫ xⁿφ(u) dx = xⁿΦ(u)/u' − n/u' ∫ xⁿ⁻¹Φ(u) dx, where u' does not read x.
-fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id> {
+fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
+    let (x, logarithm) = by;
     let symbol = graph.symbol(x);
     let at = factors.iter().position(|(base, _)| *base == symbol)?;
     let [other] = factors.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, f)| *f).collect::<Vec<_>>()[..] else {
@@ -133,7 +160,7 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id>
     else {
         return None;
     };
-    let (inner, primitive) = primitive(graph, other.0, other.1)?;
+    let (inner, primitive) = primitive(graph, other, logarithm)?;
     let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
     if diff::jacobian(graph, &[slope], &[x])[0][0] != graph.zero() {
         return None;
@@ -144,12 +171,12 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], x: Symbol) -> Option<Id>
     let lower = graph.pow(symbol, Ratio::integer(i128::from(n) - 1));
     let lower = graph.mul(lower, primitive);
     let lower = graph.scale(Number::integer((-n).into()), lower);
-    let rest = antiderivative(graph, lower, x)?;
+    let rest = antiderivative(graph, lower, by)?;
     Some(graph.add(whole, rest))
 }
 
 /// For baseᵉ = φ(u): u, and Φ(u) with Φ' = φ.
-fn primitive(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<(Id, Id)> {
+fn primitive(graph: &mut Graph, (base, exponent): (Id, Ratio), logarithm: Logarithm) -> Option<(Id, Id)> {
     if let Node::Call(function, args) = graph.node(base).clone() {
         let u = args[0];
         let call = |graph: &mut Graph, function| graph.call(function, &[u]);
@@ -194,7 +221,12 @@ fn primitive(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<(Id, Id)> {
             let power = graph.pow(base, next);
             graph.scale(Number::Exact(reciprocal), power)
         }
-        None => graph.call(Function::Ln, &[base]),
+        None if logarithm == Logarithm::OfNumber || is_positive(graph, base) => graph.call(Function::Ln, &[base]),
+        None => {
+            let square = graph.pow(base, Ratio::integer(2));
+            let logarithm = graph.call(Function::Ln, &[square]);
+            graph.scale(Number::HALF, logarithm)
+        }
     };
     Some((base, value))
 }

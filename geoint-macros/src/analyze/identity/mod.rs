@@ -5,15 +5,6 @@
 //! either wrong, with a state at which it is not zero, or open: floating point tells which, and proves nothing.
 //!
 //! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
-#![cfg_attr(
-    not(test),
-    allow(
-        dead_code,
-        unused_imports,
-        reason = "claims, search and liouville are for the attributes of fields, which come next"
-    )
-)]
-
 pub(crate) mod claims;
 pub(crate) mod liouville;
 mod multiplied;
@@ -45,6 +36,17 @@ pub(crate) enum Proof {
     Multiplied,
     /// Evaluated over a finite field: wrong with the probability that the bound gives, were points drawn at random.
     Points(Bound),
+}
+
+impl Proof {
+    /// What two proofs are together.
+    pub(crate) fn weaker(self, other: Proof) -> Proof {
+        match (self, other) {
+            (Proof::Points(a), Proof::Points(b)) if a.bits <= b.bits => Proof::Points(a),
+            (proof, Proof::Multiplied) => proof,
+            (_, other) => other,
+        }
+    }
 }
 
 /// An identity that does not hold.

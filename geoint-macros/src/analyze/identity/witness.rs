@@ -62,6 +62,7 @@ fn states(symbols: &[Symbol]) -> impl Iterator<Item = State> + '_ {
 pub(super) fn is_rounded(number: Number) -> bool {
     match number {
         Number::Float(_) => true,
+        Number::Root(..) => false,
         Number::Exact(ratio) => ratio.denominator.count_ones() == 1 && ratio.denominator >= 1 << 30,
     }
 }
@@ -150,6 +151,6 @@ fn exact_function(function: Function, x: &[Ratio]) -> Option<Ratio> {
 fn ratio(number: Number) -> Option<Ratio> {
     match number {
         Number::Exact(ratio) => Some(ratio),
-        Number::Float(_) => None,
+        Number::Root(..) | Number::Float(_) => None,
     }
 }

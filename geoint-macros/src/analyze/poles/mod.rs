@@ -156,3 +156,8 @@ pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
         _ => false,
     }
 }
+
+/// Whether a node is positive by its form, whatever its symbols are.
+pub(crate) fn is_positive(graph: &Graph, node: Id) -> bool {
+    sign::signs(graph)[node.index()] == Sign::Positive
+}

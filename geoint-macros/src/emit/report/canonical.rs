@@ -33,10 +33,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     (system, gradient): (&System<Plan>, &Gradient),
 ) -> std::fmt::Result {
     let energy = context.energy;
-    let name_of = |role: Role| {
-        energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, a)| a.name.to_string()).unwrap_or_default()
-    };
-    let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
+    let (q, p) = (context.name_of(Role::Position), context.name_of(Role::Momentum));
     writeln!(text, "H = {}", printer.formula(structure.energy))?;
     for (symbols, slopes) in [(&q, &gradient.q), (&p, &gradient.p)] {
         for (i, slope) in slopes.iter().enumerate() {
@@ -200,7 +197,8 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 
     let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        discrete.push("`DiscreteGradient` keeps all of that, to rounding".into());
+        let fourth = if structure.damping.is_none() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
+        discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
     }
     if structure.switches {
         discrete.push(

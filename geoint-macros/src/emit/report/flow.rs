@@ -3,10 +3,12 @@
 use super::super::damping::coefficients;
 use super::super::kernel::Context;
 use super::counted;
-use crate::analyze::{Identity, Proof};
+use crate::analyze::Identity;
+use crate::check::wording::proven;
 use crate::derive::proof::{Integrals, Structure};
-use crate::derive::{Flow, Implicit, MOST_UNKNOWNS, Named, Origin, System};
-use crate::ir::{Graph, Symbol, print::Printer};
+use crate::derive::{Flow, Implicit, Liouville, MOST_UNKNOWNS, Named, Origin, Parted, System};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::parse::Form;
 use crate::schedule::Plan;
 use std::fmt::{Result as Written, Write};
 
@@ -15,8 +17,17 @@ use std::fmt::{Result as Written, Write};
 pub(crate) enum Source<'a> {
     /// S is skew.
     Structure(&'a Structure),
-    /// It was proven of each function.
-    Field(&'a Integrals),
+    /// It was proven of each function, or found.
+    Field(OfField<'a>),
+}
+
+/// What is known of a field.
+#[derive(Clone, Copy)]
+pub(crate) struct OfField<'a> {
+    pub(crate) proofs: &'a Integrals,
+    pub(crate) liouville: &'a Liouville,
+    /// S of the planes, if one is known.
+    pub(crate) parted: Option<&'a Parted>,
 }
 
 /// The report.
@@ -32,7 +43,7 @@ pub(crate) fn flow(
     let _ = equations(&mut text, context, &printer, flow)
         .and_then(|()| match source {
             Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
-            Source::Field(_) => Ok(()),
+            Source::Field(field) => super::field::of_field(&mut text, context, &printer, field),
         })
         .and_then(|()| kept(&mut text, &printer, flow, source))
         .and_then(|()| operations(&mut text, flow, system))
@@ -46,7 +57,7 @@ fn equations<F: Fn(Symbol) -> String>(
     printer: &Printer<'_, F>,
     flow: &Flow,
 ) -> Written {
-    if let Some((energy, _)) = &flow.energy {
+    if let Some((energy, _)) = flow.energy.as_ref().filter(|_| flow.form == Form::Structured) {
         writeln!(text, "H = {}", printer.formula(*energy))?;
     }
     (0..).zip(&flow.field).try_for_each(|(i, f)| {
@@ -64,10 +75,8 @@ fn of_structure<F: Fn(Symbol) -> String>(
     writeln!(text, "\nStructure")?;
     let name = |i: usize| context.user_name(Symbol::Q(i as u32));
     writeln!(text, "- x' = S ∇H with skew S")?;
-    for (i, row) in structure.matrix.iter().enumerate() {
-        for (j, entry) in row.iter().enumerate().skip(i + 1).filter(|(_, entry)| !printer.graph().is_zero(**entry)) {
-            writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(*entry))?;
-        }
+    for [i, j] in entries(printer.graph(), &structure.matrix) {
+        writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(structure.matrix[i][j]))?;
     }
     match &structure.poisson {
         Ok(()) => writeln!(text, "- a Poisson structure: Jacobi's identity holds"),
@@ -77,6 +86,12 @@ fn of_structure<F: Fn(Symbol) -> String>(
             writeln!(text, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
         }
     }
+}
+
+/// The indices i < j of all entries that are not zero.
+pub(super) fn entries(graph: &Graph, matrix: &[Vec<Id>]) -> Vec<[usize; 2]> {
+    let pairs = (0..matrix.len()).flat_map(|i| (i + 1..matrix.len()).map(move |j| [i, j]));
+    pairs.filter(|[i, j]| !graph.is_zero(matrix[*i][*j])).collect()
 }
 
 fn kept<F: Fn(Symbol) -> String>(
@@ -89,10 +104,11 @@ fn kept<F: Fn(Symbol) -> String>(
     for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
         let value = printer.excerpt(conserved.value);
         let word = match (origin, source) {
-            (Origin::Listed, Source::Field(found)) => how(found.kept[i].as_ref()),
+            (Origin::Listed, Source::Field(field)) => how(field.proofs.kept[i].as_ref()),
             (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
             (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
-            (Origin::Energy, _) => "kept, because S is skew".into(),
+            (Origin::Energy, Source::Structure(_)) => "kept, because S is skew".into(),
+            (Origin::Energy, Source::Field(_)) => "kept, the energy of the field".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
         let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };
@@ -116,11 +132,7 @@ fn kept<F: Fn(Symbol) -> String>(
 /// How it was proven that a function is kept.
 fn how(verdict: Option<&Identity>) -> String {
     match verdict {
-        Some(Identity::Zero(Proof::Multiplied)) => "kept, proven by multiplying out".into(),
-        Some(Identity::Zero(Proof::Points(bound))) => format!(
-            "kept, proven at {} points of finite fields: what is not kept passes with a probability of at most 2^-{}",
-            bound.points, bound.bits
-        ),
+        Some(Identity::Zero(proof)) => format!("kept, {}", proven(*proof, "kept")),
         _ => "assumed".into(),
     }
 }
@@ -153,12 +165,12 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
     }
     let list = |ids: Vec<&str>| ids.join(", ");
     let names = list(flow.kept.iter().map(|named| named.name.as_str()).collect());
-    match &flow.energy {
-        None => writeln!(text, "- `DiscreteGradient` and `FourthOrder` keep {names}, to rounding"),
-        Some(_) if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
+    match flow.form {
+        Form::Field => writeln!(text, "- `DiscreteGradient` and `FourthOrder` keep {names}, to rounding"),
+        _ if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
             writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
         }
-        Some(_) => writeln!(
+        _ => writeln!(
             text,
             "- `DiscreteGradient` keeps the energy to rounding, and every C of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
         ),

@@ -17,14 +17,16 @@ const LINE: Rule = Rule { name: "line", fields: "x' = w(x)·d with a constant d,
 const DISCRETE: Rule =
     Rule { name: "planar discrete gradient", fields: "S_ij ∇I in a plane, solved for: 2 unknowns, I kept, order 2" };
 
-/// With more coordinates than this, planes without a flow in closed form are not solved for: that costs more than one step of all.
-pub(crate) const MOST_COORDINATES: usize = 3;
+/// Not more planes than this are solved for: each has an equation of its own, which users pay for when they compile, and which a step
+/// solves twice.
+const MOST_SOLVED: usize = 12;
 
 /// The parts in the order of half a step: neighbours first where all flows are known, else as the entries of S are written.
 pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> Result<Vec<Part>, NoPart> {
     let n = structure.len();
     let slopes = diff::gradient(graph, integral, n as u32).q;
     let mut parts: Vec<([usize; 2], Part)> = vec![];
+    let mut open: Option<NoPart> = None;
     for i in 0..n {
         for j in i + 1..n {
             let s = structure[i][j];
@@ -44,20 +46,23 @@ pub(crate) fn planes(graph: &mut Graph, integral: Id, structure: &[Vec<Id>]) -> 
             let closed = solve(graph, &rates, clock).or_else(|| line(graph, pair, directions, (s, clock)));
             let (motion, rules) = match closed {
                 Some((ends, rules)) => (Motion::Closed(ends), rules),
-                None if n <= MOST_COORDINATES => {
-                    (Motion::Solved(pair, discrete(graph, integral, s, (pair, n))), vec![DISCRETE])
-                }
                 None => {
                     let slopes = diff::jacobian(graph, &rates.iter().map(|(_, rate)| *rate).collect::<Vec<_>>(), &pair);
                     let moves = |symbol: Symbol| pair.contains(&symbol);
                     let bent = slopes.iter().position(|row| row.iter().any(|slope| !is_free(graph, *slope, &moves)));
-                    return Err(NoPart { formula: bent.map_or(formula, |i| rates[i].1), pair: Some(pair) });
+                    let formula = bent.map_or(formula, |i| rates[i].1);
+                    open.get_or_insert(NoPart { formula, pair: Some(pair) });
+                    (Motion::Solved(pair, discrete(graph, integral, s, (pair, n))), vec![DISCRETE])
                 }
             };
             parts.push(([i, j], Part { formula, rules, clock, motion }));
         }
     }
-    if parts.iter().all(|(_, part)| matches!(part.motion, Motion::Closed(_))) {
+    let solved = parts.iter().filter(|(_, part)| matches!(part.motion, Motion::Solved(..))).count();
+    if let Some(open) = open.filter(|_| solved > MOST_SOLVED) {
+        return Err(open);
+    }
+    if solved == 0 {
         parts.sort_by_key(|([i, j], _)| (j - i, *i));
     }
     Ok(parts.into_iter().map(|(_, part)| part).collect())

@@ -63,16 +63,18 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
-        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
-        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -520,6 +522,10 @@ const _: () = {
             ModifiedEnergy::modified_energy(self, h, state)
         }
     }
+    impl<R: Real> Graded<R> for Spring {
+        type Proof = ();
+        type Gradient = ByTree;
+    }
     impl<R: Real> DiscreteField<R> for Spring {
         type Proof = ();
         type Parameters = [R; 0];
@@ -794,12 +800,22 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
+            let momenta = |z: &[[R; 1]; 2]| {
+                let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
             fourth_order::slope::<
                 false,
+                1,
                 _,
                 _,
-            >(self, parameters, start, d, image, matrix);
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
+    }
+    impl<R: Real> Collocated<R> for Spring {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Spring {
         type Proof = ();

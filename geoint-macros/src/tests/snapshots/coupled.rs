@@ -27,7 +27,7 @@ Conserved by the flow, at least
 - the energy
 
 Discrete gradients
-- `DiscreteGradient` keeps all of that, to rounding
+- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding
 - `MeanValue::<2>` is exact: Gauss points for a polynomial
 
 Operations (a sine with its cosine counts as two)
@@ -60,16 +60,18 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
-        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
-        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -77,7 +79,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -178,6 +180,10 @@ const _: () = {
             slopes[1][1] = q1;
         }
     }
+    impl<R: Real> KeepsEnergy<R> for Coupled {
+        type Proof = ();
+        type Kept = CanonicalEnergy;
+    }
     #[diagnostic::on_unimplemented(
         message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",
         label = "the term is: p[0]²·(q[0]² + 1)"
@@ -237,7 +243,7 @@ const _: () = {
     }
     #[diagnostic::on_unimplemented(
         message = "`Coupled`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
-        label = "the term is: p[0]²·(q[0]² + 1) + q[1]·p[1]"
+        label = "the term is: p[0]²·(q[0]² + 1)"
     )]
     pub trait PartedCoupled {
         type Proof;
@@ -288,6 +294,10 @@ const _: () = {
         ) {
             match *never {}
         }
+    }
+    impl<R: Real> Graded<R> for Coupled {
+        type Proof = ();
+        type Gradient = ByTree;
     }
     impl<R: Real> DiscreteField<R> for Coupled {
         type Proof = ();
@@ -457,8 +467,22 @@ const _: () = {
             image: &mut [[R; 2]; 2],
             matrix: &mut Square<[[R; 2]; 2]>,
         ) {
-            fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
+            let momenta = |z: &[[R; 2]; 2]| {
+                let mut slopes = [<[[R; 2]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
+            fourth_order::slope::<
+                true,
+                1,
+                _,
+                _,
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
+    }
+    impl<R: Real> Collocated<R> for Coupled {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Coupled {
         type Proof = ();

@@ -18,6 +18,15 @@ fn turning(x: [f64; 2], w: f64) -> [f64; 2] {
 x[0]' = -x[1]·w
 x[1]' = x[0]·w
 
+Divergence
+- div f = 0, proven by multiplying out
+- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts
+
+Structure
+- x' = S ∇I with I = x[0]² + x[1]² and skew S, found
+- {x[0], x[1]} = -w/2
+- a Poisson structure: Jacobi's identity holds
+
 Integrals
 - radius = x[0]² + x[1]²: kept, proven by multiplying out
 
@@ -31,8 +40,20 @@ Implicit steps
 - unknowns 2: Newton's iteration with elimination
 - `DiscreteGradient` and `FourthOrder` keep radius, to rounding
 
+Pieces of `PoissonSplitting`, in the order of half a step
+- x[0]², moves x[1]
+  single equations: x' = g(x), all else at rest
+  exact in time; sums and products 2
+- x[1]², moves x[0]
+  single equations: x' = g(x), all else at rest
+  exact in time; sums and products 2
+- a Poisson map: Casimirs are kept to rounding, the energy to the order
+
 Pieces of `PlanarSplitting`, in the order of half a step
-- none, because of x[0]² + x[1]²
+- the plane of x[0], x[1]
+  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow
+  exact in time; sums and products 6
+- the energy is kept to rounding, Casimirs to the order
 ```*/
 struct Turning<R = f64> {
     ///The parameter `w` of the energy.
@@ -54,16 +75,18 @@ struct Turning<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
-        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
-        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -71,7 +94,11 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PlanarSplitting`, in the order of half a step\n- none, because of x[0]² + x[1]²\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 6\n- the energy is kept to rounding, Casimirs to the order\n";
+        /// The energy of a state.
+        pub fn energy(&self, state: &FlowState<[f64; 2]>) -> f64 {
+            PhaseSpace::energy(self, state)
+        }
         /// x' at a state.
         pub fn field(&self, state: &FlowState<[f64; 2]>) -> [f64; 2] {
             let (t, z, ()) = Snapshot::parts(*state);
@@ -117,7 +144,19 @@ const _: () = {
         #[inline]
         fn hamiltonian(&self, t: R, z: &[R; 2], _: &()) -> R {
             let q = z;
-            R::from_f64(f64::NAN)
+            let (q1, k1, a0, q0, v0, v1, v2, v3, v4, v5, v6);
+            q1 = q[1];
+            k1 = R::from_f64(0.5);
+            a0 = self.w;
+            q0 = q[0];
+            v0 = q1 * q1;
+            v1 = k1 * a0;
+            v2 = q0 * q0;
+            v3 = v1 * v0;
+            v4 = -v3;
+            v5 = -v1;
+            v6 = v5.multiply_add(v2, v4);
+            v6
         }
         fn outside_domain(
             &self,
@@ -200,43 +239,249 @@ const _: () = {
             [v3]
         }
     }
-    #[diagnostic::on_unimplemented(
-        message = "`Turning`: a field is split into planes by S of x' = S(x) ∇I, which is not known here: write the system as `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`",
-        label = "the term is: x[0]² + x[1]²"
-    )]
-    pub trait InPlanesTurning {
-        type Proof;
-    }
-    impl<R: Real + InPlanesTurning> FlowPieces<PlanarSplitting, R> for Turning<R> {
-        const PIECES: &'static [FlowPiece] = &[];
-        type Proof = <R as InPlanesTurning>::Proof;
-        type Flows = ::core::convert::Infallible;
-        type Frozen = ();
-        fn prepare_flows(&self, _: R, _: R) -> ::core::convert::Infallible {
-            ::core::unreachable!()
+    impl<R: Real> KeepsEnergy<R> for Turning<R> {
+        type Proof = ();
+        type Kept = Integral<0>;
+        #[inline]
+        fn kept_energy(&self, t: R, z: &[R; 2]) -> R {
+            FirstIntegrals::integrals(self, t, z)[0]
         }
-        fn freeze(&self, _: &::core::convert::Infallible, _: R) {}
+    }
+    impl<R: Real> FlowPieces<PoissonSplitting, R> for Turning<R> {
+        const PIECES: &'static [FlowPiece] = &[
+            FlowPiece {
+                name: "x[0]²",
+                clock: PieceClock::Own,
+                solved: false,
+            },
+            FlowPiece {
+                name: "x[1]²",
+                clock: PieceClock::Own,
+                solved: false,
+            },
+        ];
+        const SYMPLECTIC: bool = true;
+        const CONSERVES_ENERGY: bool = false;
+        type Proof = ();
+        type Flows = ([R; 1], [R; 1]);
+        type Frozen = ([R; 0], [R; 0]);
+        #[inline]
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 1], [R; 1]) {
+            (
+                {
+                    let h = outer;
+                    let (a0, v0);
+                    a0 = self.w;
+                    v0 = a0 * h;
+                    [v0]
+                },
+                {
+                    let h = last;
+                    let (a0, v0, v1);
+                    a0 = self.w;
+                    v0 = a0 * h;
+                    v1 = -v0;
+                    [v1]
+                },
+            )
+        }
+        #[inline(always)]
+        fn freeze(&self, flows: &([R; 1], [R; 1]), t: R) -> ([R; 0], [R; 0]) {
+            (
+                {
+                    let prepared = &flows.0;
+                    []
+                },
+                {
+                    let prepared = &flows.1;
+                    []
+                },
+            )
+        }
+        #[inline(always)]
         fn flow(
             &self,
-            _: usize,
-            never: &::core::convert::Infallible,
-            _: &(),
-            _: R,
-            _: &mut [R; 2],
-            _: &mut (),
+            piece: usize,
+            flows: &([R; 1], [R; 1]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            z: &mut [R; 2],
+            s: &mut (),
         ) {
-            match *never {}
+            let q = z;
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let (prepared_0, q0, q1, v0);
+                    prepared_0 = prepared[0];
+                    q0 = q[0];
+                    q1 = q[1];
+                    v0 = prepared_0.multiply_add(q0, q1);
+                    q[1] = v0;
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let (prepared_0, q1, q0, v0);
+                    prepared_0 = prepared[0];
+                    q1 = q[1];
+                    q0 = q[0];
+                    v0 = prepared_0.multiply_add(q1, q0);
+                    q[0] = v0;
+                }
+                _ => {}
+            }
         }
+        #[inline(always)]
         fn increments(
             &self,
-            _: usize,
-            never: &::core::convert::Infallible,
-            _: &(),
-            _: R,
-            _: &PerCoordinate<[R; 2], ()>,
+            piece: usize,
+            flows: &([R; 1], [R; 1]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            x: &PerCoordinate<[R; 2], ()>,
         ) -> PerCoordinate<[R; 2], ()> {
-            match *never {}
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let (prepared_0, q0, v0);
+                    prepared_0 = prepared[0];
+                    q0 = q[0];
+                    v0 = prepared_0 * q0;
+                    d.z[1] = v0;
+                    d
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let (prepared_0, q1, v0);
+                    prepared_0 = prepared[0];
+                    q1 = q[1];
+                    v0 = prepared_0 * q1;
+                    d.z[0] = v0;
+                    d
+                }
+                _ => PerCoordinate::nothing(),
+            }
         }
+    }
+    impl<R: Real> FlowPieces<PlanarSplitting, R> for Turning<R> {
+        const PIECES: &'static [FlowPiece] = &[
+            FlowPiece {
+                name: "-x[1]·w",
+                clock: PieceClock::Own,
+                solved: false,
+            },
+        ];
+        const SYMPLECTIC: bool = false;
+        const CONSERVES_ENERGY: bool = true;
+        type Proof = ();
+        type Flows = ([R; 3],);
+        type Frozen = ([R; 0],);
+        #[inline]
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 3],) {
+            (
+                {
+                    let h = last;
+                    let (a0, v0, v1, v2, v3);
+                    a0 = self.w;
+                    v0 = a0 * h;
+                    (v1, v2) = v0.sin_cos();
+                    v3 = -v1;
+                    [v2, v3, v1]
+                },
+            )
+        }
+        #[inline(always)]
+        fn freeze(&self, flows: &([R; 3],), t: R) -> ([R; 0],) {
+            (
+                {
+                    let prepared = &flows.0;
+                    []
+                },
+            )
+        }
+        #[inline(always)]
+        fn flow(
+            &self,
+            piece: usize,
+            flows: &([R; 3],),
+            frozen: &([R; 0],),
+            t: R,
+            z: &mut [R; 2],
+            s: &mut (),
+        ) {
+            let q = z;
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let (prepared_0, q0, prepared_1, q1, prepared_2, v0, v1, v2, v3);
+                    prepared_0 = prepared[0];
+                    q0 = q[0];
+                    prepared_1 = prepared[1];
+                    q1 = q[1];
+                    prepared_2 = prepared[2];
+                    v0 = prepared_0 * q0;
+                    v1 = prepared_1.multiply_add(q1, v0);
+                    v2 = prepared_0 * q1;
+                    v3 = prepared_2.multiply_add(q0, v2);
+                    q[0] = v1;
+                    q[1] = v3;
+                }
+                _ => {}
+            }
+        }
+        #[inline(always)]
+        fn increments(
+            &self,
+            piece: usize,
+            flows: &([R; 3],),
+            frozen: &([R; 0],),
+            t: R,
+            x: &PerCoordinate<[R; 2], ()>,
+        ) -> PerCoordinate<[R; 2], ()> {
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let (
+                        prepared_0,
+                        q0,
+                        prepared_1,
+                        q1,
+                        prepared_2,
+                        v0,
+                        v1,
+                        v2,
+                        v3,
+                        v4,
+                        v5,
+                    );
+                    prepared_0 = prepared[0];
+                    q0 = q[0];
+                    prepared_1 = prepared[1];
+                    q1 = q[1];
+                    prepared_2 = prepared[2];
+                    v0 = prepared_0 * q0;
+                    v1 = v0 - q0;
+                    v2 = prepared_1.multiply_add(q1, v1);
+                    v3 = prepared_0 * q1;
+                    v4 = v3 - q1;
+                    v5 = prepared_2.multiply_add(q0, v4);
+                    d.z[0] = v2;
+                    d.z[1] = v5;
+                    d
+                }
+                _ => PerCoordinate::nothing(),
+            }
+        }
+    }
+    impl<R: Real> Graded<R> for Turning<R> {
+        type Proof = ();
+        type Gradient = ByTree;
     }
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();
@@ -595,6 +840,10 @@ const _: () = {
             matrix[1][0] = v41;
             matrix[1][1] = v43;
         }
+    }
+    impl<R: Real> Collocated<R> for Turning<R> {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Turning<R> {
         type Proof = ();

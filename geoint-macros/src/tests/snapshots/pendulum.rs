@@ -30,7 +30,7 @@ Conserved by the flow, at least
 - the energy
 
 Discrete gradients
-- `DiscreteGradient` keeps all of that, to rounding
+- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding
 - `MeanValue` has a closed form: it is `DiscreteGradient`
 
 Operations (a sine with its cosine counts as two)
@@ -73,16 +73,18 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, Integrator, Inverted, Mean, MechanicalContact, Method,
-        ModifiedEnergy, PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace,
-        PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot,
-        Square, State, canonical_rate, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -90,7 +92,7 @@ const _: () = {
     impl Pendulum {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` keeps all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
+        pub const REPORT: &'static str = "H = p²/(2·(m·l²)) - m·l·g·cos(q)\n∂H/∂q = m·l·g·sin(q)\n∂H/∂p = p/(m·l²)\n\nStructure\n- H = T(p) + V(q): kick and drift are exact flows\n- T = p²/(2·(m·l²))\n- V = -m·l·g·cos(q)\n- T is quadratic in p with a constant mass matrix\n- H is not a polynomial in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue` has a closed form: it is `DiscreteGradient`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 5, divisions and roots 1, functions 1\n- kick: sums and products 2, functions 1\n- drift: sums and products 2\n- stage of a Newton iteration of collocation: sums and products 2, functions 2\n- Newton iteration of the discrete gradient: sums and products 11, functions 4\n\nImplicit steps\n- `DiscreteGradient`, unknowns 1: Newton's iteration for one number\n\nSkipped\n- Newton's iteration in explicit methods: T and V have exact flows\n- half of the unknowns of implicit methods: T is quadratic\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<f64>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -202,9 +204,14 @@ const _: () = {
             slopes[1][0] = v6;
         }
     }
+    impl<R: Real> KeepsEnergy<R> for Pendulum<R> {
+        type Proof = ();
+        type Kept = CanonicalEnergy;
+    }
     impl<R: Real> Separable<R> for Pendulum<R> {
         type Proof = ();
         const KICKS_REPEAT: bool = true;
+        const KICKS_SHOW: bool = true;
         type Kick = [R; 1];
         type Drift = [R; 1];
         #[inline]
@@ -359,6 +366,10 @@ const _: () = {
         pub fn modified_energy(&self, h: f64, state: &State<f64>) -> f64 {
             ModifiedEnergy::modified_energy(self, h, state)
         }
+    }
+    impl<R: Real> Graded<R> for Pendulum<R> {
+        type Proof = ();
+        type Gradient = ByTree;
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
@@ -550,8 +561,22 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
-            fourth_order::slope::<true, _, _>(self, parameters, start, d, image, matrix);
+            let momenta = |z: &[[R; 1]; 2]| {
+                let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
+                let [q, p] = z;
+                slopes
+            };
+            fourth_order::slope::<
+                true,
+                1,
+                _,
+                _,
+            >(self, parameters, start, momenta, d, (image, matrix));
         }
+    }
+    impl<R: Real> Collocated<R> for Pendulum<R> {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {
         type Proof = ();

@@ -4,31 +4,8 @@ use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 use crate::space::vector::{dot, sum_of_products};
-use crate::system::{Autonomous, DiscreteField, FirstIntegrals};
-
-/// One or more functions of the coordinates that the flow of `S` keeps.
-///
-/// Points and increments are arrays of all coordinates: [q, p], or x. Tuples of two or three single invariants are invariants.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a set of invariants of `{S}`",
-    note = "`Energy` is one of every autonomous system whose divided differences are known"
-)]
-pub trait Invariants<S, R: Real = f64>: Copy
-where
-    S: crate::system::VectorField<R>,
-{
-    /// One scalar an invariant: `R`, or an array.
-    type Values: Array<Real = R>;
-    /// Whether H is a function of the invariants.
-    const KEEP_ENERGY: bool = false;
-
-    /// What they change by between `x` and `x + d`. Write it without subtracting values where you can: what is lost in that
-    /// difference is added to the trajectory.
-    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> Self::Values;
-
-    /// The gradient of each.
-    fn gradients(&self, system: &S, x: &S::Phase) -> <Self::Values as Array>::Map<S::Phase>;
-}
+pub use crate::system::Invariants;
+use crate::system::{DiscreteField, FirstIntegrals, Hamiltonian, KeepsEnergy};
 
 /// H itself.
 ///
@@ -37,9 +14,29 @@ where
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Energy;
 
-impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
+impl<S: KeepsEnergy<R>, R: Real> Invariants<S, R> for Energy {
     /// Where H is not kept, no type is known here: see [`Method::Proof`](crate::Method::Proof).
-    type Values = <<S as Autonomous<R>>::Proof as And<R>>::Both;
+    type Values = <<S as KeepsEnergy<R>>::Proof as And<R>>::Both;
+    const KEEP_ENERGY: bool = true;
+
+    #[inline]
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
+        S::Kept::default().changes(system, z, dz)
+    }
+
+    #[inline]
+    fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
+        S::Kept::default().gradients(system, z)
+    }
+}
+
+/// H(q, p) by the kernel of discrete gradients.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CanonicalEnergy;
+
+impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for CanonicalEnergy {
+    type Values = R;
     const KEEP_ENERGY: bool = true;
 
     #[inline]
@@ -68,7 +65,26 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real> Invariants<S, R> for Energy {
     }
 }
 
-/// A type that is known where those of all are.
+/// One of the first integrals of a system.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Integral<const INDEX: usize>;
+
+impl<S: FirstIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for Integral<INDEX> {
+    type Values = R;
+    const KEEP_ENERGY: bool = true;
+
+    #[inline]
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
+        system.changes(zero(), z, dz).as_slice()[INDEX]
+    }
+
+    #[inline]
+    fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
+        S::Values::entries_of(&system.slopes(zero(), z))[INDEX]
+    }
+}
+
 /// All first integrals that a system was proven to keep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Integrals;
@@ -91,6 +107,7 @@ where
     }
 }
 
+/// A type that is known where those of all are.
 macro_rules! known {
     ($last:ty;) => { $last };
     ($last:ty; $I:ident $($rest:ident)*) => { <$I::Values as And<known!($last; $($rest)*)>>::Both };

@@ -1,13 +1,13 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
-use crate::method::corrected::invariants::{Energy, Invariants};
+use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, scaled, sum};
 use crate::space::{Array, Compensated, Summation};
-use crate::system::{Autonomous, DiscreteField, Poles};
+use crate::system::{KeepsEnergy, Poles};
 use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
@@ -18,7 +18,7 @@ const ROUNDINGS: f64 = 4.0;
 
 /// A method whose steps are relaxed: `Relaxation(RK4)`.
 ///
-/// The energy is kept to rounding, with one factor γ = 1 + O(hᵖ⁻¹) a step. Time goes on by γh, so steps do not end at
+/// The energy is kept to rounding, or of a field the function that it keeps as `energy`, or names first; with one factor γ = 1 + O(hᵖ⁻¹) a step. Time goes on by γh, so steps do not end at
 /// multiples of h; at the time that the state says, the order is that of the method. Neither symmetric nor symplectic. Where
 /// the energy is almost straight along a step γ is not determined, and the step is refused.
 ///
@@ -43,8 +43,8 @@ pub struct Memory<M, A: Array> {
     sums: Compensated<A>,
 }
 
-impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
-    type Proof = <M::Proof as And<<S as Autonomous<R>>::Proof>>::Both;
+impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {
+    type Proof = <M::Proof as And<<S as KeepsEnergy<R>>::Proof>>::Both;
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = true;
@@ -78,11 +78,12 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
-        let mut gradient = Energy.gradients(system, &before);
-        let whole = Energy.changes(system, &before, &moved);
+        let energy = S::Kept::default();
+        let mut gradient = energy.gradients(system, &before);
+        let whole = energy.changes(system, &before, &moved);
         let secant = whole - dot(&gradient, &moved);
         // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
-        let terms = sizes.normalise(&mut gradient) + system.hamiltonian(t, &before, &()).abs();
+        let terms = sizes.normalise(&mut gradient) + system.kept_energy(t, &before).abs();
 
         // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
         // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
@@ -91,7 +92,7 @@ impl<S: DiscreteField<R> + Autonomous<R>, R: Real, M: Method<S, R>> Method<S, R>
         let value = |excess: R| {
             let gamma = R::from_f64(1.0) + excess;
             decided.set(scaled(gamma, &moved));
-            Energy.changes(system, &before, &decided.get()) / gamma
+            energy.changes(system, &before, &decided.get()) / gamma
         };
         let mut line = (zero(), whole, secant);
         let solution = correct(zero::<R>(), ROUNDINGS * R::epsilon(), |excess| {

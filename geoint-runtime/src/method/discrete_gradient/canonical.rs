@@ -1,11 +1,12 @@
 //! The mean velocity of order 4 of canonical systems, from the kernels of collocation and of discrete gradients.
 
+use super::columns::Projector;
 use super::energy::{Energy, Slope};
 use super::gonzalez::metric;
 use super::matrix::{Matrix, turned};
 use crate::method::Unwatched;
-use crate::scalar::{Real, zero};
-use crate::space::vector::{difference, dot, entries, moved, product, scaled, sum};
+use crate::scalar::Real;
+use crate::space::vector::{difference, entries, moved, scaled, sum};
 use crate::space::{Array, Square};
 use crate::system::{Collocation, Conservative, DiscreteField};
 
@@ -47,16 +48,20 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     Begun { t, z: *z, rate }
 }
 
-/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − Mḡ (ḡ·F)/(ḡ·Mḡ) for an `AUTONOMOUS` H, else F. Lengths of a correction need a metric M, because positions and momenta have different units: that of
+/// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − MG(GᵀMG)⁻¹GᵀF. The first column of G is the
+/// tree discrete gradient of an `AUTONOMOUS` H, the others are gradients of momenta in the middle of the step: `momenta` gives those, which
+/// are affine, at a point, behind an entry that is not read.
+///
+/// Lengths of a correction need a metric M, because positions and momenta have different units: that of
 /// [`Gonzalez`](super::Gonzalez), at the point c, with positions and momenta exchanged, which for an oscillator is its inverse.
 #[inline(always)]
-pub fn slope<const AUTONOMOUS: bool, S: DiscreteField<R> + Conservative<R>, R: Real>(
+pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
     &Begun { t, z, rate }: &Begun<S::Array>,
+    momenta: impl Fn(&S::Phase) -> [S::Phase; N],
     d: &S::Phase,
-    image: &mut S::Phase,
-    matrix: &mut Square<S::Phase>,
+    (image, matrix): (&mut S::Phase, &mut Square<S::Phase>),
 ) {
     let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
     let mut unwatched = Unwatched;
@@ -87,28 +92,30 @@ pub fn slope<const AUTONOMOUS: bool, S: DiscreteField<R> + Conservative<R>, R: R
     }
 
     let mut mean = velocity;
-    if AUTONOMOUS {
+    if AUTONOMOUS || N > 1 {
         let [of_q, of_p] = metric(h, &mut third);
-        let weights = [of_p, of_q];
-        let Slope { g, derivative: mut of_g } = energy.tree(&z, d);
-        let weighted = product(&weights, &g);
-        let square = dot(&g, &weighted);
+        let mut columns = momenta(&moved(&z, half, d));
+        let mut of_g = Matrix::zero();
+        if AUTONOMOUS {
+            let Slope { g, derivative } = energy.tree(&z, d);
+            (columns[0], of_g) = (g, derivative);
+        }
+        let projector = Projector::new([of_p, of_q], columns);
         // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
         // the tree discrete gradient.
-        if square == zero() || !system.same_sides(t, [&z, &end_of_step], [&(), &()]) {
-            mean = turned(&g);
+        if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {
+            mean = turned(&columns[0]);
             slope = turned_rows(&mut of_g);
         } else {
-            let excess = dot(&g, &velocity) / square;
-            mean = moved(&velocity, -excess, &weighted);
-            // ∂(ḡ·F)/∂d and ∂(ḡ·Mḡ)/∂d; what M adds is of the order of the excess.
-            let mut power = of_g.transpose_times(&moved(&velocity, -(excess + excess), &weighted));
-            power.add_scaled(one, &slope.transpose_times(&g));
-            let power = scaled(one / square, &power);
-            for (i, row) in slope.rows().iter_mut().enumerate() {
-                row.add_scaled(-excess * Array::as_slice(&weights)[i], &of_g.rows()[i]);
-                row.add_scaled(-Array::as_slice(&weighted)[i], &power);
-            }
+            let weights;
+            (mean, weights) = projector.projected(&velocity);
+            projector.derivative((&mut slope, &mean), (&mut of_g, &weights), |z| {
+                let (mut bent, constant) = (momenta(z), momenta(&<S::Phase>::zero()));
+                for (bent, constant) in bent.iter_mut().zip(&constant) {
+                    *bent = scaled(half, &difference(bent, constant));
+                }
+                bent
+            });
         }
     }
     *image = scaled(h, &mean);

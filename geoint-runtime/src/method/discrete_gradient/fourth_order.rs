@@ -12,7 +12,8 @@ use crate::system::{Conservative, DiscreteField};
 /// A step of order 4 that keeps what a symmetric method of order 2 keeps, in one solve.
 ///
 /// `FourthOrder(DiscreteGradient)` projects a mean velocity, x₁ = x₀ + h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of what is kept
-/// are the columns of G, and F = (f(x₀) + 4 f(c) + f(x₁))/6. It is for every energy without damping, and every field with first integrals; see
+/// are the columns of G, and F = (f(x₀) + 4 f(c) + f(x₁))/6. It is for every energy without damping, with the momenta that its report
+/// names, and every field with first integrals; see
 /// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
 /// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
 ///

@@ -211,6 +211,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
         Sequence::prepare(self, system, h)
     }
 
+    #[inline(always)]
+    fn shows(prepared: &Self::Prepared) -> bool {
+        O::SHOWS && prepared.last.is_some()
+    }
+
     fn memory() -> Self::Memory {
         LastKick { known: false, q: S::Array::zero(), impulse: S::Array::zero() }
     }

@@ -115,6 +115,8 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     /// Whether the outer flow adds to the momenta what positions alone decide.
     const REPEATS: bool;
+    /// Whether the outer flow, where the energy is not defined, leaves momenta that are not finite.
+    const SHOWS: bool;
     /// What it needs of the system; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Coefficients of an outer flow.
@@ -133,6 +135,7 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
     const REPEATS: bool = S::KICKS_REPEAT;
+    const SHOWS: bool = S::KICKS_SHOW;
     type Proof = F::Proof;
     type Outer = F::Kick;
     type Inner = S::Drift;
@@ -154,6 +157,7 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
     const REPEATS: bool = false;
+    const SHOWS: bool = false;
     type Proof = F::Proof;
     type Outer = S::Drift;
     type Inner = F::Kick;

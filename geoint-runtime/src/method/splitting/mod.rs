@@ -72,6 +72,10 @@ macro_rules! delegate {
                 let $this = self;
                 Method::prepare(&$table, system, h)
             }
+            #[inline(always)]
+            fn shows(prepared: &Self::Prepared) -> bool {
+                <$inner as Method<S, R>>::shows(prepared)
+            }
             fn memory() -> Self::Memory {
                 <$inner as Method<S, R>>::memory()
             }

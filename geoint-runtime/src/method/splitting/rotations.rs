@@ -39,6 +39,7 @@ impl Splitting<1, KickAndRotations> {
 
 impl<S: PrincipalAxes<R>, R: Real> Order<S, R> for KickAndRotations {
     const REPEATS: bool = S::KICKS_REPEAT;
+    const SHOWS: bool = false;
     type Proof = <S as PrincipalAxes<R>>::Proof;
     type Outer = S::Kick;
     type Inner = S::Drift;

@@ -7,9 +7,10 @@ use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
+use crate::space::Coordinates;
 use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf};
+use crate::system::{Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
 pub(super) use steps::STEPS_BETWEEN_LOOKS;
 use steps::Steps;
@@ -141,6 +142,15 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         S: FirstIntegrals<R>,
     {
         self.steps.system.integrals(self.time(), &self.steps.seen().z)
+    }
+
+    /// The velocities now, of a system that was written as a Lagrangian.
+    pub fn velocity(&self) -> S::Coordinates
+    where
+        S: Lagrangian<R>,
+    {
+        let Steps { system, x, .. } = &self.steps;
+        S::Coordinates::from_array(system.velocity(self.time(), &x.z, &self.action()))
     }
 
     /// The action now, if it is followed.

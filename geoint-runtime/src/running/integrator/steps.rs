@@ -164,11 +164,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        x.is_finite() && (M::shows(&self.prepared) || self.is_defined(steps, x))
+    }
+
+    #[inline(always)]
+    fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
         let (t, mut z) = (self.end(steps, x), x.z);
         if M::INNER {
             M::near(&self.prepared, &self.system, t, &mut z);
         }
-        x.is_finite() && self.system.outside_domain(t, &z, &x.s).is_none()
+        self.system.outside_domain(t, &z, &x.s).is_none()
     }
 
     /// From the point of a state to the one that the method moves, if it is not there yet.

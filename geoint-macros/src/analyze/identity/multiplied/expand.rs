@@ -3,7 +3,7 @@
 use super::atoms::{Atoms, Formula, Kind};
 use super::condition::{Assumptions, Comparison};
 use super::normal::{Atom, Normal, Powers, multiplied};
-use crate::ir::{Graph, HashMap, Id, Node, Number, Ratio, Relation};
+use crate::ir::{Graph, HashMap, Id, Node, Number, Ratio, Relation, factors_of_radicand};
 use std::rc::Rc;
 
 /// Why there is no normal form.
@@ -139,6 +139,13 @@ impl<'a> Expansion<'a> {
     fn constant(&mut self, value: Number) -> Normal {
         match value {
             Number::Exact(ratio) => Normal::number(ratio),
+            Number::Root(c, r) => {
+                let factors = factors_of_radicand(r).into_iter();
+                let mut powers: Powers =
+                    factors.map(|p| (self.atoms.of(Kind::Ratio(Ratio::integer(p.into()))), Ratio::HALF)).collect();
+                powers.sort_unstable();
+                Normal::term(powers, c)
+            }
             Number::Float(_) => {
                 let magnitude = self.atoms.of(Kind::Float(value.to_f64().abs().to_bits()));
                 let sign = if value.is_negative() { -1 } else { 1 };

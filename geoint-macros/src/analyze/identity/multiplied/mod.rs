@@ -48,12 +48,12 @@ impl Sums {
 
     /// The terms of one of the sums, as nodes.
     pub(super) fn terms(&self, graph: &mut Graph, sum: usize) -> Vec<Id> {
-        let term = |(powers, coefficient): (&Powers, Ratio)| Formula {
-            atoms: self.atoms.clone(),
-            normal: Normal::term(powers.clone(), coefficient),
-        };
-        let terms: Vec<Formula> = self.sums[sum].terms().map(term).collect();
-        terms.into_iter().map(|term| term.build(graph)).collect()
+        self.sums[sum].terms().map(|(powers, coefficient)| self.product(graph, powers, coefficient)).collect()
+    }
+
+    /// A number times powers of atoms, as a node.
+    pub(super) fn product(&self, graph: &mut Graph, powers: &Powers, coefficient: Ratio) -> Id {
+        Formula { atoms: self.atoms.clone(), normal: Normal::term(powers.clone(), coefficient) }.build(graph)
     }
 
     /// The symbol that an atom is, if it is one.

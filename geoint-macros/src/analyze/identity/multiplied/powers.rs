@@ -94,7 +94,7 @@ pub(super) fn magnitude(x: Ratio) -> Ratio {
 fn exact_power(x: Ratio, exponent: Ratio) -> Option<Ratio> {
     match Number::Exact(root(x, exponent.denominator)?).pow(Ratio::integer(exponent.numerator))? {
         Number::Exact(power) => Some(power),
-        Number::Float(_) => None,
+        Number::Root(..) | Number::Float(_) => None,
     }
 }
 

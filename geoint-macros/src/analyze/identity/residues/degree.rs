@@ -68,11 +68,11 @@ impl Plan<'_> {
             let of = |id: &Id| degrees[id.index()];
             let degree = match self.graph.node(*id) {
                 Node::Symbol(_) => unknown(self.arguments.power_of_symbol(*id) as f64),
-                Node::Number(Number::Float(_)) => unknown(1.0),
+                Node::Number(Number::Float(_) | Number::Root(..)) => unknown(1.0),
                 Node::Linear(_, terms) => {
                     terms.iter().fold(Degree::default(), |sum, (c, term)| {
                         // Numbers that are not exact are unknowns.
-                        let c = unknown(if matches!(c, Number::Float(_)) { 1.0 } else { 0.0 });
+                        let c = unknown(if matches!(c, Number::Exact(_)) { 0.0 } else { 1.0 });
                         sum.plus(c.times(of(term)))
                     })
                 }

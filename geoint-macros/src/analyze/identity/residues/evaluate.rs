@@ -3,7 +3,7 @@
 use super::arguments::Arguments;
 use super::choices::{Choices, Question};
 use super::prime::{Element, Prime};
-use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Relation, factors_of_radicand};
 
 /// What is evaluated.
 pub(super) struct Plan<'a> {
@@ -149,6 +149,15 @@ impl<'a> Evaluation<'a> {
     pub(super) fn constant(&self, value: Number) -> Result<Element, Halt> {
         match value {
             Number::Exact(ratio) => self.prime.ratio(ratio).ok_or(Halt::GiveUp),
+            // Which root of a prime it is does not matter: what holds for one holds for the other.
+            Number::Root(c, r) => {
+                let mut product = self.prime.ratio(c).ok_or(Halt::GiveUp)?;
+                for p in factors_of_radicand(r) {
+                    let p = self.prime.ratio(Ratio::integer(p.into())).ok_or(Halt::GiveUp)?;
+                    product = self.prime.product(product, self.prime.root(p).ok_or(Halt::Redraw)?);
+                }
+                Ok(product)
+            }
             Number::Float(_) => {
                 let size = self.unknown(FLOAT, &[], value.to_f64().abs().to_bits());
                 Ok(if value.is_negative() { self.prime.negative(size) } else { size })

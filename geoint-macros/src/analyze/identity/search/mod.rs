@@ -6,6 +6,7 @@
 
 mod multiplier;
 mod span;
+mod structure;
 
 use super::multiplied::{Atom, Normal, Powers, Sums, product_of_powers};
 use crate::analyze::equations::{Equations, Row};
@@ -13,6 +14,7 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 pub(crate) use multiplier::multiplier;
 use span::Span;
 use std::collections::{BTreeMap, BTreeSet};
+pub(crate) use structure::{Structure, structure};
 
 /// A function that is constant along all fields.
 #[derive(Clone, Debug, PartialEq, Eq)]

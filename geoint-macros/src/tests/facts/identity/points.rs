@@ -64,6 +64,27 @@ fn what_vanishes_for_one_choice_of_signs_only_is_not_proven() {
     }
 }
 
+/// Square roots of ratios are exact: that of 3 is not 1.7320508075688772.
+#[test]
+fn roots_of_numbers_are_roots() {
+    check! {
+        (3.0_f64).sqrt() * (3.0_f64).sqrt() * q - 3.0 * q, "zero";
+        ((3.0_f64).sqrt() * q + p) * ((3.0_f64).sqrt() * q - p) - 3.0 * q * q + p * p, "zero";
+        (1.0 + (2.0_f64).sqrt() * q) * (1.0 - (2.0_f64).sqrt() * q) - 1.0 + 2.0 * q * q, "zero";
+        (6.0_f64).sqrt() * q - (2.0_f64).sqrt() * (3.0_f64).sqrt() * q, "zero";
+        (12.0_f64).sqrt() * q - 2.0 * (3.0_f64).sqrt() * q, "zero";
+        q / (3.0_f64).sqrt() - (3.0_f64).sqrt() * q / 3.0, "zero";
+        ((0.75_f64).sqrt() * q + u.sin()).powi(2) - 0.75 * q * q - (3.0_f64).sqrt() * q * u.sin() - u.sin().powi(2), "zero";
+        // √3·q + √2·p and its conjugates.
+        ((3.0_f64).sqrt() * q + (2.0_f64).sqrt() * p).powi(8) * ((3.0_f64).sqrt() * q - (2.0_f64).sqrt() * p).powi(8)
+            - (3.0 * q * q - 2.0 * p * p).powi(8), "zero";
+        // False by one sign, or in the last digits.
+        (3.0_f64).sqrt() * (3.0_f64).sqrt() * q + 3.0 * q, "wrong";
+        (6.0_f64).sqrt() * q + (2.0_f64).sqrt() * (3.0_f64).sqrt() * q, "wrong";
+        ((3.0_f64).sqrt() * q + (2.0_f64).sqrt() * p).powi(2) - 3.0 * q * q - 2.0 * p * p + 2.0 * (6.0_f64).sqrt() * q * p, "wrong";
+    }
+}
+
 #[test]
 fn factors_of_signs_that_vanish_almost_always_are_seen() {
     // Zero unless q, p, u and v are all negative: for one of sixteen combinations it is not.
@@ -128,9 +149,9 @@ fn decimals_are_as_they_are_written() {
         (0.1 * q).exp().powi(3) - (0.3 * q).exp(), "zero";
         (0.1 * q + 0.2 * p).sin() - (0.1 * q).sin() * (0.2 * p).cos() - (0.1 * q).cos() * (0.2 * p).sin(), "points";
         1e-20 * q * q, "wrong";
-        // A root of a number is rounded when it is written.
-        3.0_f64.sqrt() * 3.0_f64.sqrt() - 3.0, "relation";
-        (3.0_f64.sqrt() * q) * (3.0_f64.sqrt() * p) - 3.0 * q * p, "relation";
+        // A cube root of a number is rounded when it is written.
+        3.0_f64.cbrt().powi(3) * q - 3.0 * q, "relation";
+        (3.0_f64.sqrt() * q) * (3.0_f64.sqrt() * p) - 3.0 * q * p, "zero";
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::systems::{Lowered, fields};
 use super::{arrays, coordinates};
-use crate::analyze::claims::{dependent, is_casimir, is_kept};
-use crate::analyze::search::{Kept, kept_along, multiplier};
+use crate::analyze::claims::{dependent, is_casimir, is_gradient_form, is_kept, is_poisson, is_skew};
+use crate::analyze::search::{self, Kept, kept_along, multiplier, structure};
 use crate::ir::Ratio;
 use quote::quote;
 
@@ -102,6 +102,55 @@ fn multipliers_of_jacobi_are_products_of_powers() {
     assert_eq!(found(2, quote!([x[1], -x[0] - x[0].powi(3) - x[1] / 10.0])), None);
     // x' = x² y, y' = x y³ has μ = x⁻²y⁻³, and others.
     assert_eq!(found(2, quote!([2.0 * x[0] * x[1], -3.0 * x[1] * x[1]])).map(|a| a.len()), Some(2));
+}
+
+/// A skew matrix with S∇I = f from f and its first integral: whether it is the only one, whether its bracket is one of Poisson, and in
+/// how many planes.
+#[test]
+fn structures_are_found() {
+    let expected = [
+        ("Lotka–Volterra", Some((true, true, 1))),
+        ("Euler top", Some((false, true, 2))),
+        ("Lorenz core", Some((false, false, 3))),
+        ("Volterra lattice", Some((false, true, 4))),
+        ("ring", Some((false, false, 2))),
+        ("epidemic", Some((false, true, 2))),
+        ("Lagrange top", Some((false, false, 6))),
+        ("Kovalevskaya top", Some((false, false, 5))),
+        ("Goryachev top", Some((false, false, 5))),
+        ("Toda", Some((true, true, 6))),
+        ("vortices", Some((false, true, 4))),
+        // S is the sum that ∇I is divided by, and no quotient of terms.
+        ("Ablowitz–Ladik", None),
+        ("charge", Some((false, true, 4))),
+        ("three waves", Some((true, true, 3))),
+    ];
+    for (field, (name, expected)) in fields().into_iter().zip(expected) {
+        assert_eq!(field.name, name);
+        let Lowered { mut graph, x, field: f, integrals, .. } = field.lowered();
+        let found = structure(&mut graph, &x, &f, integrals[0]).map(|found| {
+            assert!(is_gradient_form(&mut graph, &x, &found.matrix, integrals[0], &f).is_ok(), "{name}");
+            assert!(is_skew(&mut graph, &found.matrix).is_ok(), "{name}");
+            let poisson = is_poisson(&mut graph, &x, &found.matrix).is_ok();
+            let entries = found.matrix.iter().flatten().filter(|entry| !graph.is_zero(**entry)).count();
+            (found.unique, poisson, entries / 2)
+        });
+        assert_eq!(found, expected, "{name}");
+    }
+}
+
+/// An integral that is linear in a coordinate, of a field that is no polynomial.
+#[test]
+fn structures_have_one_row_where_an_integral_is_linear() {
+    let field = quote!([x[1].sin(), (x[0] * x[2]).cos(), -x[1].sin() - x[1] * (x[0] * x[2]).cos()]);
+    let integral = quote!([x[0] + x[1] * x[1] / 2.0 + x[2]]);
+    let (mut graph, found) = arrays(3, &quote!(), &[&field, &integral]);
+    let x = coordinates(3);
+    let structure = structure(&mut graph, &x, &found[0], found[1][0]).expect("one row");
+    assert!(is_gradient_form(&mut graph, &x, &structure.matrix, found[1][0], &found[0]).is_ok());
+    // What is no integral has none.
+    let x0 = graph.symbol(x[0]);
+    assert_eq!(search::structure(&mut graph, &x, &found[0], x0), None);
 }
 
 #[test]

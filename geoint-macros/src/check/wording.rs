@@ -1,0 +1,57 @@
+//! Identities in words.
+
+use crate::analyze::{Identity, Proof, Remainder, Value, Witness};
+use crate::ir::{Id, Ratio, Symbol, print::Printer};
+
+/// How something was proven, which otherwise would be `wrong`.
+pub(crate) fn proven(proof: Proof, wrong: &str) -> String {
+    match proof {
+        Proof::Multiplied => "proven by multiplying out".into(),
+        Proof::Points(bound) => format!(
+            "proven at {} points of finite fields: what is not {wrong} passes with a probability of at most 2^-{}",
+            bound.points, bound.bits
+        ),
+    }
+}
+
+/// " where a < b and not c = d", or nothing.
+pub(crate) fn in_case<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, case: &[(Id, bool)]) -> String {
+    let condition = |(id, holds): &(Id, bool)| format!("{}{}", if *holds { "" } else { "not " }, printer.excerpt(*id));
+    let conditions: Vec<String> = case.iter().map(condition).collect();
+    if conditions.is_empty() { String::new() } else { format!(" where {}", conditions.join(" and ")) }
+}
+
+/// " is 2·x", what remains of what is not zero; or a state, and what it is there.
+pub(crate) fn remains<F: Fn(Symbol) -> String>(
+    printer: &Printer<'_, F>,
+    rest: Option<&Remainder>,
+    witness: &Witness,
+) -> String {
+    match rest {
+        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => format!(" is {}", at_witness(printer, witness)),
+    }
+}
+
+/// "3 where x = 1, y = 2".
+pub(crate) fn at_witness<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, witness: &Witness) -> String {
+    let symbol = |(symbol, value): &(Symbol, Ratio)| format!("{} = {}", printer.named(*symbol), ratio(*value));
+    let state: Vec<String> = witness.state.iter().map(symbol).collect();
+    let value = match witness.value {
+        Value::Exact(value) => ratio(value),
+        Value::Near(value) => format!("{value:.3e}"),
+    };
+    if state.is_empty() { value } else { format!("{value} where {}", state.join(", ")) }
+}
+
+fn ratio(Ratio { numerator, denominator }: Ratio) -> String {
+    if denominator == 1 { numerator.to_string() } else { format!("{numerator}/{denominator}") }
+}
+
+/// What remains of what was not decided.
+pub(crate) fn open<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, verdict: &Identity) -> String {
+    match verdict.rest() {
+        Some(Remainder { rest, case, .. }) => format!("{}: {}", in_case(printer, case), printer.excerpt(*rest)),
+        None => String::new(),
+    }
+}

@@ -1,0 +1,115 @@
+//! What the divergence of a field says, and which structure was found, in words.
+
+use super::super::kernel::Context;
+use super::flow::{OfField, entries};
+use crate::analyze::Identity;
+use crate::analyze::liouville::NoEnergy;
+use crate::check::wording::{at_witness, open, proven};
+use crate::derive::{Liouville, Multiplier, Parted, Recovered};
+use crate::ir::{Symbol, print::Printer};
+use std::fmt::{Result as Written, Write};
+
+pub(super) fn of_field<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    OfField { liouville, parted, .. }: OfField<'_>,
+) -> Written {
+    divergence(text, printer, liouville)?;
+    match parted {
+        Some(parted @ Parted { unique: Some(_), .. }) => structure(text, context, printer, parted),
+        _ => Ok(()),
+    }
+}
+
+fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &Liouville) -> Written {
+    writeln!(text, "\nDivergence")?;
+    let (sum, verdict) = &found.divergence;
+    match verdict {
+        Identity::Zero(proof) => writeln!(text, "- div f = 0, {}", proven(*proof, "0"))?,
+        Identity::Wrong(wrong) => {
+            let value = at_witness(printer, &wrong.witness);
+            let formula = printer.excerpt(*sum);
+            let shown = if formula == value { String::new() } else { format!(": it is {value}") };
+            writeln!(text, "- div f = {formula}, not 0{shown}; no energy has this field")?;
+        }
+        Identity::Open(_) => {
+            writeln!(
+                text,
+                "- div f = {}, which was not proven to be 0{}",
+                printer.excerpt(*sum),
+                open(printer, verdict)
+            )?;
+        }
+    }
+    match &found.energy {
+        // That the divergence is not zero says it already.
+        Some(Err(NoEnergy::NotCanonical(..))) if !verdict.is_zero() => {}
+        Some(Err(NoEnergy::NotCanonical([a, b], verdict))) => {
+            let [a, b] = [a, b].map(|symbol| printer.named(*symbol));
+            let difference = format!("∂²H/∂{a}∂{b} − ∂²H/∂{b}∂{a}");
+            match verdict {
+                Identity::Wrong(wrong) => {
+                    let value = at_witness(printer, &wrong.witness);
+                    writeln!(text, "- no energy has this field: {difference} would be {value}")?;
+                }
+                _ => writeln!(
+                    text,
+                    "- not proven to be the field of an energy: {difference} was not proven to be 0{}",
+                    open(printer, verdict)
+                )?,
+            }
+        }
+        Some(Err(NoEnergy::NotElementary(term, proof))) => {
+            let why = term.map_or_else(
+                || "no antiderivative was found".into(),
+                |term| format!("no antiderivative is known here of {}", printer.excerpt(term)),
+            );
+            let proof = proven(*proof, "canonical");
+            writeln!(text, "- canonical, with an energy on each simply connected domain, {proof}; {why}")?;
+        }
+        Some(Ok(Recovered { energy, proof, everywhere })) => {
+            let energy = printer.formula(*energy);
+            let proof = proven(*proof, "canonical");
+            if *everywhere {
+                writeln!(
+                    text,
+                    "- canonical, H = {energy}, {proof}: write it with `#[hamiltonian]` for kicks and drifts"
+                )?;
+            } else {
+                writeln!(
+                    text,
+                    "- canonical, H = {energy} on a simply connected domain, {proof}; not kept, because the field is defined where H is not"
+                )?;
+            }
+        }
+        None => {}
+    }
+    if let Some(Multiplier { value, energy }) = &found.multiplier {
+        writeln!(text, "- Jacobi's multiplier: div(μf) = 0 with μ = {}", printer.excerpt(*value))?;
+        if let Some(energy) = energy {
+            let energy = printer.formula(*energy);
+            writeln!(text, "- f = J ∇H/μ with H = {energy}, on a simply connected domain")?;
+        }
+    }
+    Ok(())
+}
+
+/// S that was searched for.
+fn structure<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    Parted { integral, matrix, poisson, unique }: &Parted,
+) -> Written {
+    let alone = if *unique == Some(true) { "" } else { ", one of many" };
+    writeln!(text, "\nStructure")?;
+    writeln!(text, "- x' = S ∇I with I = {} and skew S, found{alone}", printer.excerpt(*integral))?;
+    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
+    for [i, j] in entries(printer.graph(), matrix) {
+        writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j]))?;
+    }
+    let word =
+        if *poisson { "a Poisson structure: Jacobi's identity holds" } else { "not proven to be a Poisson structure" };
+    writeln!(text, "- {word}")
+}

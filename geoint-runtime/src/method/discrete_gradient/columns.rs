@@ -1,0 +1,111 @@
+//! Projection of a mean velocity onto what has no product with some columns, in a metric: v = F − MG(GᵀMG)⁻¹GᵀF.
+
+use super::matrix::Matrix;
+use crate::scalar::{Real, zero};
+use crate::slope::recip_above;
+use crate::space::Array;
+use crate::space::vector::{dot, moved, product, scaled};
+
+/// Columns orthogonal in the metric, by Gram and Schmidt, that span what the given ones do.
+pub(super) struct Projector<A: Array, const N: usize> {
+    metric: [A; 2],
+    orthogonal: [[A; 2]; N],
+    /// Each times the metric.
+    weighted: [[A; 2]; N],
+    /// 1/(w·Mw) of each; zero for one that depends on those before it, or of which the metric sees nothing: it takes no part.
+    reciprocals: [A::Real; N],
+    /// column = orthogonal + Σ coefficient·(orthogonal before it).
+    coefficients: [[A::Real; N]; N],
+}
+
+impl<A: Array, const N: usize> Projector<A, N> {
+    #[inline(always)]
+    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N]) -> Self {
+        let none = zero::<A::Real>();
+        let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
+        let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
+        for a in 0..N {
+            // Twice, because rounding leaves something of columns that are almost parallel.
+            for _ in 0..if a == 0 { 0 } else { 2 } {
+                for b in 0..a {
+                    let coefficient = dot(&orthogonal[a], &weighted[b]) * reciprocals[b];
+                    orthogonal[a] = moved(&orthogonal[a], -coefficient, &orthogonal[b]);
+                    coefficients[a][b] += coefficient;
+                }
+            }
+            weighted[a] = product(&metric, &orthogonal[a]);
+            let square = dot(&orthogonal[a], &weighted[a]);
+            reciprocals[a] = if a > 0 {
+                recip_above(square, dot(&columns[a], &product(&metric, &columns[a])))
+            } else if square == none {
+                none
+            } else {
+                A::Real::from_f64(1.0) / square
+            };
+        }
+        Projector { metric, orthogonal, weighted, reciprocals, coefficients }
+    }
+
+    /// Whether the metric sees nothing of the first column.
+    #[inline(always)]
+    pub(super) fn is_without_first(&self) -> bool {
+        self.reciprocals[0] == zero()
+    }
+
+    /// F − MGλ, and λ of the orthogonal columns.
+    #[inline(always)]
+    pub(super) fn projected(&self, velocity: &[A; 2]) -> ([A; 2], [A::Real; N]) {
+        let (mut mean, mut weights) = (*velocity, [zero(); N]);
+        for a in 0..N {
+            weights[a] = dot(&self.orthogonal[a], velocity) * self.reciprocals[a];
+            mean = moved(&mean, -weights[a], &self.weighted[a]);
+        }
+        (mean, weights)
+    }
+
+    /// The derivative of v by d from that of F, of Gᵀdv = −dGᵀv and dv + MG dλ = dF − M dG λ: with `of_first` for the derivative of the
+    /// first column, and symmetric ones of the others as functions of a vector. What M adds is of the order of λ.
+    #[inline(always)]
+    pub(super) fn derivative(
+        &self,
+        (slope, v): (&mut Matrix<A>, &[A; 2]),
+        (of_first, weights): (&mut Matrix<A>, &[A::Real; N]),
+        of_others: impl Fn(&[A; 2]) -> [[A; 2]; N],
+    ) {
+        let mut lambda = *weights;
+        for a in (0..N).rev() {
+            for later in a + 1..N {
+                lambda[a] -= self.coefficients[later][a] * lambda[later];
+            }
+        }
+        for (i, row) in slope.rows().iter_mut().enumerate() {
+            let weight = Array::as_slice(&self.metric)[i];
+            row.add_scaled(-lambda[0] * weight, &of_first.rows()[i]);
+            if N > 1 {
+                let mut unit = <[A; 2]>::zero();
+                Array::as_mut_slice(&mut unit)[i] = A::Real::from_f64(1.0);
+                let bent = of_others(&unit);
+                for a in 1..N {
+                    row.add_scaled(-lambda[a] * weight, &bent[a]);
+                }
+            }
+        }
+        // −dGᵀv, and of orthogonal columns.
+        let mut products = if N > 1 { of_others(v) } else { [<[A; 2]>::zero(); N] };
+        products[0] = of_first.transpose_times(v);
+        for a in 0..N {
+            for b in 0..a {
+                products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
+            }
+        }
+        let powers: [[A; 2]; N] = core::array::from_fn(|a| {
+            let power = moved(&products[a], A::Real::from_f64(1.0), &slope.transpose_times(&self.orthogonal[a]));
+            scaled(self.reciprocals[a], &power)
+        });
+        for (i, row) in slope.rows().iter_mut().enumerate() {
+            for a in 0..N {
+                row.add_scaled(-Array::as_slice(&self.weighted[a])[i], &powers[a]);
+            }
+        }
+    }
+}
