@@ -70,7 +70,7 @@ impl Bodies<'_> {
     }
 
     /// Distances from body 0 along one direction: Q_i + R_{i−1} from positions, and in the same way from velocities.
-    fn from_first(&self, graph: &mut Graph, inner: &[Id]) -> (Vec<Id>, Id) {
+    fn offsets(&self, graph: &mut Graph, inner: &[Id]) -> (Vec<Id>, Id) {
         let (mut offsets, mut sum) = (vec![graph.zero()], graph.zero());
         for i in 1..self.count() {
             let offset = graph.add(inner[i], sum);
@@ -86,7 +86,7 @@ impl Bodies<'_> {
         let (mut offsets, mut first) = (vec![vec![]; self.count()], vec![]);
         for d in 0..self.dimensions {
             let inner: Vec<Id> = (0..self.count()).map(|i| self.symbol(graph, Symbol::Q, i, d)).collect();
-            let (along, sum) = self.from_first(graph, &inner);
+            let (along, sum) = self.offsets(graph, &inner);
             offsets.iter_mut().zip(along).for_each(|(offsets, along)| offsets.push(along));
             first.push(graph.sub(inner[0], sum));
         }
@@ -243,7 +243,7 @@ impl Bodies<'_> {
                 velocities.push(v);
             }
             for (inner, symbol) in [(positions, Symbol::Q as fn(u32) -> Symbol), (velocities, Symbol::P)] {
-                let (offsets, sum) = self.from_first(graph, &inner);
+                let (offsets, sum) = self.offsets(graph, &inner);
                 let first = graph.sub(inner[0], sum);
                 for body in 0..=last {
                     let value = graph.add(first, offsets[body]);
