@@ -27,7 +27,7 @@ fn without_links(page: &str) -> String {
 #[test]
 fn the_readme_has_the_tables_of_the_documentation() {
     let readme = read("README.md");
-    for page in ["which_method", "contact", "flows"] {
+    for page in ["which_method", "contact", "lagrangians", "flows"] {
         let text = without_links(&read(&format!("geoint-runtime/docs/{page}.md")));
         assert!(
             readme.contains(&text),

@@ -6,10 +6,11 @@ use crate::analyze::{self, Damping, Flaw, Identity, Remainder, Split, Structure,
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::legendre::{self, Legendre, NoFriction};
 use crate::lower::{Integral, Place};
-use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
-use crate::parse::{Energy, Requirement};
-use crate::split::Pieces;
+use crate::messages::{COUPLED, DAMPED, FULL_MASS, NOT_QUADRATIC};
+use crate::parse::{Energy, Form, Requirement, Role};
+use crate::split::{Division, NoExactPart, Pieces};
 use proc_macro2::Span;
 use std::collections::HashMap;
 use wording::{in_case, open, remains};
@@ -66,6 +67,111 @@ pub(crate) fn bodies(
     })
 }
 
+/// Reports a Lagrangian that has no energy here, and friction that is none.
+pub(crate) fn lagrangian(
+    energy: &Energy,
+    (found, friction): (std::result::Result<Legendre, legendre::Flaw>, std::result::Result<Option<Damped>, NoFriction>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<(Legendre, Option<Damped>)> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    let [q, v] = [Symbol::Q, Symbol::V].map(|kind| move |i: &u32| kind(*i));
+    let named = |symbol: Symbol| printer.named(symbol);
+    let velocities =
+        energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
+    match (energy.form, &friction) {
+        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.rayleigh, FRICTION_OF_ACTION),
+        (_, Err(NoFriction::Degree)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
+        (_, Err(NoFriction::AtRest(rest))) => {
+            errors.at(&energy.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
+        }
+        _ => {}
+    }
+    if let Err(flaw) = &found {
+        let all =
+            |velocities: &[u32]| velocities.iter().map(|i| format!("`{}`", named(v(i)))).collect::<Vec<_>>().join(", ");
+        let (message, term) = match flaw {
+            legendre::Flaw::Unread(i) => {
+                let [q, v] = [named(q(i)), named(v(i))];
+                let message = format!(
+                    "`{v}` is not read, so that `{q}` has no inertia, and ∂L/∂{q} = 0 is no differential equation: solve that for `{q}` and \
+                     put it in, or give it a mass"
+                );
+                (message, None)
+            }
+            legendre::Flaw::Linear(momenta) => {
+                let momenta: Vec<String> = momenta.iter().map(|momentum| printer.excerpt(*momentum)).collect();
+                let message = format!(
+                    "this Lagrangian is linear in the velocities, so that its equations are of first order: write them as \
+                     `#[hamiltonian(structure = …)]` of the energy −L at {} = 0; the momenta ∂L/∂v are {}",
+                    velocities.map(ToString::to_string).unwrap_or_default(),
+                    momenta.join(", ")
+                );
+                (message, None)
+            }
+            legendre::Flaw::LinearIn(i, momentum) => {
+                let message = format!(
+                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}",
+                    named(v(i)),
+                    printer.excerpt(*momentum)
+                );
+                (message, None)
+            }
+            legendre::Flaw::Singular(velocities) => {
+                let message = format!(
+                    "the mass matrix ∂²L/∂v² of {} is singular at every state, so that these velocities do not follow from momenta: some \
+                     combination of them has no inertia",
+                    all(velocities)
+                );
+                (message, None)
+            }
+            legendre::Flaw::NotClosed(velocities, of) => {
+                let message = format!(
+                    "no formula is known for {} as functions of their momenta; known are Lagrangians that are quadratic in velocities, and \
+                     A√(S + v·Cv), A|v|ⁿ, A eᵛ, A ln v and A cosh v, with terms that are linear: {}",
+                    all(velocities),
+                    printer.excerpt(*of)
+                );
+                (message, Some(*of))
+            }
+        };
+        match (term.and_then(|term| written(graph, places, term)), velocities) {
+            (Some(place), _) => errors.at_place(place, message),
+            (None, Some(velocities)) => errors.at(velocities, message),
+            (None, None) => errors.at(&energy.item.sig.ident, message),
+        }
+    }
+    let (Ok(legendre), Ok(friction)) = (found, friction) else {
+        return errors.or(()).map(|()| unreachable!("reported"));
+    };
+    errors.or((legendre, friction))
+}
+
+/// Reports friction that is none, and what is required of an energy that is not derived.
+pub(crate) fn velocities(
+    energy: &Energy,
+    (long, damping): (Id, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    for (_, span) in &energy.requirements {
+        let place = written(graph, places, long).unwrap_or((*span, *span));
+        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+    }
+    errors.or(())
+}
+
+/// The rows of a matrix of damping.
+type Damped = Vec<Vec<Id>>;
+
 /// Damping that is none.
 fn flaw_of_damping<F: Fn(Symbol) -> String>(
     energy: &Energy,
@@ -87,7 +193,7 @@ fn flaw_of_damping<F: Fn(Symbol) -> String>(
             ),
             Flaw::Indefinite => INDEFINITE.into(),
         };
-        errors.at(&energy.damping, message);
+        errors.at(&energy.damping.as_ref().or(energy.rayleigh.as_ref()), message);
     }
 }
 
@@ -108,24 +214,7 @@ pub(crate) fn pieces(
             let printer = Printer::new(graph, &name);
             errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
         }
-        let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
-        let missing = difference(graph, root, sum);
-        let verdict = analyze::identity(graph, missing);
-        let printer = Printer::new(graph, &name);
-        let wrong = matches!(verdict, Identity::Wrong(_));
-        let message = match verdict.rest() {
-            _ if verdict.is_zero() => None,
-            Some(Remainder { rest, certain, case }) => {
-                let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
-                let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
-                Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
-            }
-            None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
-            None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
-        };
-        if let Some(message) = message {
-            errors.at_place(whole(groups), message);
-        }
+        adds_up(root, groups, graph, &name, &mut errors);
     }
     if let Some(span) = energy.lift
         && let Some(term) = analyze::not_affine(graph, root)
@@ -135,6 +224,59 @@ pub(crate) fn pieces(
         errors.at_place(place, format!("{NO_LIFT}: {}", printer.excerpt(term)));
     }
     errors.or(())
+}
+
+/// Reports a part with an exact flow, and a rest, that were asked for and are not there.
+pub(crate) fn division(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Division,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let asked = match (groups, energy.inner) {
+        (Some(groups), _) => Some(whole(groups)),
+        (None, inner) => inner.map(|(_, span)| (span, span)),
+    };
+    if let (Some(asked), Err(NoExactPart { term, why })) = (asked, found) {
+        let group = groups.and_then(|groups| groups.iter().find(|(group, _)| group == term)).map(|(_, place)| *place);
+        let place = group.or_else(|| written(graph, places, *term)).unwrap_or(asked);
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
+    }
+    if let Some(groups) = groups {
+        adds_up(root, groups, graph, &name, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports what groups miss of the energy.
+fn adds_up(
+    root: Id,
+    groups: &[(Id, Place)],
+    graph: &mut Graph,
+    name: &impl Fn(Symbol) -> String,
+    errors: &mut Diagnostics,
+) {
+    let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+    let missing = difference(graph, root, sum);
+    let verdict = analyze::identity(graph, missing);
+    let printer = Printer::new(graph, name);
+    let wrong = matches!(verdict, Identity::Wrong(_));
+    let message = match verdict.rest() {
+        _ if verdict.is_zero() => None,
+        Some(Remainder { rest, certain, case }) => {
+            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+        }
+        None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+        None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+    };
+    if let Some(message) = message {
+        errors.at_place(whole(groups), message);
+    }
 }
 
 /// From the first group to the last.
@@ -253,6 +395,14 @@ const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to th
 
 const NO_LIFT: &str =
     "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";
+
+const FRICTION_OF_ACTION: &str =
+    "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
+
+const NOT_RAYLEIGH: &str = "Rayleigh's function has to be a quadratic form in the velocities, such as `c * v * v / 2.0`; its coefficients may \
+                            read positions, parameters and time";
+
+const NO_REST: &str = "Rayleigh's function has to be a quadratic form in the velocities, so that friction vanishes at rest, but there ∂R/∂v is";
 
 const INDEFINITE: &str = "damping takes energy away, but this matrix gives some at some velocity: write one that is positive \
                           semidefinite";

@@ -3,39 +3,89 @@
 use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::{OfField, Source};
+use crate::ir::Id;
+use crate::legendre::{self, Legendre, Route};
+use crate::lower::{self, Lowered};
 use crate::parse::{Energy, Form};
-use crate::{analyze, check, derive, emit, lower, split};
+use crate::{analyze, check, derive, emit, split};
 use proc_macro2::TokenStream;
 
 /// What is emitted beside the function.
 pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     match energy.form {
-        Form::Hamiltonian => hamiltonian(energy),
-        Form::Contact => contact_hamiltonian(energy),
+        Form::Hamiltonian => hamiltonian(energy, lower::body(energy)?, None),
+        Form::Contact => contact_hamiltonian(energy, lower::body(energy)?, None),
+        Form::Lagrangian | Form::Herglotz => lagrangian(energy),
         Form::Bodies => bodies(energy),
         Form::Structured => structured_hamiltonian(energy),
         Form::Field => vector_field(energy),
     }
 }
 
-/// H(q, p, t).
-fn hamiltonian(energy: &Energy) -> Result<TokenStream> {
+/// L(q, v, s, t): the energy that belongs to it.
+fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found =
+        legendre::transform(graph, lowered.energy, (energy.degrees(), energy.form.has_action()), &lowered.partial); // H, or why not
+    let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
+    let (legendre, damping) =
+        check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let root = match legendre.route {
+        Route::Energy(root, _) => root,
+        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long), damping),
+    };
+    lowered.energy = root;
+    lowered.partial.clone_from(&legendre.partial);
+    lowered.damping = damping;
+    match energy.form {
+        Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
+        _ => hamiltonian(energy, lowered, Some(&legendre)),
+    }
+}
+
+/// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
+fn velocities(
+    energy: &Energy,
+    mut lowered: Lowered,
+    (legendre, long): (&Legendre, Id),
+    damping: Option<Vec<Vec<Id>>>,
+) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let damping = analyze::damping(graph, damping);
+    check::velocities(energy, (long, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::velocities(graph, legendre, long, damping.as_ref()).of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::velocities(&context, graph, (legendre, long), (&system, damping.as_ref()));
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, t), of a Lagrangian if there is one.
+fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
     let structure = structure.damped(graph, lowered.damping);
-    let (derived, gradient) = derive::canonical(graph, &structure, &lowered.partial, energy.degrees()); // nodes for every method
+    let groups = lowered.groups.as_deref();
+    let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
+    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
+    check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
+        context.user_name(symbol)
+    })?;
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
     let report = emit::report::canonical(&context, graph, &structure, (&system, &gradient));
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }
 
-/// H(q, p, s, t).
-fn contact_hamiltonian(energy: &Energy) -> Result<TokenStream> {
-    let mut lowered = lower::body(energy)?;
+/// H(q, p, s, t), of a Lagrangian if there is one.
+fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
@@ -44,9 +94,11 @@ fn contact_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     let (derived, gradient) =
         derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);
     let graph = &*graph;
     let report = emit::report::contact(&context, graph, (root, &gradient), &system);
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }
 

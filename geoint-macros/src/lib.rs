@@ -12,6 +12,7 @@ mod analyze;
 mod diff;
 mod schedule;
 mod split;
+mod legendre;
 mod derive;
 mod check;
 mod emit;
@@ -81,6 +82,7 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
+/// - `coordinates = jacobi`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
 /// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
@@ -160,6 +162,48 @@ use proc_macro::TokenStream;
 /// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
+///
+/// # A part that is solved exactly
+///
+/// `WisdomHolman`, `Aba10_6_4`, `Perturbation(table)` and their like alternate the exact flow of a part A of the energy with kicks by the
+/// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
+///
+/// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
+/// - those of `split = "A | B"`, in the language of the body: A has to be a sum that `#[contact_hamiltonian]` knows the flow of, and that both
+///   add up to H is decided exactly;
+/// - with `coordinates = jacobi` Kepler's motion of each body about those before it in the array, and what is left. Masses are read off T,
+///   Σ |pᵢ|²/2mᵢ, and attractions off the terms −c/|qᵢ − qⱼ| of V; other terms of V may be any. An order of the bodies that is not that of
+///   their distances makes B large, not wrong.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A star and two planets; their attraction has a small correction.
+/// #[hamiltonian(coordinates = jacobi)]
+/// fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64, c: f64) -> f64 {
+///     let mut energy = 0.0;
+///     for i in 0..3 {
+///         energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
+///         for j in 0..i {
+///             let square = (q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2);
+///             energy -= g * m[i] * m[j] * (1.0 / square.sqrt() + c / square);
+///         }
+///     }
+///     energy
+/// }
+///
+/// let system = Planets { m: [1.0, 1e-3, 3e-4], g: 1.0, c: 1e-6 };
+/// let start = State::new([[0.0, 0.0], [1.0, 0.0], [-2.5, 0.0]], [[0.0, -8.1e-4], [0.0, 1e-3], [0.0, -1.9e-4]]);
+/// let mut sim = system.integrator(WisdomHolmanGradient, 0.3, start);
+/// let energy = sim.energy();
+/// sim.advance(10_000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-8);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// The state is what it is without: coordinates of Jacobi, and the way of a processor, are between the first step and the state that is
+/// looked at. A body whose mass is zero has no momentum that could be divided by it, and is refused (`StepError::OutsideDomain`); 1e-30 is
+/// none. An orbit that meets the body in its focus ends there (`StepError::NonFinite`).
 ///
 /// # Rigid bodies
 ///
@@ -362,6 +406,146 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
     expand::expand(parse::Form::Contact, args.into(), item.into()).into()
+}
+
+/// Makes an integrable system from a Lagrangian L(q, v) with the velocities v = q', or L(q, v, t), or L(q, v, s, t).
+///
+/// Its energy is H = p·v − L with p = ∂L/∂v. The state is (q, p), as under [`macro@hamiltonian`], or (q, p, s) with an argument `s`, as under
+/// [`macro@contact_hamiltonian`]. Where v follows from p by a formula that is not too long, all methods that are for H are for L; where it
+/// does not, steps are solved for velocities.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Two pendulums; q angles from below, v their rates.
+/// #[lagrangian]
+/// fn double_pendulum(q: [f64; 2], v: [f64; 2], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
+///     let x = [l[0] * v[0], l[1] * v[1]];
+///     let coupling = 2.0 * x[0] * x[1] * (q[0] - q[1]).cos();
+///     let kinetic = 0.5 * m[0] * x[0].powi(2) + 0.5 * m[1] * (x[0].powi(2) + x[1].powi(2) + coupling);
+///     kinetic + (m[0] + m[1]) * g * l[0] * q[0].cos() + m[1] * g * l[1] * q[1].cos()
+/// }
+///
+/// let system = DoublePendulum { m: [1.0, 0.6], l: [1.0, 0.8], g: 9.81 };
+/// // At rest, the lower one out of the vertical.
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, system.at([0.0, 1.4], [0.0, 0.0]));
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-12);
+/// println!("{:?} {:?}", sim.state().q, system.velocity(&sim.state()));
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Functions
+///
+/// - `system.at(q, v)` and `system.at_time(t, q, v)` are states; with an action `system.at(q, v, s)`, `system.at_time(t, q, v, s)`.
+/// - `system.momentum(t, q, v)` and `system.lagrangian(t, q, v)` are p and L, with `s` as a last argument where there is one.
+/// - `system.velocity(&state)`, or `sim.velocity()`, are v.
+/// - `system.energy(&state)` is H, which is T + V where L = T − V with a T that is quadratic in v, and else is not: `REPORT` says so.
+///
+/// # Which Lagrangians
+///
+/// The mass matrix M = ∂²L/∂v² must not be singular everywhere. Velocities that M couples, directly or by others, are a part. Of a part
+/// v follows from p in closed form where L is quadratic in v, by M = LDLᵀ without an inverse; and where L has linear terms and one of
+///
+/// - A√(S + v·Cv), such as −mc²√(1 − v·v/c²), or n√(1 + v·v) of light;
+/// - A|v|ⁿ of one velocity, A eᵛ, A ln v, A cosh v, with a multiple of v and a constant inside.
+///
+/// A and C, S and M may read positions, time and the action. M is freed of coordinates on which it does not depend: what is written in
+/// Cartesian coordinates, with sin² + cos² in it, is as good as what was simplified by hand. A pole of H is where M is singular, and no
+/// implicit step leads over it.
+///
+/// # Velocities as unknowns
+///
+/// H would be long where M couples three velocities or more and depends on positions, and has no formula for other functions of v. Then
+/// `ImplicitMidpoint` and `Gauss` are solved for the velocities of their stages: the same map with half of the unknowns, from the
+/// derivatives of L alone. `DiscreteGradient`, of an L that is quadratic in v, is the polarised one: with
+/// Λ(q) = ½v₀·M(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q) and its tree slopes Λ[q₀, q₁] in q,
+///
+/// q₁ − q₀ = h (v₀ + v₁)/2, p₁ − p₀ = h Λ[q₀, q₁], p = M(q)v + a(q) at both ends.
+///
+/// It keeps the energy to rounding for every h, and the momenta of coordinates that L does not read; of order 2 and symmetric, so that
+/// `Suzuki4` and others raise its order. Explicit Runge–Kutta methods solve for v wherever they evaluate L. An end of a step at which the
+/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`). With an action there is H, or
+/// nothing.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Masses on a chain of rods of length 1; q angles from below.
+/// #[lagrangian]
+/// fn chain(q: [f64; 4], v: [f64; 4], m: f64, g: f64) -> f64 {
+///     let (mut x, mut y, mut depth, mut sum) = (0.0, 0.0, 0.0, 0.0);
+///     for i in 0..4 {
+///         let (sin, cos) = q[i].sin_cos();
+///         x += v[i] * cos;
+///         y += v[i] * sin;
+///         depth += cos;
+///         sum += 0.5 * m * (x * x + y * y) + m * g * depth;
+///     }
+///     sum
+/// }
+///
+/// let system = Chain { m: 0.7, g: 9.81 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, system.at([0.5, 1.0, -0.5, 0.3], [0.0; 4]));
+/// let energy = sim.energy();
+/// sim.advance(500)?;
+/// assert!((sim.energy() - energy).abs() < 1e-12);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Friction
+///
+/// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the
+/// energy falls at the rate 2R, in a step of `DiscreteGradient` by what the mean velocity says, exactly.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A pendulum with friction in its joint.
+/// #[lagrangian(rayleigh = c * v * v / 2.0)]
+/// fn pendulum(q: f64, v: f64, m: f64, l: f64, g: f64, c: f64) -> f64 {
+///     m * l * l * v * v / 2.0 + m * g * l * q.cos()
+/// }
+///
+/// let system = Pendulum { m: 0.7, l: 1.2, g: 9.81, c: 0.2 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.1, system.at(1.0, 0.0));
+/// let energy = sim.energy();
+/// sim.advance(100)?;
+/// assert!(sim.energy() < energy);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Herglotz' principle
+///
+/// With an argument `s`, the action, s' = L(q, v, s, t), and the equations are d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v: those of the contact
+/// Hamiltonian p·v − L. A term −γs is friction.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A pendulum that is braked.
+/// #[lagrangian]
+/// fn braked(q: f64, v: f64, s: f64, m: f64, g: f64, gamma: f64) -> f64 {
+///     m * v * v / 2.0 + m * g * q.cos() - gamma * s
+/// }
+///
+/// let system = Braked { m: 0.7, g: 9.81, gamma: 0.2 };
+/// let mut sim = system.integrator(Suzuki4.of(ContactSplitting), 0.05, system.at(1.0, 0.0, 0.0));
+/// sim.advance(100)?;
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// # Arguments of the attribute
+///
+/// - `name = Type`: the name of the struct.
+/// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
+/// - `rayleigh = R`: see above.
+/// - `require(separable, quadratic_kinetic)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
+///   [`macro@hamiltonian`]; what is required is required of H.
+#[proc_macro_attribute]
+pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {
+    expand::expand(parse::Form::Lagrangian, args.into(), item.into()).into()
 }
 
 /// Makes a function one that energies may call: it is inlined, and differentiated with them.

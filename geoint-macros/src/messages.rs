@@ -28,6 +28,12 @@ pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a qua
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
+                                    kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
+                                        discrete gradient; use `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
@@ -43,3 +49,27 @@ pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the a
 
 pub(crate) const BODIES_COUPLED: &str = "this term couples the angular momenta of two bodies, so that the drift is not that of free \
                                          rigid bodies";
+
+pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each \
+                                        other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one";
+
+pub(crate) const NOT_A_KICK: &str =
+    "the second part of `split` has to be a kick, a function of positions and time alone, and this is none";
+
+pub(crate) const NOT_TWO_PARTS: &str = "`split = \"A | B\"` has two parts, the one with an exact flow first";
+
+pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
+    "no flow in closed form is known for the first part of `split`, which is to be solved exactly";
+
+pub(crate) const NOT_NYSTROM_EXACT: &str = "the part with an exact flow is not of degree 2 in the momenta with constant coefficients of \
+                                            their squares, so that a kick with a force gradient is none; use a table without, such as \
+                                            `Aba10_6_4`";
+
+pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` and `p` be arrays of vectors, one a body, as in \
+                                     `[Vector3<f64>; 6]` or `[[f64; 2]; 3]`";
+
+pub(crate) const NOT_ONE_MASS: &str =
+    "`coordinates` need one constant mass a body, T = Σ |pᵢ|²/2mᵢ, and this term is another one";
+
+pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, and here is no \
+                                        such term";

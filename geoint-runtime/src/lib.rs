@@ -22,7 +22,7 @@
 //! ```
 //!
 //! Next: [which method](#which-method) is for your problem, [the table of all methods](#methods), and
-//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), and
+//! [systems with friction, driving forces and heat](#dissipative-and-driven-systems), [Lagrangians](#lagrangians), and
 //! [differential equations with first integrals](#vector-fields-and-first-integrals).
 //!
 #![doc = include_str!("../docs/figures/outer_solar_system_energy.svg")]
@@ -34,6 +34,8 @@
 #![doc = include_str!("../docs/contact.md")]
 //!
 #![doc = include_str!("../docs/figures/contact_compared.svg")]
+//!
+#![doc = include_str!("../docs/lagrangians.md")]
 //!
 #![doc = include_str!("../docs/flows.md")]
 //!
@@ -144,7 +146,7 @@ pub mod running;
 #[doc(hidden)]
 pub mod private;
 
-pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, vector_field};
+pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
@@ -162,6 +164,8 @@ pub use method::explicit::{DOP853, ExplicitEuler, RK4, RungeKutta};
 pub use method::gauss::{Gauss, ImplicitMidpoint};
 #[doc(inline)]
 pub use method::kahan::Kahan;
+#[doc(inline)]
+pub use method::perturbed::Perturbation;
 #[doc(inline)]
 pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
 #[doc(inline)]
@@ -181,7 +185,8 @@ pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, Stat
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
-    Mechanical, ModifiedEnergy, PhaseSpace, Pieces, PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
+    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
+    QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -191,9 +196,10 @@ pub mod prelude {
         Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4,
-        Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint,
-        Trajectory, contact_hamiltonian, energy_function, hamiltonian, vector_field,
+        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
+        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
+        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
+        vector_field,
     };
 }
 

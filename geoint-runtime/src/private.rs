@@ -10,12 +10,16 @@ pub use crate::running::{Adaptive, Integrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
-pub use crate::space::{Array, BodyState, ContactState, FlowState, PerCoordinate, Snapshot, Square, State};
+pub use crate::space::{
+    Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
+};
 pub use crate::system::{
-    Autonomous, Clock as PieceClock, Collocation, Conformal as ConformalContact, Conservative,
-    Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient,
-    FourthOrderField, Hamiltonian, ImplicitStep, KeepsEnergy, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic,
-    Separable, VectorField as DifferentialEquation, canonical_rate,
+    Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
+    Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
+    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
+    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
+    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

@@ -80,7 +80,8 @@ macro_rules! geometry {
 }
 
 geometry! {
-    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom force_gradient cubic itoh_abe;
+    HenonHeiles, 0.2, general discrete_gradient projected relaxed separable nystrom force_gradient perturbed perturbed_gradient cubic itoh_abe;
+    Planets, 0.3, general perturbed perturbed_gradient;
     Relativistic, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected relaxed separable;
     DoublePendulum, 0.1, general discrete_gradient itoh_abe itoh_abe_one_way projected;
     Breathing, 0.1, general discrete_gradient separable;

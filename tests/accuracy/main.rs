@@ -1,5 +1,6 @@
 //! Is right: derivatives, orders, symplecticity, symmetry, clocks, and the tables behind them.
 
+mod kepler;
 mod language;
 mod derivatives;
 mod first_integrals;
@@ -7,6 +8,7 @@ mod slopes;
 mod tables;
 mod modified;
 mod orders;
+mod perturbed;
 mod corrected;
 mod geometry;
 mod discrete_gradients;

@@ -76,6 +76,9 @@ const CUBIC: usize = 8;
 const SEPARABLE: usize = 22;
 const NYSTROM: usize = 4;
 const FORCE_GRADIENT: usize = 9;
+const PERTURBED: usize = 8;
+const PERTURBED_GRADIENT: usize = 8;
+const PROCESSED: usize = 2;
 
 #[test]
 fn quadratic_kinetic_energy() {
@@ -87,10 +90,24 @@ fn quadratic_kinetic_energy() {
     methods::separable(&mut orders);
     methods::nystrom(&mut orders);
     methods::force_gradient(&mut orders);
+    methods::perturbed(&mut orders);
+    methods::perturbed_gradient(&mut orders);
+    methods::processed(&mut orders);
     methods::cubic(&mut orders);
     methods::itoh_abe(&mut orders);
     orders.finish(
-        GENERAL + DISCRETE_GRADIENT + PROJECTED + RELAXED + ITOH_ABE + SEPARABLE + NYSTROM + FORCE_GRADIENT + CUBIC,
+        GENERAL
+            + DISCRETE_GRADIENT
+            + PROJECTED
+            + RELAXED
+            + ITOH_ABE
+            + SEPARABLE
+            + NYSTROM
+            + FORCE_GRADIENT
+            + PERTURBED
+            + PERTURBED_GRADIENT
+            + PROCESSED
+            + CUBIC,
     );
 }
 

@@ -26,11 +26,15 @@ fn the_list_of_methods_is_complete() {
     methods::separable(&mut names);
     methods::nystrom(&mut names);
     methods::force_gradient(&mut names);
+    methods::perturbed(&mut names);
+    methods::perturbed_gradient(&mut names);
+    methods::processed(&mut names);
 
     let mut tables = 0;
     let sources = [
         include_str!("../../geoint-runtime/src/method/tables/composition.rs"),
         include_str!("../../geoint-runtime/src/method/tables/force_gradient.rs"),
+        include_str!("../../geoint-runtime/src/method/tables/near_integrable.rs"),
         include_str!("../../geoint-runtime/src/method/tables/nystrom.rs"),
         include_str!("../../geoint-runtime/src/method/tables/splitting.rs"),
     ];
@@ -47,7 +51,7 @@ fn the_list_of_methods_is_complete() {
             assert!(names.0.contains(method.as_str()), "{method} is not in the list of methods");
         }
     }
-    assert_eq!(tables, 24, "tables found in the source of the runtime");
+    assert_eq!(tables, 36, "tables found in the source of the runtime");
     for stages in 1..=6 {
         assert!(names.0.contains(format!("Gauss<{stages}>").as_str()));
     }
@@ -77,6 +81,9 @@ fn tests_walk_the_whole_catalogue() {
     catalogue::separable(&mut catalogued);
     catalogue::quadratic_kinetic(&mut catalogued);
     catalogue::force_gradient(&mut catalogued);
+    catalogue::perturbed(&mut catalogued);
+    catalogue::perturbed_gradient(&mut catalogued);
+    catalogue::processed(&mut catalogued);
     catalogue::discrete_gradient(&mut catalogued);
     catalogue::conservative(&mut catalogued);
     catalogue::autonomous(&mut catalogued);
@@ -85,6 +92,9 @@ fn tests_walk_the_whole_catalogue() {
     methods::separable(&mut walked);
     methods::nystrom(&mut walked);
     methods::force_gradient(&mut walked);
+    methods::perturbed(&mut walked);
+    methods::perturbed_gradient(&mut walked);
+    methods::processed(&mut walked);
     methods::discrete_gradient(&mut walked);
     methods::itoh_abe(&mut walked);
     methods::itoh_abe_one_way(&mut walked);

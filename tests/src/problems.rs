@@ -151,6 +151,25 @@ pub fn short_pendulum(q: f32, p: f32, m: f32, l: f32, g: f32) -> f32 {
     p * p / (2.0 * m * l * l) - m * g * l * q.cos()
 }
 
+/// A heavy body with two light ones, which move in Jacobi's coordinates where a method asks for that; and a force from outside.
+#[hamiltonian(coordinates = jacobi)]
+pub fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64, k: f64) -> f64 {
+    let mut energy = 0.0;
+    for i in 0..3 {
+        energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
+        for j in 0..i {
+            energy -= g * m[i] * m[j] / ((q[i][0] - q[j][0]).powi(2) + (q[i][1] - q[j][1]).powi(2)).sqrt();
+        }
+    }
+    energy + k * q[2][0] * q[0][1]
+}
+
+/// An oscillator that hardens, and is driven.
+#[hamiltonian]
+pub fn driven_duffing(q: f64, p: f64, t: f64, m: f64, k: f64, lambda: f64, omega: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0 + lambda * (q.powi(4) / 4.0 - q * (omega * t).cos())
+}
+
 /// An energy with parameters and a start, over any scalar.
 pub trait Problem {
     /// The system over another scalar.
@@ -275,6 +294,9 @@ problems! { t q p:
     toda Toda { m: [1.5, 0.7, 1.1], a: 1.2 } (q, p, m, a) at [0.2, -0.3, 0.4], [0.3, 0.5, -0.6];
     lotka_volterra LotkaVolterra { a: 1.3, b: 0.9, c: 1.6, d: 0.7 } (q, p, a, b, c, d) at [0.3], [-0.4];
     magnetic Magnetic { m: 1.3, b: 1.7, k: 0.4 } (q, p, m, b, k) at [0.5, -0.3, 0.4], [0.4, 0.6, -0.3];
+    planets Planets { m: [1.3, 0.02, 0.01], g: 1.1, k: 0.003 } (q, p, m, g, k)
+        at [0.1, -0.2, 1.0, 0.1, -1.9, 0.4], [0.01, -0.02, 0.003, 0.023, -0.001, -0.0085];
+    driven_duffing DrivenDuffing { m: 1.4, k: 1.7, lambda: 0.3, omega: 2.1 } (q, p, t, m, k, lambda, omega) at [0.6], [0.5];
     spherical Spherical { m: 1.4, v: 0.9 } (q, p, m, v) at [1.1, 1.0, 0.3], [0.2, -0.4, 0.7];
 }
 

@@ -8,14 +8,15 @@ use std::collections::BTreeSet;
 pub(crate) struct Reads {
     pub(crate) q: bool,
     pub(crate) p: bool,
+    pub(crate) v: bool,
     pub(crate) s: bool,
     pub(crate) t: bool,
 }
 
 impl Reads {
-    /// Whether a position, a momentum or the action is read.
+    /// Whether a position, a momentum, a velocity or the action is read.
     pub(crate) fn state(self) -> bool {
-        self.q || self.p || self.s
+        self.q || self.p || self.v || self.s
     }
 
     /// What reading a symbol is.
@@ -24,6 +25,7 @@ impl Reads {
         match symbol {
             Symbol::Q(_) | Symbol::Dq(_) => Reads { q: true, ..none },
             Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
+            Symbol::V(_) | Symbol::Dv(_) => Reads { v: true, ..none },
             Symbol::S | Symbol::Ds => Reads { s: true, ..none },
             Symbol::T => Reads { t: true, ..none },
             Symbol::Parameter(_) | Symbol::H | Symbol::G => none,
@@ -37,7 +39,13 @@ impl Reads {
 
     /// What one or the other reads.
     pub(crate) fn or(self, other: Reads) -> Reads {
-        Reads { q: self.q || other.q, p: self.p || other.p, s: self.s || other.s, t: self.t || other.t }
+        Reads {
+            q: self.q || other.q,
+            p: self.p || other.p,
+            v: self.v || other.v,
+            s: self.s || other.s,
+            t: self.t || other.t,
+        }
     }
 }
 

@@ -130,13 +130,29 @@ pub(crate) fn damping(graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Option<Dam
 
 /// Whether nodes are polynomials of a degree at most in x.
 pub(crate) fn is_polynomial(graph: &Graph, roots: &[Id], degree: u32) -> bool {
-    let degrees = Degrees::of(graph, Symbol::is_coordinate);
+    is_polynomial_in(graph, roots, degree, Symbol::is_coordinate)
+}
+
+/// Whether nodes are polynomials of a degree at most in some symbols.
+pub(crate) fn is_polynomial_in(graph: &Graph, roots: &[Id], degree: u32, counts: impl Fn(Symbol) -> bool) -> bool {
+    let degrees = Degrees::of(graph, counts);
     roots.iter().all(|root| degrees.get(*root).is_some_and(|d| d <= degree))
 }
 
 /// The terms of a sum, those of sums in it included.
 pub(crate) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
-    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| false);
+    terms_where(graph, root, |_| false)
+}
+
+/// The same, where a sum with a common factor is taken apart if it reads what `apart` asks for.
+pub(crate) fn terms_where(graph: &mut Graph, root: Id, apart: impl Fn(Reads) -> bool) -> Vec<Id> {
+    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, apart);
+    terms.into_iter().map(|term| term.build(graph)).collect()
+}
+
+/// The same with sums taken apart that have a common factor free of q and p.
+pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
+    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| true);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 

@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::perturbed;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
@@ -9,6 +10,7 @@ use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
+use crate::split::Division;
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
 /// more than the one direction that is needed of it: users do not pay for compiling another one.
@@ -18,6 +20,7 @@ const FEW: u32 = 3;
 pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
+    division: &Division,
     partial: &[Partial],
     degrees: u32,
 ) -> (System, Gradient) {
@@ -27,6 +30,10 @@ pub(crate) fn canonical(
         .damping
         .as_ref()
         .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
+    let perturbed = match drag {
+        Some(term) => Err(Missing { marker: "UndampedParts", term, why: DAMPED, pair: None }),
+        None => perturbed::kernels(graph, division, degrees),
+    };
     let separable = match (drag, &structure.split) {
         (Some(term), _) => Err(Missing { marker: "Undamped", term, why: DAMPED, pair: None }),
         (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
@@ -48,10 +55,12 @@ pub(crate) fn canonical(
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p].concat())),
         rate,
         splitting: Some(splitting),
+        perturbed: Some(perturbed),
         modified,
         pieces: vec![],
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
+        lagrangian: None,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),
@@ -72,12 +81,8 @@ fn kick_drift(
     partial: &[Partial],
 ) -> KickDrift<Kernel> {
     let degrees = gradient.q.len() as u32;
-    let h = graph.symbol(Symbol::H);
-    let [impulse, shift] = [(parts.potential, Number::MINUS_ONE), (parts.kinetic, Number::ONE)].map(|(part, sign)| {
-        let generator = graph.mul(h, part);
-        let generator = graph.scale(sign, generator);
-        diff::gradient(graph, generator, degrees)
-    });
+    let impulse = scaled_gradient(graph, parts.potential, Number::MINUS_ONE, degrees);
+    let shift = scaled_gradient(graph, parts.kinetic, Number::ONE, degrees);
     let kick = increments(graph, Symbol::P, &impulse.q);
     let drift = increments(graph, Symbol::Q, &shift.p);
     let gradient_kick = match parts.not_quadratic {
@@ -93,8 +98,20 @@ fn kick_drift(
     KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }
 
+/// What the flow of V adds to the momenta.
+pub(super) fn impulse(graph: &mut Graph, potential: Id, degrees: u32) -> Vec<Id> {
+    scaled_gradient(graph, potential, Number::MINUS_ONE, degrees).q
+}
+
+fn scaled_gradient(graph: &mut Graph, part: Id, sign: Number, degrees: u32) -> Gradient {
+    let h = graph.symbol(Symbol::H);
+    let generator = graph.mul(h, part);
+    let generator = graph.scale(sign, generator);
+    diff::gradient(graph, generator, degrees)
+}
+
 /// x ← x + increment. An increment is summed before it is added: x is rounded once.
-fn increments(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> FlowKernel {
+pub(super) fn increments(graph: &mut Graph, coordinate: fn(u32) -> Symbol, increments: &[Id]) -> FlowKernel {
     let mut ends = vec![];
     for (coordinate, increment) in (0..).map(coordinate).zip(increments) {
         if !graph.is_zero(*increment) {

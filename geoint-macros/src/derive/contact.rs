@@ -44,10 +44,12 @@ pub(crate) fn contact(
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
         rate,
         splitting: Some(splitting),
+        perturbed: None,
         modified,
         pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
         integrals: None,
+        lagrangian: None,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)

@@ -183,9 +183,11 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         slopes: None,
         rate: Some(Kernel::new(Levels::One, field.clone())),
         splitting: None,
+        perturbed: None,
         modified: None,
         pieces: vec![],
         integrals: integrals(graph, kept, n),
+        lagrangian: None,
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),

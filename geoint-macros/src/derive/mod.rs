@@ -8,11 +8,13 @@ mod domain;
 mod system;
 mod implicit;
 mod canonical;
+mod perturbed;
 mod contact;
 mod bodies;
 mod flow;
 mod parts;
 mod liouville;
+mod velocities;
 pub(crate) mod proof;
 
 pub(crate) use bodies::{Bodies, Turn, bodies};
@@ -23,8 +25,10 @@ pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use parts::{Parted, parts};
+pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
-    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Missing, Modified, PieceKernel, PiecesOf,
-    StepKernel, System, Undamped,
+    FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
+    PiecesOf, StepKernel, System, Undamped, VelocityKernels,
 };
+pub(crate) use velocities::velocities;

@@ -1,8 +1,10 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::{Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -19,6 +21,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) rate: Option<K>,
     /// Kick and drift; of energies in q and p.
     pub(crate) splitting: Option<Result<KickDrift<K>, Missing>>,
+    /// A part with an exact flow, and a rest that is a kick; of energies in q and p without an action.
+    pub(crate) perturbed: Option<Result<Perturbed<K>, Missing>>,
     /// The energy that symmetric steps of order 2 keep up to h⁴.
     pub(crate) modified: Option<Modified<K>>,
     /// The flows whose composition is a step, for each splitting.
@@ -28,6 +32,19 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) integrals: Option<Integrals<K>>,
     /// Where the energy is defined.
     pub(crate) domain: Domain<K>,
+    /// What velocities have to do with it, of a Lagrangian.
+    pub(crate) lagrangian: Option<Lagrangian<K>>,
+}
+
+/// From velocities to momenta, and back.
+#[derive(Debug)]
+pub(crate) struct Lagrangian<K = Kernel> {
+    /// L, as a function of velocities.
+    pub(crate) value: K,
+    /// ∂L/∂v.
+    pub(crate) momenta: K,
+    /// v, as a function of momenta, where that is known.
+    pub(crate) velocities: Option<K>,
 }
 
 /// What an energy lacks.
@@ -120,6 +137,21 @@ pub(crate) enum Implicit<K> {
     Field(FieldKernels<K>),
     /// Of each method by name.
     Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of a Lagrangian, for velocities.
+    Velocities(VelocityKernels<K>),
+}
+
+/// A Lagrangian by its derivatives.
+#[derive(Debug)]
+pub(crate) struct VelocityKernels<K> {
+    /// The increments of velocities, which are solved for.
+    pub(crate) increments: Vec<Symbol>,
+    /// ∂L/∂v and M.
+    pub(crate) mass: K,
+    /// ∂L/∂v and the force, with their derivatives by q and v; the force.
+    pub(crate) stage: K,
+    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    pub(crate) polarised: Result<K, Missing>,
 }
 
 /// Functions of x that a flow keeps, or whose change is known.
@@ -189,12 +221,27 @@ impl FlowKernel {
 }
 
 impl System {
+    /// The same with what a Lagrangian adds.
+    pub(crate) fn of_lagrangian(self, Legendre { lagrangian, momenta, route, .. }: &Legendre) -> System {
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let lagrangian = Lagrangian {
+            value: kernel(&[*lagrangian]),
+            momenta: kernel(momenta),
+            velocities: match route {
+                Route::Energy(_, velocities) => Some(kernel(velocities)),
+                Route::Velocities(_) => None,
+            },
+        };
+        System { lagrangian: Some(lagrangian), ..self }
+    }
+
     /// The statements of all kernels. After that nothing is added to the graph.
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
         System {
             proven: self.proven,
             splitting: self.splitting.map(|splitting| Ok(splitting?.map(&mut plan))),
+            perturbed: self.perturbed.map(|perturbed| Ok(perturbed?.map(&mut plan))),
             modified: self.modified.map(|modified| match modified {
                 Modified::Implicit => Modified::Implicit,
                 Modified::Value(value) => Modified::Value(plan(value)),
@@ -206,7 +253,14 @@ impl System {
             rate: self.rate.map(&mut plan),
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
+            lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
         }
+    }
+}
+
+impl<K> Lagrangian<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Lagrangian<L> {
+        Lagrangian { value: of(self.value), momenta: of(self.momenta), velocities: self.velocities.map(&mut *of) }
     }
 }
 
@@ -282,6 +336,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
+                let (mass, stage) = (of(mass), of(stage));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            }
             Implicit::Contact(steps) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })

@@ -25,7 +25,7 @@ pub(crate) struct Equation {
 pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation {
     let n = degrees as usize;
     let action = times_h(graph, energy);
-    let Gradient { q, p, s } = gradient(graph, action, degrees);
+    let Gradient { q, p, s, .. } = gradient(graph, action, degrees);
     let mut there = Substitution::new(middle);
     let slopes = [q, p, vec![s]].concat().into_iter().map(|slope| there.apply(graph, slope)).collect::<Vec<Id>>();
     let (along_q, along_p, along_s) = (&slopes[..n], &slopes[n..2 * n], slopes[2 * n]);
@@ -76,7 +76,7 @@ pub(crate) fn midpoint(graph: &mut Graph, energy: Id, degrees: u32) -> Equation 
 /// Φ = h (g_p, −g_q − p̄ g_s, p̄·g_p − H φ₁(−h g_s)) with H at x.
 pub(crate) fn discrete(graph: &mut Graph, energy: Id, degrees: u32) -> Equation {
     let action = times_h(graph, energy);
-    let Gradient { q, p, s } = discrete_gradient(graph, action, degrees);
+    let Gradient { q, p, s, .. } = discrete_gradient(graph, action, degrees);
     let mut ends = Slopes::default();
     let mut mean = |i| {
         let p = graph.symbol(Symbol::P(i));

@@ -5,11 +5,12 @@ use super::{slope, sweep};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 
-/// The partial derivatives of a node with respect to positions, momenta and the action.
+/// The partial derivatives of a node with respect to positions, momenta, velocities and the action.
 #[derive(Clone, Debug)]
 pub(crate) struct Gradient {
     pub(crate) q: Vec<Id>,
     pub(crate) p: Vec<Id>,
+    pub(crate) v: Vec<Id>,
     pub(crate) s: Id,
 }
 
@@ -29,7 +30,7 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
     let zero = graph.zero();
     let entry = |symbol| entries.get(&symbol).copied().unwrap_or(zero);
     let all = |symbol: fn(u32) -> Symbol| (0..degrees).map(|i| entry(symbol(i))).collect();
-    Gradient { q: all(Symbol::Q), p: all(Symbol::P), s: entry(Symbol::S) }
+    Gradient { q: all(Symbol::Q), p: all(Symbol::P), v: all(Symbol::V), s: entry(Symbol::S) }
 }
 
 /// The tree discrete gradient of I(x, t) by x, and its divided difference in time: I(x + dx, t + h/2) − I(x, t − h/2) = ḡ·dx + h·rate.

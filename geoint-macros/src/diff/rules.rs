@@ -201,7 +201,11 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.scale(Number::HALF.neg(), sine)]
         }
         Function::StumpffC1 => vec![g.call(Function::StumpffC1Derivative, &[x])],
-        Function::DecayMean
+        Function::KeplerF
+        | Function::KeplerG
+        | Function::KeplerFRate
+        | Function::KeplerGRate
+        | Function::DecayMean
         | Function::Phi1Derivative
         | Function::StumpffC1Derivative
         | Function::SincDerivative

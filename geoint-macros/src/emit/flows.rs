@@ -4,7 +4,6 @@ use super::kernel::{Context, element};
 use super::system::self_type;
 use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
 use crate::ir::{Graph, Symbol, print::Printer};
-use crate::parse::Form;
 use crate::schedule::Plan;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -84,8 +83,8 @@ pub(super) fn flow(
     let (slots, prepare, body) =
         (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
     let action = match context.energy.form {
-        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(_: &mut ()),
-        Form::Contact => quote!(s: &mut R),
+        form if form.has_action() => quote!(s: &mut R),
+        _ => quote!(_: &mut ()),
     };
     let prepare = quote! {
         #[inline]
@@ -249,7 +248,7 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     };
     let [prepare_kick, prepare_drift] = ["kick", "drift"].map(prepare);
     let [kick, drift] = ["kick", "drift"].map(flow);
-    let mechanical = (context.energy.form == Form::Contact).then(|| {
+    let mechanical = (context.energy.form.has_action()).then(|| {
         let [prepare_kick, prepare_drift] = ["free_kick", "free_drift"].map(prepare);
         let [kick, drift] = ["free_kick", "free_drift"].map(flow);
         quote! {

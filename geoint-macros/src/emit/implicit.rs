@@ -11,7 +11,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The places of a square matrix, row by row.
-fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
+pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
 }
 
@@ -93,6 +93,10 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         MeanValue::NotClosed(_) => quote!(NotClosed),
     };
     quote! {
+        impl<R: Real> Graded<R> for #name {
+            type Proof = ();
+            type Gradient = ByTree;
+        }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
             type Parameters = [R; #prepared];
@@ -130,13 +134,17 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     }
 }
 
-/// `impl DiscreteField` that no scalar satisfies, of a field that keeps nothing.
+/// `impl DiscreteField`, and what it is of, that no scalar satisfies, of a field that keeps nothing.
 pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let (name, phase) = (self_type(context), context.phase());
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByTree;
+        }
         impl<R: Real + #marker> DiscreteField<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Parameters = #never;
@@ -265,6 +273,10 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     quote! {
+        impl<R: Real> Collocated<R> for #name {
+            type Proof = ();
+            type Stages = ByField;
+        }
         impl<R: Real> Collocation<R> for #name {
             type Proof = ();
             type Unknown = #unknown;

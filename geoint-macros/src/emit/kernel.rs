@@ -76,10 +76,7 @@ impl<'a> Context<'a> {
 
     /// The type of what phase space has beside positions and momenta.
     pub(crate) fn action(&self) -> TokenStream {
-        match self.energy.form {
-            Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => quote!(()),
-            Form::Contact => quote!(R),
-        }
+        if self.energy.form.has_action() { quote!(R) } else { quote!(()) }
     }
 
     /// The type of a number for every coordinate.
@@ -139,14 +136,21 @@ impl<'a> Context<'a> {
         match symbol {
             Symbol::Q(i) => element(quote!(q), &self.coordinate(i)),
             Symbol::P(i) => element(quote!(p), &self.coordinate(i)),
+            Symbol::V(i) => element(quote!(v), &self.coordinate(i)),
             Symbol::S => quote!(*s),
             Symbol::T => quote!(t),
             Symbol::H => quote!(h),
             Symbol::G => quote!(g),
             Symbol::Parameter(i) => self.parameter(i),
             // Increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => TokenStream::new(),
+            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => TokenStream::new(),
         }
+    }
+
+    /// What users call an argument. Momenta of a Lagrangian are none.
+    pub(crate) fn name_of(&self, role: Role) -> String {
+        let argument = self.energy.arguments.iter().find(|(other, _)| *other == role);
+        argument.map_or_else(|| if role == Role::Momentum { "p" } else { "" }.into(), |(_, a)| a.name.to_string())
     }
 
     /// What users call a symbol.
@@ -155,9 +159,9 @@ impl<'a> Context<'a> {
             let indices: String = shape.indices(i).iter().map(|i| format!("[{i}]")).collect();
             name + &indices
         };
-        let of_role = |role: Role, i: u32| {
-            let argument = self.energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
-            argument.map_or_else(String::new, |a| indexed(a.name.to_string(), &a.shape, i as usize))
+        let of_role = |role: Role, i: u32| match role {
+            Role::Action | Role::Time => self.name_of(role),
+            _ => indexed(self.name_of(role), &self.energy.coordinates.shape, i as usize),
         };
         if self.energy.form == Form::Bodies
             && let Some(name) = self.body_name(symbol)
@@ -167,6 +171,7 @@ impl<'a> Context<'a> {
         match symbol {
             Symbol::Q(i) => of_role(Role::Position, i),
             Symbol::P(i) => of_role(Role::Momentum, i),
+            Symbol::V(i) => of_role(Role::Velocity, i),
             Symbol::S => of_role(Role::Action, 0),
             Symbol::T => of_role(Role::Time, 0),
             Symbol::H => "h".into(),
@@ -174,6 +179,7 @@ impl<'a> Context<'a> {
             Symbol::Dq(i) => format!("d{}", of_role(Role::Position, i)),
             Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
             Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),
+            Symbol::Dv(i) => format!("d{}", of_role(Role::Velocity, i)),
             Symbol::Parameter(index) => {
                 let mut rest = index as usize;
                 for argument in self.energy.parameters() {

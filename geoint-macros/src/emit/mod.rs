@@ -11,16 +11,19 @@ mod flow;
 mod flows;
 mod implicit;
 mod kernel;
+mod lagrangian;
+mod perturbed;
 mod pieces;
 mod poles;
 pub(crate) mod report;
 mod steps;
 mod straight_line;
 mod system;
+mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, Form, IMPORTED};
+use crate::parse::{Energy, IMPORTED};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -57,11 +60,13 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let inherent = system::inherent(context, (system.value.is_some() || form == Form::Contact, flow), report);
+    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
+    let parted = system.perturbed.as_ref().map(|found| perturbed::perturbed(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
+    let lagrangian = system.lagrangian.as_ref().map(|found| lagrangian::lagrangian(context, found));
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
         Implicit::Field(field) => {
@@ -76,9 +81,11 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #nothing_kept #fourth #collocation)
         }
+        Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
-    around(context, report, &quote!(#inherent #space #integrals #(#pieces)* #flows #modified #implicit))
+    let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);
+    around(context, report, &around_it)
 }
 
 /// The same of rigid bodies.

@@ -93,6 +93,33 @@ impl Writer<'_> {
                 self.punct("=");
                 self.method("sin_cos", x, &[]);
             }
+            Statement::Kepler(registers, orbits) => {
+                let results = self.inside(|writer| {
+                    for registers in registers {
+                        writer.list(Delimiter::Bracket, registers);
+                        writer.punct(",");
+                    }
+                });
+                self.group(Delimiter::Bracket, results);
+                self.punct("=");
+                self.word("slope");
+                self.punct("::");
+                self.word("kepler");
+                let orbits = self.inside(|writer| {
+                    for orbit in orbits {
+                        let numbers = writer.inside(|writer| {
+                            for number in orbit {
+                                writer.operand(number);
+                                writer.punct(",");
+                            }
+                        });
+                        writer.group(Delimiter::Bracket, numbers);
+                        writer.punct(",");
+                    }
+                });
+                let orbits = self.inside(|writer| writer.group(Delimiter::Bracket, orbits));
+                self.group(Delimiter::Parenthesis, orbits);
+            }
             Statement::If { registers, condition, first, second } => {
                 self.list(Delimiter::Bracket, registers);
                 self.punct("=");

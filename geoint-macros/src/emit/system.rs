@@ -105,11 +105,11 @@ pub(super) fn inherent(
 }
 
 /// The type of states.
-fn state(form: Form) -> TokenStream {
+pub(super) fn state(form: Form) -> TokenStream {
     match form {
-        Form::Hamiltonian => quote!(State),
+        Form::Hamiltonian | Form::Lagrangian => quote!(State),
         Form::Bodies => quote!(BodyState),
-        Form::Contact => quote!(ContactState),
+        Form::Contact | Form::Herglotz => quote!(ContactState),
         Form::Structured | Form::Field => quote!(FlowState),
     }
 }
@@ -128,10 +128,11 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.values(value, |mut values| values.remove(0)),
+        None if context.energy.form == Form::Lagrangian => quote!(energy_of(self, t, z)),
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, graph, &system.domain);
-    let given = if context.energy.form == Form::Contact { quote!(s: &R) } else { quote!(_: &()) };
+    let given = if context.energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let rate = vector_field(context, system);
     let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
     let kept = system.proven.contains(&"Autonomous").then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
@@ -180,9 +181,10 @@ pub(super) fn keeps_energy(context: &Context<'_>, kept: &TokenStream, value: Opt
 fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStream> {
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let body = match (context.energy.form, &system.rate) {
-        (Form::Contact, _) => return None,
-        (Form::Hamiltonian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
+        (form, _) if form.has_action() => return None,
+        (Form::Hamiltonian | Form::Lagrangian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
         (_, Some(rate)) => context.values(rate, |values| write("slopes", &context.coordinates(), &values)),
+        (Form::Lagrangian, None) if system.slopes.is_none() => quote!(rate_of(self, t, z, slopes);),
         (_, None) => quote!(canonical_rate(self, t, z, slopes);),
     };
     Some(quote! {
@@ -197,15 +199,26 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
     })
 }
 
+/// `impl CotangentSpace`.
+pub(super) fn cotangent(context: &Context<'_>) -> TokenStream {
+    let (name, array) = (self_type(context), context.array());
+    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    quote! {
+        impl<R: Real> CotangentSpace<R> for #name {
+            type Coordinates = #coordinates;
+            type Array = #array;
+        }
+    }
+}
+
 /// `impl CotangentSpace`, and the gradient of an energy on it.
 fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> TokenStream {
-    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
-    let coordinates = over_scalar(&context.energy.coordinates.ty, &context.energy.float, &format_ident!("R"));
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let (form, receives, returned) = match context.energy.form {
-        Form::Contact => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
+        form if form.has_action() => (quote!(ContactSystem), quote!(s: &R,), quote!(ds: &mut R,)),
         _ => (quote!(Hamiltonian), quote!(), quote!()),
     };
-    let rate = system.rate.as_ref().filter(|_| context.energy.form == Form::Contact).map(|rate| {
+    let rate = system.rate.as_ref().filter(|_| context.energy.form.has_action()).map(|rate| {
         let body = context.values(rate, |values| halves(context, &values));
         quote! {
             #[inline]
@@ -216,11 +229,9 @@ fn gradient(context: &Context<'_>, system: &System<Plan>, slopes: &Plan) -> Toke
         }
     });
     let slopes = context.values(slopes, |values| halves(context, &values));
+    let cotangent = cotangent(context);
     quote! {
-        impl<R: Real> CotangentSpace<R> for #name {
-            type Coordinates = #coordinates;
-            type Array = #array;
-        }
+        #cotangent
         impl<R: Real> #form<R> for #name {
             type Proof = ();
             #[inline]

@@ -7,6 +7,8 @@ pub(crate) enum Symbol {
     Q(u32),
     /// A momentum.
     P(u32),
+    /// A velocity of a Lagrangian.
+    V(u32),
     /// The action of a contact system.
     S,
     /// Time.
@@ -23,12 +25,14 @@ pub(crate) enum Symbol {
     Dp(u32),
     /// The increment of the action over a step.
     Ds,
+    /// The increment of a velocity over a step.
+    Dv(u32),
 }
 
 impl Symbol {
-    /// Whether this is a position, a momentum or the action.
+    /// Whether this is a position, a momentum, a velocity or the action.
     pub(crate) fn is_coordinate(self) -> bool {
-        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::S)
+        matches!(self, Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S)
     }
 }
 
@@ -189,6 +193,11 @@ functions! {
     DecayMean decay_mean(r, k) Neither Everywhere;
     AtMost at_most(x, y) Neither Everywhere;
     Grown grown(x, z, change) Neither Everywhere;
+    // The four results of one call.
+    KeplerF kepler_f(square, eta, speed, mu, h) Neither Everywhere;
+    KeplerG kepler_g(square, eta, speed, mu, h) Neither Everywhere;
+    KeplerFRate kepler_f_rate(square, eta, speed, mu, h) Neither Everywhere;
+    KeplerGRate kepler_g_rate(square, eta, speed, mu, h) Neither Everywhere;
 }
 
 /// Functions of the same arguments that share their work.
@@ -209,6 +218,10 @@ const PARTNERS: [[Function; 2]; 10] = {
 };
 
 impl Function {
+    /// The functions that one call of Kepler's motion computes together, in order.
+    pub(crate) const KEPLER: [Function; 4] =
+        [Function::KeplerF, Function::KeplerG, Function::KeplerFRate, Function::KeplerGRate];
+
     /// The function that shares the work of this one.
     pub(crate) fn partner(self) -> Option<Function> {
         PARTNERS.iter().find_map(|[a, b]| match self {
@@ -236,7 +249,7 @@ mod tests {
     fn the_table_is_in_order_and_names_are_unique() {
         for (i, entry) in FUNCTIONS.iter().enumerate() {
             assert_eq!(entry.function as usize, i);
-            assert!((1..=3).contains(&entry.arity));
+            assert!((1..=5).contains(&entry.arity));
             let same = FUNCTIONS.iter().filter(|e| e.name == entry.name && e.public == entry.public).count();
             assert_eq!(same, 1, "{}", entry.name);
         }

@@ -36,7 +36,7 @@ use value::{Callable, Value};
 /// A body as a graph.
 pub(crate) struct Lowered {
     pub(crate) graph: Graph,
-    /// The energy; the first entry of a field.
+    /// The energy, or the Lagrangian; the first entry of a field.
     pub(crate) energy: Id,
     /// All entries of a field.
     pub(crate) field: Vec<Id>,
@@ -46,6 +46,8 @@ pub(crate) struct Lowered {
     pub(crate) keeps: Vec<Integral>,
     /// The square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
+    /// Rayleigh's dissipation function of a Lagrangian, and where it is written.
+    pub(crate) rayleigh: Option<(Id, Place)>,
     /// The pieces that the user wants, and where they are written.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Where nodes were written first: the first and the last token.
@@ -119,11 +121,12 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Q(i))).collect();
     let structure = energy.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
     let keeps = energy.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
-    let group = |lowering: &mut Lowering, expr: &syn::Expr| {
+    let number = |lowering: &mut Lowering, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
     };
-    let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| group(&mut lowering, expr)).collect());
+    let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
+    let rayleigh = energy.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
     lowering.note_partial();
     let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
     graph.stop_recording();
@@ -132,7 +135,19 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         Partial { node, condition: all.and_then(|all| all.into_iter().reduce(|a, b| graph.or(a, b))) }
     });
     let partial = partial.collect();
-    errors.or(Lowered { graph, energy: field[0], field, structure, keeps, damping, groups, places, partial, constants })
+    errors.or(Lowered {
+        graph,
+        energy: field[0],
+        field,
+        structure,
+        keeps,
+        damping,
+        rayleigh,
+        groups,
+        places,
+        partial,
+        constants,
+    })
 }
 
 /// The evaluator.

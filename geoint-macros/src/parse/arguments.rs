@@ -33,6 +33,10 @@ pub(super) fn arguments(
             errors.at(name, ACTION);
             continue;
         }
+        if form == Form::Lagrangian && explicit.is_none() && is_called(name, "p") {
+            errors.at(name, MOMENTUM_OF_LAGRANGIAN);
+            continue;
+        }
         let role = match (explicit, by_name) {
             (Some(role), _) => role,
             (None, Some((default, letter, _))) => match renamed(*default) {
@@ -88,6 +92,9 @@ pub(super) fn arguments(
                 (Role::Time, _) | (_, Role::Time) => format!("`{name}` is time and cannot be a coordinate as well"),
                 (Role::Action, _) | (_, Role::Action) => {
                     format!("`{name}` is the action and cannot be a coordinate as well")
+                }
+                (Role::Velocity, _) | (_, Role::Velocity) => {
+                    format!("`{name}` cannot be both positions and velocities")
                 }
                 _ => format!("`{name}` cannot be both positions and momenta"),
             };
@@ -150,6 +157,7 @@ fn defaults(form: Form) -> &'static [Default] {
         Form::Bodies => &OF_BODIES,
         Form::Structured | Form::Field => &OF_FLOWS,
         Form::Hamiltonian | Form::Contact => &OF_ENERGIES,
+        Form::Lagrangian | Form::Herglotz => &OF_LAGRANGIANS,
     }
 }
 
@@ -158,6 +166,13 @@ const OF_BODIES: [Default; 2] = [(Role::AngularMomentum, "m", "the angular momen
 const OF_ENERGIES: [Default; 4] = [
     (Role::Position, "q", "the positions"),
     (Role::Momentum, "p", "the momenta"),
+    (Role::Action, "s", "the action"),
+    (Role::Time, "t", "time"),
+];
+
+const OF_LAGRANGIANS: [Default; 4] = [
+    (Role::Position, "q", "the positions"),
+    (Role::Velocity, "v", "the velocities"),
     (Role::Action, "s", "the action"),
     (Role::Time, "t", "time"),
 ];
@@ -201,8 +216,13 @@ const POSITIONS: &str = "positions are missing: call an argument `q`, or name on
 
 const MOMENTA: &str = "momenta are missing: call an argument `p`, or name one with `p = …`";
 
-const VELOCITY: &str = "is the name of a velocity, but an energy is a function of momenta, `p`. Of the Lagrangian L(q, v) it is \
-                        H = p·v − L with p = ∂L/∂v: for L = m v²/2 − V(q) write p²/(2m) + V(q)";
+const VELOCITY: &str = "is the name of a velocity, but an energy is a function of momenta, `p`: put a Lagrangian L(q, v) under \
+                        `#[lagrangian]`, or write H = p·v − L with p = ∂L/∂v, which for L = m v²/2 − V(q) is p²/(2m) + V(q)";
+
+const VELOCITIES: &str = "velocities are missing: call an argument `v`, or name one with `v = …`";
+
+const MOMENTUM_OF_LAGRANGIAN: &str =
+    "a Lagrangian is a function of positions `q` and velocities `v`; an energy H(q, p) goes under `#[hamiltonian]`";
 
 const MISSING_ACTION: &str = "the action is missing: call an argument `s`, or name one with `s = …`";
 
@@ -248,6 +268,20 @@ pub(super) fn coordinates(
         return None;
     }
     let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
+    if form == Form::Lagrangian {
+        let v = find(Role::Velocity, "v", &|errors| {
+            let mut names = arguments.iter().map(|(_, argument)| &argument.name);
+            match names.find(|name| is_velocity(name)) {
+                Some(name) => {
+                    errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
+                }
+                // Who has momenta in their place has been told.
+                None if exists(item, &format_ident!("p")) => {}
+                None => errors.at(&item.sig.ident, VELOCITIES),
+            }
+        });
+        return pair(q?, (&v?, "velocity"), errors);
+    }
     let p = find(Role::Momentum, "p", &|errors| {
         let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
         match velocity {
@@ -261,7 +295,11 @@ pub(super) fn coordinates(
             errors.at(&item.sig.ident, format!("{MISSING_ACTION}; {rest}"));
         });
     }
-    let (q, p) = (q?, p?);
+    pair(q?, (&p?, "momentum"), errors)
+}
+
+/// Positions, if momenta or velocities have their type.
+fn pair(q: Argument, (p, what): (&Argument, &str), errors: &mut Diagnostics) -> Option<Argument> {
     if q.shape.leaf == Leaf::Quaternion {
         errors.at(
             &q.ty,
@@ -276,7 +314,7 @@ pub(super) fn coordinates(
         errors.at(
             &p.ty,
             format!(
-                "`{}` must have the type of `{}`, `{}`: each position has its momentum",
+                "`{}` must have the type of `{}`, `{}`: each position has its {what}",
                 p.name,
                 q.name,
                 plain(&q.ty)

@@ -13,7 +13,7 @@ mod signature;
 pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 pub(crate) use names::IMPORTED;
-pub(crate) use options::Requirement;
+pub(crate) use options::{Coordinates, Requirement};
 pub(crate) use outside::Outside;
 pub(crate) use shape::{Leaf, Shape, over_scalar};
 
@@ -39,6 +39,10 @@ pub(crate) enum Form {
     Structured,
     /// f(x, t): x' = f.
     Field,
+    /// L(q, v, t): a system with the energy p·v − L.
+    Lagrangian,
+    /// L(q, v, s, t) with the action s among the arguments: a contact system.
+    Herglotz,
 }
 
 impl Form {
@@ -48,17 +52,25 @@ impl Form {
             Form::Hamiltonian | Form::Structured | Form::Bodies => "hamiltonian",
             Form::Contact => "contact_hamiltonian",
             Form::Field => "vector_field",
+            Form::Lagrangian | Form::Herglotz => "lagrangian",
         }
     }
 
     /// The form of an attribute, before its arguments are read.
     pub(crate) fn of_attribute(name: &str) -> Option<Form> {
-        [Form::Hamiltonian, Form::Contact, Form::Field].into_iter().find(|form| form.attribute() == name)
+        [Form::Hamiltonian, Form::Contact, Form::Field, Form::Lagrangian]
+            .into_iter()
+            .find(|form| form.attribute() == name)
     }
 
     /// Whether the state is x alone, without momenta.
     pub(crate) fn is_flow(self) -> bool {
         matches!(self, Form::Structured | Form::Field)
+    }
+
+    /// Whether the state has an action.
+    pub(crate) fn has_action(self) -> bool {
+        matches!(self, Form::Contact | Form::Herglotz)
     }
 }
 
@@ -79,7 +91,11 @@ pub(crate) struct Energy {
     pub(crate) requirements: Vec<(Requirement, Span)>,
     /// The coefficients of damping, in terms of the arguments.
     pub(crate) damping: Option<syn::Expr>,
-    /// How a contact Hamiltonian is to be split into pieces, in terms of the arguments.
+    /// Rayleigh's dissipation function R of a Lagrangian, in terms of the arguments.
+    pub(crate) rayleigh: Option<syn::Expr>,
+    /// The coordinates in which methods move bodies.
+    pub(crate) inner: Option<(Coordinates, Span)>,
+    /// How an energy is to be split into pieces, in terms of the arguments.
     pub(crate) split: Option<Vec<syn::Expr>>,
     /// S of x' = S(x) ∇H, in terms of the arguments.
     pub(crate) structure: Option<StructureForm>,
@@ -100,6 +116,7 @@ pub(crate) struct Energy {
 pub(crate) enum Role {
     Position,
     Momentum,
+    Velocity,
     Action,
     Time,
     Parameter,
@@ -138,7 +155,7 @@ impl Energy {
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(structure).chain(kept)
+        self.damping.iter().chain(&self.rayleigh).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -150,6 +167,7 @@ impl Energy {
             // A pure quaternion.
             Role::AngularMomentum => Symbol::P((4 * (i / 3) + i % 3) as u32),
             Role::Momentum => Symbol::P(i as u32),
+            Role::Velocity => Symbol::V(i as u32),
             Role::Action => Symbol::S,
             Role::Time => Symbol::T,
             Role::Parameter => Symbol::Parameter((before + i) as u32),
@@ -196,6 +214,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let float = returned_float(form, &item, &options.outside, &mut errors);
     let arguments = arguments(form, &item, &options, &float, &mut errors);
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
+    let herglotz = form == Form::Lagrangian && arguments.iter().any(|(role, _)| *role == Role::Action);
+    let form = if herglotz { Form::Herglotz } else { form };
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }
@@ -213,7 +233,19 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     }
     match coordinates {
         Some(coordinates) => {
-            let Options { requirements, damping, structure, keeps, split, lift, outside, with, .. } = options;
+            let Options {
+                requirements,
+                damping,
+                rayleigh,
+                structure,
+                keeps,
+                split,
+                coordinates: inner,
+                lift,
+                outside,
+                with,
+                ..
+            } = options;
             errors.or(Energy {
                 form,
                 name,
@@ -223,8 +255,10 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 arguments,
                 requirements,
                 damping,
+                rayleigh,
                 structure,
                 keeps,
+                inner,
                 split,
                 lift,
                 outside: Rc::new(outside),

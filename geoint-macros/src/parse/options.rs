@@ -18,16 +18,18 @@ pub(super) struct Options {
     pub(super) roles: Vec<(Role, Ident)>,
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
+    pub(super) rayleigh: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
+    pub(super) coordinates: Option<(Coordinates, Span)>,
     pub(super) lift: Option<Span>,
     pub(super) outside: Outside,
     pub(super) with: Vec<syn::Path>,
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -35,6 +37,10 @@ const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = a
 
 const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = argument`, `t = argument`, `keeps(integral = …, but = […])`, \
                      `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
+
+const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
+                          `rayleigh = R`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                          `require(separable, quadratic_kinetic)`";
 
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -54,6 +60,7 @@ impl Options {
             }
             given.push(key.clone());
             let (system, contact, field) = (form.is_some(), form == Some(Form::Contact), form == Some(Form::Field));
+            let lagrangian = form == Some(Form::Lagrangian);
             let energy = system && !field;
             match key.to_string().as_str() {
                 "with" => options.with = super::function::with(input)?,
@@ -82,7 +89,13 @@ impl Options {
                     let message = "a contact system is damped by the terms in `s` of its energy, such as `+ gamma * s`";
                     return Err(syn::Error::new_spanned(key, message));
                 }
-                "split" if contact => {
+                "coordinates" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    let name: Ident = input.parse()?;
+                    let coordinates = Coordinates::named(&name)?;
+                    options.coordinates = Some((coordinates, name.span()));
+                }
+                "split" if energy => {
                     input.parse::<Token![=]>()?;
                     if !input.peek(syn::LitStr) {
                         return Err(input.error("the pieces are given as a string: `split = \"terms | terms\"`"));
@@ -90,11 +103,20 @@ impl Options {
                     options.split = Some(groups(&input.parse()?)?);
                 }
                 "lift" if contact => options.lift = Some(key.span()),
+                "damping" if lagrangian => {
+                    let message =
+                        "a Lagrangian is damped by Rayleigh's function of the velocities: `rayleigh = c * v * v / 2.0`";
+                    return Err(syn::Error::new_spanned(key, message));
+                }
+                "rayleigh" if lagrangian => {
+                    input.parse::<Token![=]>()?;
+                    options.rayleigh = Some(input.parse()?);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
                 }
-                "structure" if energy && !contact => {
+                "structure" if energy && !contact && !lagrangian => {
                     input.parse::<Token![=]>()?;
                     options.structure = Some(StructureForm::new(input.parse()?));
                 }
@@ -103,13 +125,16 @@ impl Options {
                     return Err(syn::Error::new_spanned(key, message));
                 }
                 "keeps" if field => options.keeps = flow::keeps(input)?,
-                name @ ("name" | "q" | "p" | "s" | "t" | "x" | "attitude" | "m") if system && takes(form, name) => {
+                name @ ("name" | "q" | "p" | "v" | "s" | "t" | "x" | "attitude" | "m")
+                    if system && takes(form, name) =>
+                {
                     input.parse::<Token![=]>()?;
                     let value: Ident = input.parse()?;
                     match name {
                         "name" => options.name = Some(value),
                         "q" | "x" => options.roles.push((Role::Position, value)),
                         "p" => options.roles.push((Role::Momentum, value)),
+                        "v" => options.roles.push((Role::Velocity, value)),
                         "s" => options.roles.push((Role::Action, value)),
                         "attitude" => options.roles.push((Role::Attitude, value)),
                         "m" => options.roles.push((Role::AngularMomentum, value)),
@@ -121,6 +146,7 @@ impl Options {
                         Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         Some(Form::Field) => FIELD,
+                        Some(Form::Lagrangian | Form::Herglotz) => LAGRANGIAN,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));
@@ -139,15 +165,22 @@ impl Options {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
         let damped = self.damping.as_ref().map(Spanned::span);
+        let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
+        let parted = self.coordinates.map(|(_, span)| span).or(split);
         let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
         let wrong = match (&self.structure, attitude) {
             (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
-            (Some(_), None) => role(Role::Momentum).or(required).map(|span| (span, NO_MOMENTA)),
-            (None, None) => m.map(|m| (m, WITHOUT_ATTITUDE)),
+            (Some(_), None) => role(Role::Momentum).or(required).or(parted).map(|span| (span, NO_MOMENTA)),
+            (None, None) => {
+                let both = self.coordinates.filter(|_| split.is_some()).map(|(_, span)| (span, TWO_WAYS));
+                let damped = damped.and(parted).map(|span| (span, DAMPED_PARTS));
+                m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
+            }
             (None, Some(_)) => {
                 let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
                 let damped = damped.map(|span| (span, DAMPED_BODY));
-                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(position)
+                let parted = parted.map(|span| (span, PARTS_OF_BODIES));
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted).or(position)
             }
         };
         wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
@@ -158,9 +191,11 @@ impl Options {
 /// Whether an attribute has a name for the struct or for an argument.
 fn takes(form: Option<Form>, name: &str) -> bool {
     match name {
-        "q" | "p" => form != Some(Form::Field),
-        "s" => form == Some(Form::Contact),
-        "x" => form != Some(Form::Contact),
+        "q" => form != Some(Form::Field),
+        "p" => !matches!(form, Some(Form::Field | Form::Lagrangian)),
+        "v" => form == Some(Form::Lagrangian),
+        "s" => matches!(form, Some(Form::Contact | Form::Lagrangian)),
+        "x" => !matches!(form, Some(Form::Contact | Form::Lagrangian)),
         "attitude" | "m" => form == Some(Form::Hamiltonian),
         _ => true,
     }
@@ -178,6 +213,12 @@ const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energie
 
 const ALWAYS_SEPARABLE: &str =
     "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
+
+const TWO_WAYS: &str = "`coordinates` says how the energy is split: leave `split` out";
+
+const DAMPED_PARTS: &str = "damping is no part of an exact flow or a kick: leave it out, or this";
+
+const PARTS_OF_BODIES: &str = "with `attitude` the parts of the energy are known, T(m) and V(r): leave this out";
 
 const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
@@ -210,4 +251,20 @@ impl Parse for Group {
 pub(crate) enum Requirement {
     Separable,
     QuadraticKinetic,
+}
+
+/// Coordinates in which methods move the bodies of an energy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Coordinates {
+    /// Each body as seen from the centre of mass of those before it.
+    Jacobi,
+}
+
+impl Coordinates {
+    fn named(name: &Ident) -> syn::Result<Coordinates> {
+        match name.to_string().as_str() {
+            "jacobi" => Ok(Coordinates::Jacobi),
+            _ => Err(syn::Error::new_spanned(name, "the coordinates of bodies that there are: `coordinates = jacobi`")),
+        }
+    }
 }

@@ -41,6 +41,8 @@ pub(crate) enum Statement {
     Let(Register, Instruction),
     /// Sine and cosine of one argument.
     SinCos(Register, Register, Operand),
+    /// Kepler's motion along some orbits, each by its five numbers: four results each.
+    Kepler(Vec<[Register; 4]>, Vec<Vec<Operand>>),
     /// Values that depend on a condition; each branch computes what only it needs.
     If {
         registers: Vec<Register>,
@@ -118,6 +120,7 @@ impl Block {
         let of = |statement: &Statement| match statement {
             Statement::Let(register, _) => vec![*register],
             Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
+            Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
             Statement::If { registers, .. } => registers.clone(),
         };
         self.statements.iter().flat_map(of).collect()
@@ -139,6 +142,7 @@ impl Block {
                 }
             },
             Statement::SinCos(..) => one(0, 0, 2),
+            Statement::Kepler(registers, _) => one(0, 0, 4 * registers.len()),
             Statement::If { first, second, .. } => {
                 let (first, second) = (first.operations(), second.operations());
                 if first.total() < second.total() { second } else { first }

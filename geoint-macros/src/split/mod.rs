@@ -13,6 +13,7 @@ mod mechanics;
 mod increment;
 mod modified;
 mod fields;
+mod perturbed;
 
 pub(crate) use fields::{Motion, NoPart, Part, parts, planes};
 pub(crate) use flow::{Family, Flow, Piece};
@@ -20,4 +21,5 @@ pub(crate) use increment::increments;
 pub(crate) use mechanics::{Mechanics, mechanics};
 pub(crate) use modified::modified_energy;
 pub(crate) use partition::{Pieces, pieces};
+pub(crate) use perturbed::{Division, NoPart as NoExactPart, Perturbed, divided};
 pub(crate) use time::Clock;

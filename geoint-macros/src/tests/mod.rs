@@ -12,6 +12,7 @@ mod edges;
 mod trees;
 mod schedules;
 mod integrals;
+mod lagrangians;
 mod meaning;
 mod pieces;
 mod poles;

@@ -164,6 +164,10 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::StumpffC1Derivative
         | Function::AtMost
         | Function::DecayMean
+        | Function::KeplerF
+        | Function::KeplerG
+        | Function::KeplerFRate
+        | Function::KeplerGRate
         | Function::Grown => unreachable!("energies are written without helpers"),
     })
 }

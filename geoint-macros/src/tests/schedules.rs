@@ -5,7 +5,7 @@ use super::rounding::{is_undecided, rounded};
 use super::{Noise, lowered};
 use crate::diff;
 use crate::ir::eval::eval;
-use crate::ir::{HashMap, Id, Symbol};
+use crate::ir::{Function, HashMap, Id, Symbol};
 use crate::parse::Form;
 use crate::schedule::{self, Block, Instruction, Operand, Statement};
 use crate::{lower, parse};
@@ -30,6 +30,13 @@ impl Machine<'_> {
                 Statement::SinCos(sin, cos, x) => {
                     let x = self.operand(x);
                     self.registers.extend([(*sin, x.sin()), (*cos, x.cos())]);
+                }
+                Statement::Kepler(registers, orbits) => {
+                    for (registers, orbit) in registers.iter().zip(orbits) {
+                        let orbit: Vec<f64> = orbit.iter().map(|x| self.operand(x)).collect();
+                        let results = Function::KEPLER.map(|function| (function.entry().value)(&orbit));
+                        self.registers.extend(registers.iter().copied().zip(results));
+                    }
                 }
                 Statement::If { registers, condition, first, second } => {
                     let values = self.run(if self.operand(condition) == 1.0 { first } else { second });
@@ -75,8 +82,8 @@ impl Machine<'_> {
 fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::S | Symbol::T => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds => 2,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T => 1,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => 2,
     }
 }
 
@@ -136,13 +143,13 @@ fn statements_mean_what_the_graph_means() {
 /// Everything that is derived for the iterations of implicit steps.
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
-        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies => {
+        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies | Form::Lagrangian => {
             let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
             let structure = crate::analyze::structure(graph, energy, &shape);
             let gradient = diff::gradient(graph, energy, 1);
             vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]
         }
-        Form::Contact => [diff::contact::midpoint, diff::contact::discrete]
+        Form::Contact | Form::Herglotz => [diff::contact::midpoint, diff::contact::discrete]
             .map(|equation| {
                 let diff::contact::Equation { mut field, end } = equation(graph, energy, 1);
                 field.f.extend(end);
@@ -202,11 +209,11 @@ proptest! {
         let plan = schedule::plan(&mut lowered.graph, level, &[&[], &[]], &[&roots]);
         let input = |symbol: Symbol| match symbol {
             Symbol::Q(_) => point[0],
-            Symbol::P(_) => point[1],
+            Symbol::P(_) | Symbol::V(_) => point[1],
             Symbol::S => point[2],
             Symbol::Dq(_) => 0.3 * point[3],
             Symbol::Dp(_) => 0.3 * point[4],
-            Symbol::Ds => 0.3 * point[5],
+            Symbol::Ds | Symbol::Dv(_) => 0.3 * point[5],
             Symbol::T => point[6],
             Symbol::H | Symbol::G => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),
@@ -263,4 +270,50 @@ fn what_is_known_earlier_is_computed_earlier() {
     // A sine, and one product that joins it to p.
     assert_eq!(plan.slots, [1]);
     assert_eq!(plan.last[0].statements.len(), 2, "{:?}", plan.last[0]);
+}
+
+/// Orbits that are known together are one call; one that starts where another ends is the next.
+#[test]
+fn orbits_of_one_level_are_one_call() {
+    let mut graph = crate::ir::Graph::default();
+    let [h, mu] = [Symbol::H, Symbol::Parameter(0)].map(|symbol| graph.symbol(symbol));
+    let orbit = |graph: &mut crate::ir::Graph, i: u32, offset: Option<Id>| {
+        let [q, p] = [Symbol::Q(i), Symbol::P(i)].map(|symbol| graph.symbol(symbol));
+        let q = offset.map_or(q, |offset| graph.add(q, offset));
+        let squares = [(q, q), (q, p), (p, p)].map(|(a, b)| graph.mul(a, b));
+        let one = graph.integer(1);
+        let squares = squares.map(|square| graph.add(one, square));
+        let args = [squares[0], squares[1], squares[2], mu, h];
+        Function::KEPLER.map(|function| graph.call(function, &args))
+    };
+    let [first, second] = [0, 1].map(|i| orbit(&mut graph, i, None));
+    let later = orbit(&mut graph, 2, Some(first[1]));
+    let roots = [first, second, later].concat();
+    let before = graph.clone();
+    let plan = schedule::plan(&mut graph, level, &[&[], &[]], &[&roots]);
+    // The start of a step is the level of all of them, but that of increments has the roots.
+    let block = &plan.stores[1];
+    let calls: Vec<usize> = block
+        .statements
+        .iter()
+        .filter_map(|statement| match statement {
+            Statement::Kepler(registers, _) => Some(registers.len()),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(calls, [2, 1]);
+    let input = |symbol: Symbol| match symbol {
+        Symbol::H => 0.3,
+        Symbol::Q(i) => 0.7 + 0.1 * f64::from(i),
+        Symbol::P(i) => 0.4 - 0.2 * f64::from(i),
+        _ => 1.1,
+    };
+    let mut slots = vec![];
+    for store in &plan.stores {
+        slots.push(Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(store));
+    }
+    let results = Machine { registers: HashMap::default(), slots: &slots, input: &input }.run(&plan.last[0]);
+    for (root, found) in roots.iter().zip(results) {
+        assert_eq!(found, eval(&before, *root, &input));
+    }
 }

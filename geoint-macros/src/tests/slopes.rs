@@ -119,6 +119,10 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC1Derivative
         | Function::AtMost
         | Function::DecayMean
+        | Function::KeplerF
+        | Function::KeplerG
+        | Function::KeplerFRate
+        | Function::KeplerGRate
         | Function::Grown => vec![],
     }
 }

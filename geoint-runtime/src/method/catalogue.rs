@@ -44,13 +44,14 @@ use crate::method::discrete_gradient::{
 use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
+use crate::method::perturbed::Perturbation;
 use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, PhaseSpace, Pieces,
-    PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
+    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -94,6 +95,23 @@ pub fn quadratic_kinetic<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Vis
 pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
     show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
+}
+
+/// Methods for H = A + B, an exact flow and a kick.
+pub fn perturbed<S: Perturbed<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: WisdomHolman, Saba4, Aba8_4, Aba8_6_4, Aba10_6_4);
+    show!(visitor: Perturbation(StormerVerlet), Perturbation(BlanesMoan4), Perturbation(BlanesMoan6));
+}
+
+/// Methods for H = A + B that need \[B, \[A, B\]\] to be a kick, or \[B, \[B, \[B, A\]\]\] = 0.
+pub fn perturbed_gradient<S: PerturbedGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: Saba2Gradient, Saba3Gradient, Saba4Gradient, Saba5Gradient, Rnia10_8_6);
+    show!(visitor: Perturbation(BlanesMoanSrkn6b), Perturbation(BlanesMoanSrkn14a), Perturbation(Chin4A));
+}
+
+/// Those of them with a processor.
+pub fn processed<S: PerturbedGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: WisdomHolmanProcessed, WisdomHolmanGradient);
 }
 
 /// The method for rigid bodies in their principal axes, beside those of [`separable`] and the two that follow it.

@@ -41,7 +41,14 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: false, forces: Some(1) }
+        Claims {
+            order: 2,
+            symmetric: true,
+            symplectic: false,
+            conserves_energy: false,
+            perturbed: &[],
+            forces: Some(1),
+        }
     }
 
     fn name(&self) -> Name {

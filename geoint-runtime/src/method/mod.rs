@@ -10,6 +10,7 @@ pub mod explicit;
 pub mod gauss;
 pub mod kahan;
 mod name;
+pub mod perturbed;
 pub mod pieces;
 mod probe;
 pub mod splitting;
@@ -26,7 +27,7 @@ pub use splitting::{gradient_kick, modified_verlet};
 pub use crate::solving::Refusal;
 
 use crate::scalar::Real;
-use crate::space::{Point, Summation};
+use crate::space::{Array, Plain, Point, Summation};
 use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
@@ -44,6 +45,8 @@ pub struct Claims {
     /// The step keeps H of an autonomous system to rounding; of a contact system it keeps the law of its decay, as that of
     /// [`ContactDiscreteGradient`](crate::ContactDiscreteGradient), H₁ = H₀ exp(−h g_s).
     pub conserves_energy: bool,
+    /// Where H = A + εB, the part A solved exactly: the global error is O(ε hˢ¹ + ε² hˢ² + …) for these s. Only of tables made for that.
+    pub perturbed: &'static [u32],
     /// Evaluations of the force, or of both derivatives of H, that a step costs where others follow, if it costs the same
     /// everywhere: not known of steps that solve an equation.
     pub forces: Option<u32>,
@@ -52,7 +55,7 @@ pub struct Claims {
 impl Claims {
     /// Order p, and nothing else.
     pub const fn of_order(order: u32) -> Self {
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: false, forces: None }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: false, perturbed: &[], forces: None }
     }
 
     /// A symmetric method.
@@ -108,6 +111,24 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// What it is called.
     fn name(&self) -> Name;
 
+    /// Whether the method moves another point than that of states: it has other coordinates, or goes a way before the first step that it
+    /// goes back after the last one.
+    const INNER: bool = false;
+
+    /// From the point of a state at time `t` to the one that the method moves.
+    #[inline(always)]
+    fn enter(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
+
+    /// And back.
+    #[inline(always)]
+    fn leave(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
+
+    /// To a point near that of the state, where the energy is evaluated: what it takes to see whether it is defined there.
+    #[inline(always)]
+    fn near(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
+        Self::leave(prepared, system, t, z);
+    }
+
     /// Coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
 
@@ -150,6 +171,30 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         }
         Ok(())
     }
+}
+
+/// A step of length `h` from the point of a state to that of another one, for callers that look at every step.
+#[inline(always)]
+pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summation<S::Phase>, P: Probe<S, R>>(
+    prepared: &M::Prepared,
+    memory: &mut M::Memory,
+    h: R,
+    step: Step<'_, S, R, C, P>,
+) -> Result<(), Refusal> {
+    if !M::INNER {
+        return M::step(prepared, memory, step);
+    }
+    let (system, t) = (step.system, step.t);
+    // Rounding errors so far are those of other coordinates.
+    let mut inner: Point<S::Phase, Plain, S::Action> = Point::with_action(step.x.z, step.x.s);
+    M::enter(prepared, system, t, &mut inner.z);
+    M::step(prepared, memory, Step { system, t, x: &mut inner, probe: step.probe })?;
+    M::leave(prepared, system, t + h, &mut inner.z);
+    let mut moved = inner.z;
+    moved.add_scaled(R::from_f64(-1.0), &step.x.z);
+    step.x.add(&moved);
+    step.x.s = inner.s;
+    Ok(())
 }
 
 /// Both of two proofs: known where both are.

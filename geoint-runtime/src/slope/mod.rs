@@ -14,6 +14,7 @@ mod exponential;
 mod hyperbolic;
 mod flows;
 mod free_body;
+mod kepler;
 mod kinks;
 
 pub use circular::{arc, arc_derivative, sinc, sinc_derivative};
@@ -21,6 +22,7 @@ pub use exponential::{exp, exp_derivative, exp2, ln, ln_derivative, powf, powf_d
 pub use flows::{decay_mean, grown, phi_1, phi_1_derivative, stumpff_c0, stumpff_c1, stumpff_c1_derivative};
 pub use free_body::{five_rotations, free_rotation};
 pub use hyperbolic::{sinhc, sinhc_derivative, tanh, tanh_derivative};
+pub use kepler::{kepler, kepler_f, kepler_f_rate, kepler_g, kepler_g_rate};
 pub use kinks::{abs, abs_derivative, at_most, bounded, not_negative, recip_above, recip_positive, root};
 
 use crate::scalar::Real;

@@ -30,6 +30,11 @@ impl<A: Array> Sizes<A> {
         }
     }
 
+    /// Of these magnitudes.
+    pub(crate) fn of_magnitudes(sizes: A) -> Self {
+        Sizes(sizes)
+    }
+
     /// The same size for all: entries of one unit.
     pub(crate) fn equal() -> Self {
         let mut sizes = A::zero();

@@ -1,6 +1,6 @@
 //! The differential equation as implicit methods solve it.
 
-use super::VectorField;
+use super::{ByField, ByTree, Collocated, Graded, VectorField};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
@@ -23,7 +23,7 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     label = "this method is for those",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
-pub trait Collocation<R: Real = f64>: VectorField<R> {
+pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R, Stages = ByField> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// y: all coordinates, or q alone. f has the same shape.
@@ -75,7 +75,7 @@ pub enum Mean {
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
-pub trait DiscreteField<R: Real = f64>: Collocation<R> {
+pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = ByTree> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// What depends on parameters and h only.

@@ -5,24 +5,33 @@
 
 mod bodies;
 mod contact;
+mod forms;
 mod implicit;
 mod integrals;
+mod lagrangian;
 mod modified;
+mod perturbed;
 mod poles;
 mod separable;
 mod rates;
+mod velocities;
 
 pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
+pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;
 mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
 pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
+pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
 pub use crate::solving::{Inverse, Inverted};
 

@@ -122,6 +122,10 @@ impl Slopes {
             | Function::NotNegative
             | Function::AtMost
             | Function::DecayMean
+            | Function::KeplerF
+            | Function::KeplerG
+            | Function::KeplerFRate
+            | Function::KeplerGRate
             | Function::Grown
             | Function::Phi1
             | Function::Phi1Derivative

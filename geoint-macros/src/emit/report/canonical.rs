@@ -4,7 +4,7 @@ use super::super::damping;
 use super::super::kernel::Context;
 use super::counted;
 use crate::analyze::{self, MeanValue, Split, Structure};
-use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, print::Printer};
 use crate::parse::Role;
@@ -33,10 +33,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     (system, gradient): (&System<Plan>, &Gradient),
 ) -> std::fmt::Result {
     let energy = context.energy;
-    let name_of = |role: Role| {
-        energy.arguments.iter().find(|(r, _)| *r == role).map(|(_, a)| a.name.to_string()).unwrap_or_default()
-    };
-    let (q, p) = (name_of(Role::Position), name_of(Role::Momentum));
+    let (q, p) = (context.name_of(Role::Position), context.name_of(Role::Momentum));
     writeln!(text, "H = {}", printer.formula(structure.energy))?;
     for (symbols, slopes) in [(&q, &gradient.q), (&p, &gradient.p)] {
         for (i, slope) in slopes.iter().enumerate() {
@@ -89,6 +86,10 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
     conserved(text, printer, structure, &unread)?;
 
+    if let Some(Ok(parts)) = &system.perturbed {
+        perturbed(text, printer, parts)?;
+    }
+
     writeln!(text, "\nOperations (a sine with its cosine counts as two)")?;
     if let Some(slopes) = &system.slopes {
         writeln!(text, "- gradient of H: {}", counted(slopes.operations()))?;
@@ -124,6 +125,30 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         _ => {}
     }
     Ok(())
+}
+
+/// The part with an exact flow, and the rest.
+fn perturbed<F: Fn(crate::ir::Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    parts: &Perturbed<Plan>,
+) -> std::fmt::Result {
+    writeln!(text, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)")?;
+    if let Some(inner) = &parts.inner {
+        writeln!(text, "- in coordinates of {}, bodies in the order of the array", inner.name)?;
+    }
+    writeln!(text, "- A = {}", printer.excerpt(parts.exact))?;
+    parts.known.iter().try_for_each(|known| writeln!(text, "  {known}"))?;
+    writeln!(text, "  {}", counted(parts.flow.kernel.operations()))?;
+    writeln!(text, "- B = {}", printer.excerpt(parts.rest))?;
+    writeln!(text, "  {}", counted(parts.kick.kernel.operations()))?;
+    match &parts.gradient_kick {
+        Ok(_) => writeln!(text, "- tables of Runge–Kutta–Nyström type and with force gradients keep their order"),
+        Err(missing) => {
+            let term = printer.excerpt(missing.term);
+            writeln!(text, "- no tables of Runge–Kutta–Nyström type and with force gradients, because of {term}")
+        }
+    }
 }
 
 /// What implicit steps cost, and how they are solved.

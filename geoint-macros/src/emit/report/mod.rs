@@ -6,12 +6,14 @@ mod contact;
 mod pieces;
 mod field;
 mod flow;
+mod lagrangian;
 
 use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
 pub(crate) use contact::contact;
 pub(crate) use flow::{OfField, Source, flow};
+pub(crate) use lagrangian::{lagrangian, velocities};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

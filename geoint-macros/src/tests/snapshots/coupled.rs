@@ -60,16 +60,18 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Mean,
-        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
-        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -238,6 +240,64 @@ const _: () = {
         ) {
             match *never {}
         }
+    }
+    #[diagnostic::on_unimplemented(
+        message = "`Coupled`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
+        label = "the term is: p[0]²·(q[0]² + 1)"
+    )]
+    pub trait PartedCoupled {
+        type Proof;
+    }
+    impl<R: Real + PartedCoupled> PerturbedSystem<R> for Coupled {
+        type Proof = <R as PartedCoupled>::Proof;
+        type Exact = ::core::convert::Infallible;
+        type Rest = ::core::convert::Infallible;
+        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn exact(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn rest(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + PartedCoupled> PerturbedGradient<R> for Coupled {
+        type Proof = <R as PartedCoupled>::Proof;
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 2],
+            _: &mut [R; 2],
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real> Graded<R> for Coupled {
+        type Proof = ();
+        type Gradient = ByTree;
     }
     impl<R: Real> DiscreteField<R> for Coupled {
         type Proof = ();
@@ -419,6 +479,10 @@ const _: () = {
                 _,
             >(self, parameters, start, momenta, d, (image, matrix));
         }
+    }
+    impl<R: Real> Collocated<R> for Coupled {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Coupled {
         type Proof = ();

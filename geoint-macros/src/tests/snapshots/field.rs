@@ -75,16 +75,18 @@ struct Turning<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Mean,
-        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
-        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -477,6 +479,10 @@ const _: () = {
             }
         }
     }
+    impl<R: Real> Graded<R> for Turning<R> {
+        type Proof = ();
+        type Gradient = ByTree;
+    }
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();
         type Parameters = [R; 4];
@@ -834,6 +840,10 @@ const _: () = {
             matrix[1][0] = v41;
             matrix[1][1] = v43;
         }
+    }
+    impl<R: Real> Collocated<R> for Turning<R> {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Turning<R> {
         type Proof = ();

@@ -73,16 +73,18 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PlanarSplitting, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Mean,
-        MechanicalContact, Method, ModifiedEnergy, PerCoordinate, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square,
-        State, canonical_rate, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, slope,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
+        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
+        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
+        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
+        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -293,6 +295,60 @@ const _: () = {
             gradient_kick(self, prepared, t, q, p);
         }
     }
+    #[diagnostic::on_unimplemented(
+        message = "`Pendulum`: no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one",
+        label = "the term is: -m·l·g·cos(q)"
+    )]
+    pub trait PartedPendulum {
+        type Proof;
+    }
+    impl<R: Real + PartedPendulum> PerturbedSystem<R> for Pendulum<R> {
+        type Proof = <R as PartedPendulum>::Proof;
+        type Exact = ::core::convert::Infallible;
+        type Rest = ::core::convert::Infallible;
+        fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn exact(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+        fn prepare_rest(&self, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn rest(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+            _: &mut (),
+        ) {
+            match *never {}
+        }
+    }
+    impl<R: Real + PartedPendulum> PerturbedGradient<R> for Pendulum<R> {
+        type Proof = <R as PartedPendulum>::Proof;
+        type GradientKick = ::core::convert::Infallible;
+        fn prepare_gradient_kick(&self, _: R, _: R) -> ::core::convert::Infallible {
+            ::core::unreachable!()
+        }
+        fn gradient_kick(
+            &self,
+            never: &::core::convert::Infallible,
+            _: R,
+            _: &mut [R; 1],
+            _: &mut [R; 1],
+        ) {
+            match *never {}
+        }
+    }
     impl<R: Real> ModifiedEnergy<R> for Pendulum<R> {
         fn modified_hamiltonian(
             &self,
@@ -310,6 +366,10 @@ const _: () = {
         pub fn modified_energy(&self, h: f64, state: &State<f64>) -> f64 {
             ModifiedEnergy::modified_energy(self, h, state)
         }
+    }
+    impl<R: Real> Graded<R> for Pendulum<R> {
+        type Proof = ();
+        type Gradient = ByTree;
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
@@ -513,6 +573,10 @@ const _: () = {
                 _,
             >(self, parameters, start, momenta, d, (image, matrix));
         }
+    }
+    impl<R: Real> Collocated<R> for Pendulum<R> {
+        type Proof = ();
+        type Stages = ByField;
     }
     impl<R: Real> Collocation<R> for Pendulum<R> {
         type Proof = ();

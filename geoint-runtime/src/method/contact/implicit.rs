@@ -113,7 +113,7 @@ macro_rules! methods {
             type Memory = Newton<S::Unknown>;
 
             fn claims(&self) -> Claims {
-                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, forces: None }
+                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, perturbed: &[], forces: None }
             }
 
             fn name(&self) -> Name {

@@ -31,7 +31,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false, forces: Some(2) }
+        Claims { order: 2, symmetric: true, symplectic: true, conserves_energy: false, perturbed: &[], forces: Some(2) }
     }
 
     fn name(&self) -> Name {

@@ -1,7 +1,7 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
 use crate::method::corrected::invariants::Invariants;
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::Real;
 use crate::solving::linear;
 use crate::solving::rounding::correct;
@@ -27,8 +27,9 @@ pub struct Projection<M, I>(pub M, pub I);
 
 /// What the method prepared, and the invariants.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, I> {
+pub struct Prepared<P, I, R> {
     method: P,
+    h: R,
     poles: Poles,
     invariants: I,
 }
@@ -44,13 +45,20 @@ pub struct Memory<M, A: Array> {
 
 impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
     type Proof = <M::Proof as And<I::Values>>::Both;
-    type Prepared = Prepared<M::Prepared, I>;
+    type Prepared = Prepared<M::Prepared, I, R>;
     type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: I::KEEP_ENERGY, forces: None }
+        Claims {
+            order,
+            symmetric: false,
+            symplectic: false,
+            conserves_energy: I::KEEP_ENERGY,
+            perturbed: &[],
+            forces: None,
+        }
     }
 
     fn name(&self) -> Name {
@@ -58,7 +66,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
+        Prepared { method: self.0.prepare(system, h), h, poles: Poles::of(system), invariants: self.1 }
     }
 
     fn memory() -> Self::Memory {
@@ -67,13 +75,13 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { method, poles, invariants }: &Self::Prepared,
+        Prepared { method, h, poles, invariants }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Memory { method: memory, sizes, sums } = memory;
         let before = step.x.z;
-        M::step(method, memory, step.part(step.t))?;
+        outer_step::<S, R, M, C, P>(method, memory, *h, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);

@@ -1,7 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::Invariants;
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
@@ -51,7 +51,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();
-        Claims { order, symmetric: false, symplectic: false, conserves_energy: true, forces: None }
+        Claims { order, symmetric: false, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
     }
 
     fn name(&self) -> Name {
@@ -73,7 +73,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
-        M::step(method, memory, step.part(step.t))?;
+        outer_step::<S, R, M, C, P>(method, memory, *h, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);

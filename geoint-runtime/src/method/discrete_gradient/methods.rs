@@ -27,7 +27,7 @@ macro_rules! methods {
             type Memory = Memory<$system::Array>;
 
             fn claims(&self) -> Claims {
-                Claims { order: $order, symmetric: $symmetric, symplectic: $symplectic, conserves_energy: $energy, forces: None }
+                Claims { order: $order, symmetric: $symmetric, symplectic: $symplectic, conserves_energy: $energy, perturbed: &[], forces: None }
             }
 
             fn name(&self) -> Name {

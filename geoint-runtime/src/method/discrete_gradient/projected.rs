@@ -79,7 +79,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     type Memory = Memory<S::Phase>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 4, symmetric: true, symplectic: false, conserves_energy: true, forces: None }
+        Claims { order: 4, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
     }
 
     fn name(&self) -> Name {

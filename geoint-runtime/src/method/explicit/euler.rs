@@ -19,7 +19,14 @@ impl<S: VectorField<R>, R: Real> Method<S, R> for ExplicitEuler {
     type Memory = ();
 
     fn claims(&self) -> Claims {
-        Claims { order: 1, symmetric: false, symplectic: false, conserves_energy: false, forces: Some(1) }
+        Claims {
+            order: 1,
+            symmetric: false,
+            symplectic: false,
+            conserves_energy: false,
+            perturbed: &[],
+            forces: Some(1),
+        }
     }
 
     fn name(&self) -> Name {

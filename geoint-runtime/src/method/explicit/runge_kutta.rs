@@ -206,6 +206,7 @@ impl<S: VectorField<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
             symmetric: false,
             symplectic: false,
             conserves_energy: false,
+            perturbed: &[],
             forces: Some(K as u32),
         }
     }

@@ -21,24 +21,25 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod fields;
 mod stages;
 mod tableau;
+mod velocities;
 
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::solving::newton::Newton;
-use crate::space::Array;
-use crate::space::{Snapshot, Summation};
-use crate::system::{Collocation, Poles};
-use stages::Stages;
+use crate::space::Summation;
+use crate::system::{Collocated, PhaseSpace};
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
 /// Solved for the stage derivatives kᵢ = f(Yᵢ), all together: Yᵢ = y₀ + h Σ aᵢⱼ kⱼ; or, if T is quadratic, for the stage
-/// forces alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ. The reference for energies that are not separable.
+/// forces alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ. The reference for energies that are not separable. A Lagrangian whose mass
+/// matrix is full is solved for stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ), which is the same
+/// map with half of the unknowns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 
@@ -49,32 +50,50 @@ pub struct Gauss<const S: usize>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
-/// Coefficients of one step.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    poles: Poles,
-    constants: P,
-    h: R,
-    /// What stage j adds to stage i: h·A, or h²·A².
-    coupling: [[R; S]; S],
-    /// h·c.
-    nodes: [R; S],
-    /// h·b.
-    weights: [R; S],
-    /// What a stage adds to the end: h·b, or h²·b(1 − c).
-    increments: [R; S],
+/// How the stages of a step are found: of [`ByField`](crate::system::ByField) or [`ByVelocities`](crate::system::ByVelocities).
+pub trait StageForm<Y: PhaseSpace<R>, R: Real> {
+    /// Coefficients of one step.
+    type Prepared<const S: usize>: Clone;
+    /// What a step hands on to the next one.
+    type Memory<const S: usize>: Clone;
+
+    /// Coefficients for steps of length `h`.
+    fn prepare<const S: usize>(system: &Y, h: R) -> Self::Prepared<S>
+    where
+        Gauss<S>: GaussTableau<S>;
+
+    /// The memory before the first step.
+    fn memory<const S: usize>() -> Self::Memory<S>;
+
+    /// One step, in place.
+    ///
+    /// # Errors
+    /// Where the step has no result.
+    fn step<const S: usize, C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared<S>,
+        memory: &mut Self::Memory<S>,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal>;
 }
 
-impl<Y: Collocation<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
+impl<Y: Collocated<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
+    Y::Stages: StageForm<Y, R>,
     Gauss<S>: GaussTableau<S>,
 {
-    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocation<R>>::Proof>>::Both;
-    type Prepared = Prepared<Y::Constants, R, S>;
-    type Memory = Newton<[Y::Unknown; S]>;
+    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocated<R>>::Proof>>::Both;
+    type Prepared = <Y::Stages as StageForm<Y, R>>::Prepared<S>;
+    type Memory = <Y::Stages as StageForm<Y, R>>::Memory<S>;
 
     fn claims(&self) -> Claims {
-        Claims { order: 2 * S as u32, symmetric: true, symplectic: true, conserves_energy: false, forces: None }
+        Claims {
+            order: 2 * S as u32,
+            symmetric: true,
+            symplectic: true,
+            conserves_energy: false,
+            perturbed: &[],
+            forces: None,
+        }
     }
 
     fn name(&self) -> Name {
@@ -82,58 +101,28 @@ where
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        let tableau = Self::TABLEAU;
-        let first_order = Y::DERIVATIVE == 1;
-        let coupling = |i: usize, j: usize| {
-            let square = (0..S).map(|k| tableau.a[i][k] * tableau.a[k][j]).sum();
-            if first_order { R::from_f64(tableau.a[i][j]) * h } else { R::from_f64(square) * h * h }
-        };
-        let increment = |i: usize| {
-            let (b, c) = (tableau.b[i], tableau.c[i]);
-            if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
-        };
-        Prepared {
-            poles: Poles::of(system),
-            constants: system.constants(),
-            h,
-            coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
-            nodes: tableau.c.map(|c| R::from_f64(c) * h),
-            weights: tableau.b.map(|b| R::from_f64(b) * h),
-            increments: core::array::from_fn(increment),
-        }
+        <Y::Stages as StageForm<Y, R>>::prepare::<S>(system, h)
     }
 
     fn memory() -> Self::Memory {
-        Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
+        <Y::Stages as StageForm<Y, R>>::memory::<S>()
     }
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
-        newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        let zero = Y::Unknown::zero();
-        let (y0, changed) = Y::start(&x.z);
-        let velocity = system.velocity(&prepared.constants, &changed);
-        probe.visit(t, &x.z, &());
-        let (k, _) = newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe)?;
-
-        let Prepared { poles, constants, h, weights, increments, .. } = prepared;
-        let (mut change, mut impulse) = (zero, zero);
-        change.add_scaled(*h, &velocity);
-        for i in 0..S {
-            system.add(constants, increments[i], &k[i], &mut change);
-            impulse.add_scaled(weights[i], &k[i]);
-        }
-        let before = start::<Y, R, C>(x);
-        x.add(&Y::increments(&change, &impulse));
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        <Y::Stages as StageForm<Y, R>>::step::<S, C, P>(prepared, memory, step)
     }
 }
 
-impl<Y: Collocation<R>, R: Real> Method<Y, R> for ImplicitMidpoint {
-    type Proof = <Y as Collocation<R>>::Proof;
+impl<Y: Collocated<R>, R: Real> Method<Y, R> for ImplicitMidpoint
+where
+    Y::Stages: StageForm<Y, R>,
+{
+    type Proof = <Y as Collocated<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;
     type Memory = <Gauss<1> as Method<Y, R>>::Memory;
 

@@ -1,6 +1,6 @@
 //! The equation of the stages.
 
-use super::Prepared;
+use super::fields::Prepared;
 use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;

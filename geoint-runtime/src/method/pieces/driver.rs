@@ -27,7 +27,7 @@ pub struct Prepared<F, R> {
 /// What every composition of exact flows claims, of order `order` with so many flows of the last piece.
 pub(super) fn claims<S: Pieces<M, R>, M, R: Real>(order: u32, flows: u32) -> Claims {
     let (symplectic, conserves_energy) = (S::SYMPLECTIC, S::CONSERVES_ENERGY);
-    Claims { order, symmetric: true, symplectic, conserves_energy, forces: Some(flows) }
+    Claims { order, symmetric: true, symplectic, conserves_energy, perturbed: &[], forces: Some(flows) }
 }
 
 pub(super) fn prepare<S: Pieces<M, R>, M, R: Real>(system: &S, h: R) -> Prepared<S::Flows, R> {

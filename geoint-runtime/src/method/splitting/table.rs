@@ -115,7 +115,7 @@ impl<const K: usize, O> Splitting<K, O> {
         assert!(adds_up(&outer, 1.0 - last), "the fractions of the outer flows add up to 1");
         assert!(adds_up(&inner, 1.0), "the fractions of the inner flows add up to 1");
         let forces = Some(K as u32);
-        let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false, forces };
+        let claims = Claims { order, symmetric, symplectic: true, conserves_energy: false, perturbed: &[], forces };
         Splitting { name, claims, outer, inner, last, gradients: [0.0; K], order: PhantomData }
     }
 
@@ -136,6 +136,12 @@ impl<const K: usize, O> Splitting<K, O> {
             0.5 * (before + gamma[i])
         });
         Self::checked(name, order, outer, gamma, 0.5 * gamma[K - 1])
+    }
+
+    /// The same table, made for H = A + εB: its errors are O(ε hˢ¹ + ε² hˢ² + …).
+    pub(in crate::method) const fn near_integrable(mut self, orders: &'static [u32]) -> Self {
+        self.claims.perturbed = orders;
+        self
     }
 
     /// The same table under a name of its own.

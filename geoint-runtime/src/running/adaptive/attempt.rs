@@ -1,6 +1,6 @@
 //! What one step of a given length leads to, and how wrong that is.
 
-use crate::method::{Method, Probe, Step};
+use crate::method::{Method, Probe, Step, outer_step};
 use crate::running::error::Reason;
 use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::watch::{Found, Watch};
@@ -51,10 +51,20 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
         let (mut x, mut whole) = (*self.x, *self.x);
-        M::step(&prepared.whole, memory_of_whole, Step { system, t, x: &mut whole, probe })?;
+        outer_step::<S, R, M, _, P>(
+            &prepared.whole,
+            memory_of_whole,
+            half + half,
+            Step { system, t, x: &mut whole, probe },
+        )?;
         for end in [half, half + half] {
             let start = t + (end - half) + x.ahead.value();
-            M::step(&prepared.half, memory_of_halves, Step { system, t: start, x: &mut x, probe })?;
+            outer_step::<S, R, M, _, P>(
+                &prepared.half,
+                memory_of_halves,
+                half,
+                Step { system, t: start, x: &mut x, probe },
+            )?;
             if !x.is_finite() {
                 return Err(Reason::NonFinite);
             }

@@ -7,9 +7,10 @@ use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed, zero};
+use crate::space::Coordinates;
 use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
-use crate::system::{Conformal, FirstIntegrals, PhaseSpace, StateOf};
+use crate::system::{Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
 pub(super) use steps::STEPS_BETWEEN_LOOKS;
 use steps::Steps;
@@ -38,6 +39,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 clock: Clock::new(t0, h),
                 taken: 0,
                 x: Point::with_action(z, s),
+                inside: false,
             },
         }
     }
@@ -103,6 +105,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
 
     /// Changes the step size; time goes on from here.
     pub fn set_step_size(&mut self, h: R) {
+        self.steps.leave();
         let Steps { system, method, prepared, memory, clock, x, .. } = &mut self.steps;
         clock.set_step_size(h, x.ahead);
         x.ahead = DoubleWord::new(zero());
@@ -125,13 +128,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     /// The state now.
     #[inline(always)]
     pub fn state(&self) -> StateOf<S, R> {
-        S::State::of(self.time(), self.steps.x.z, self.action())
+        S::State::of(self.time(), self.steps.seen().z, self.action())
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        let Steps { system, x, .. } = &self.steps;
-        system.hamiltonian(self.time(), &x.z, &self.action())
+        self.steps.system.hamiltonian(self.time(), &self.steps.seen().z, &self.action())
     }
 
     /// The first integrals now, in the order in which they were named.
@@ -139,7 +141,16 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     where
         S: FirstIntegrals<R>,
     {
-        self.steps.system.integrals(self.time(), &self.steps.x.z)
+        self.steps.system.integrals(self.time(), &self.steps.seen().z)
+    }
+
+    /// The velocities now, of a system that was written as a Lagrangian.
+    pub fn velocity(&self) -> S::Coordinates
+    where
+        S: Lagrangian<R>,
+    {
+        let Steps { system, x, .. } = &self.steps;
+        S::Coordinates::from_array(system.velocity(self.time(), &x.z, &self.action()))
     }
 
     /// The action now, if it is followed.
@@ -177,8 +188,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Steps { system, method, prepared, memory, clock, taken, x } = self.steps;
-        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, x: x.with_sums() } }
+        let Steps { system, method, prepared, memory, clock, taken, x, inside } = self.steps;
+        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, x: x.with_sums(), inside } }
     }
 }
 
@@ -199,12 +210,14 @@ impl<S: Conformal<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
     }
 }
 
-impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real, C: Debug> Debug for Integrator<S, M, R, C> {
+impl<S: PhaseSpace<R> + Debug, M: Method<S, R> + Debug, R: Real, C: Summation<S::Phase> + Debug> Debug
+    for Integrator<S, M, R, C>
+{
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Steps { system, method, clock, taken, x, .. } = &self.steps;
+        let Steps { system, method, clock, taken, .. } = &self.steps;
         let mut run = f.debug_struct("Integrator");
         run.field("system", system).field("method", method).field("clock", clock);
-        run.field("x", x).field("steps", taken).finish_non_exhaustive()
+        run.field("x", &self.steps.seen()).field("steps", taken).finish_non_exhaustive()
     }
 }
 

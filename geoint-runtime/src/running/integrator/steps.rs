@@ -21,7 +21,10 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clock: Clock<R>,
     /// Steps since the beginning.
     pub(super) taken: u64,
+    /// The point of a state, or where there is another one that the method moves, that one from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
+    /// Whether it is the one that the method moves.
+    pub(super) inside: bool,
 }
 
 impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S, M, R, C> {
@@ -43,9 +46,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         while left > 0 {
             let steps = left.min(self.steps_to_look());
             let (mut memory, mut x) = (self.memory.clone(), self.x);
+            self.enter(&mut x);
             let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
             if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
-                (self.memory, self.x) = (memory, x);
+                (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
             } else {
                 // One by one, as single steps are taken, to stop where those do.
@@ -76,11 +80,15 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         // In place: one copy, for steps that are refused, in place of two.
         let (t, memory, start) = (self.time(), self.kept(), self.x);
+        if M::INNER && !self.inside {
+            M::enter(&self.prepared, &self.system, t, &mut self.x.z);
+        }
         let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
             && self.singular_time(1).is_none();
         if good && self.ends_within(limit, &self.x, t) {
+            self.inside = true;
             self.pass(1);
             return Ok(true);
         }
@@ -98,7 +106,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[cold]
     fn step_watched(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         let (mut memory, mut x) = (self.memory.clone(), self.x);
-        let mut watch = Watch::new(&self.system, self.time(), &self.x);
+        let mut watch = Watch::new(&self.system, self.time(), &self.seen());
+        self.enter(&mut x);
         let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
         let (t, singular) = (signed(self.time()), self.singular_time(1));
@@ -109,11 +118,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             if !self.ends_within(limit, &x, self.time()) {
                 return Ok(false);
             }
-            (self.memory, self.x) = (memory, x);
+            (self.memory, self.x, self.inside) = (memory, x, true);
             self.pass(1);
             return Ok(true);
         }
-        watch.visit(self.clock.at(1), &x.z, &x.s);
+        let end = self.seen_as(&x, self.clock.at(1));
+        watch.visit(self.clock.at(1), &end, &x.s);
         Err(match (outcome, watch.reason(outcome.err())) {
             (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
             (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
@@ -159,7 +169,49 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
 
     #[inline(always)]
     fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        self.system.outside_domain(self.end(steps, x), &x.z, &x.s).is_none()
+        let (t, mut z) = (self.end(steps, x), x.z);
+        if M::INNER {
+            M::near(&self.prepared, &self.system, t, &mut z);
+        }
+        self.system.outside_domain(t, &z, &x.s).is_none()
+    }
+
+    /// From the point of a state to the one that the method moves, if it is not there yet.
+    #[inline(always)]
+    fn enter(&self, x: &mut Point<S::Phase, C, S::Action>) {
+        if M::INNER && !self.inside {
+            M::enter(&self.prepared, &self.system, self.time(), &mut x.z);
+        }
+    }
+
+    /// The point of the state at time `t` that the method has as `x`.
+    #[inline(always)]
+    fn seen_as(&self, x: &Point<S::Phase, C, S::Action>, t: R) -> S::Phase {
+        let mut z = x.z;
+        if M::INNER {
+            M::leave(&self.prepared, &self.system, t, &mut z);
+        }
+        z
+    }
+
+    /// The point of the state now.
+    #[inline(always)]
+    pub(super) fn seen(&self) -> Point<S::Phase, C, S::Action> {
+        let mut x = self.x;
+        if M::INNER && self.inside {
+            x.z = self.seen_as(&x, self.time());
+        }
+        x
+    }
+
+    /// The same, and the next step enters again: with other coefficients, perhaps.
+    pub(super) fn leave(&mut self) {
+        if M::INNER && self.inside {
+            // What the method's coordinates were rounded by is none of these.
+            let (ahead, x) = (self.x.ahead, self.seen());
+            self.x = Point { ahead, ..Point::with_action(x.z, x.s) };
+            self.inside = false;
+        }
     }
 
     /// When steps end that led to `x`.

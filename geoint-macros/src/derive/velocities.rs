@@ -1,0 +1,55 @@
+//! What is derived from L(q, v, t) where velocities are the unknowns of steps.
+
+use super::domain::{Domain, Roots};
+use super::system::{Implicit, Missing, System, VelocityKernels};
+use crate::analyze::Damping;
+use crate::diff::lagrangian::{self, Given};
+use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::{Kinetic, Legendre};
+use crate::messages::{FULL_MASS, NOT_POLARISED};
+use crate::parse::Form;
+use crate::schedule::{Kernel, Levels};
+
+/// Derives everything that some method needs; `long` is why there is no H.
+pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, damping: Option<&Damping>) -> System {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    let matrix = damping.map(|damping| &damping.matrix[..]);
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix };
+    let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
+    let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
+    let polarised = if quadratic {
+        let (equation, impulse) = lagrangian::polarised(graph, given);
+        Ok(Kernel { levels: Levels::Iterated, routines: vec![equation, impulse] })
+    } else {
+        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
+    };
+    let known = [momenta.clone(), mass.concat()].concat();
+    // What has no velocity in it is divided as slopes divide it.
+    let roots = [&[*lagrangian][..], forces, momenta].concat();
+    let degrees = momenta.len() as u32;
+    System {
+        proven: vec![],
+        value: None,
+        slopes: None,
+        rate: None,
+        splitting: Some(Err(Missing { marker: "Uncoupled", term: long, why: FULL_MASS, pair: None })),
+        modified: None,
+        pieces: vec![],
+        perturbed: None,
+        implicit: Implicit::Velocities(VelocityKernels {
+            increments: (0..degrees).map(Symbol::Dv).collect(),
+            mass: Kernel::new(Levels::One, known),
+            stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            polarised,
+        }),
+        integrals: None,
+        domain: Domain::of(
+            graph,
+            Roots { all: &roots, divided: &[*lagrangian] },
+            Form::Lagrangian,
+            &legendre.partial,
+            damping,
+        ),
+        lagrangian: None,
+    }
+}

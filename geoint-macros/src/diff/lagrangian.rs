@@ -1,0 +1,144 @@
+//! The equations of implicit steps of a Lagrangian, with velocities as unknowns.
+
+use super::field::{middle, taking};
+use super::forward::jacobian;
+use super::gradient::discrete_gradient;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Number, Symbol};
+
+/// What is known of L(q, v, t), and of friction.
+#[derive(Clone, Copy)]
+pub(crate) struct Given<'a> {
+    /// ∂L/∂q and ∂L/∂v.
+    pub(crate) forces: &'a [Id],
+    pub(crate) momenta: &'a [Id],
+    /// M = ∂²L/∂v².
+    pub(crate) mass: &'a [Vec<Id>],
+    /// ∂L/∂v and −L at rest.
+    pub(crate) shift: &'a [Id],
+    pub(crate) potential: Id,
+    /// C.
+    pub(crate) damping: Option<&'a [Vec<Id>]>,
+}
+
+/// f = ∂L/∂q − Cv.
+pub(crate) fn force(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
+    let velocities: Vec<Id> = (0..given.forces.len() as u32).map(|i| graph.symbol(Symbol::V(i))).collect();
+    rubbed(graph, given.forces, given.damping, &velocities)
+}
+
+/// ∂L/∂v, f, and the derivatives of both by q and v, one after the other.
+pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
+    let degrees = given.momenta.len() as u32;
+    let force = force(graph, given);
+    let positions: Vec<Symbol> = (0..degrees).map(Symbol::Q).collect();
+    let velocities: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+    let momenta_by_q = jacobian(graph, given.momenta, &positions);
+    let mut forces_by_q = jacobian(graph, &force, &positions);
+    let mut forces_by_v = jacobian(graph, &force, &velocities);
+    // Of equal derivatives, which may be written differently, one is computed.
+    if given.damping.is_none() {
+        for i in 0..force.len() {
+            for j in 0..force.len() {
+                forces_by_v[i][j] = momenta_by_q[j][i];
+                if i < j {
+                    forces_by_q[i][j] = forces_by_q[j][i];
+                }
+            }
+        }
+    }
+    let matrices = [momenta_by_q, given.mass.to_vec(), forces_by_q, forces_by_v].map(|matrix| matrix.concat());
+    [given.momenta.to_vec(), force, matrices.concat()].concat()
+}
+
+/// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ with its derivative, and p₁ − p₀. Time is that of
+/// the middle of the step.
+pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id>) {
+    let degrees = given.momenta.len() as u32;
+    let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
+    let (mut starts, mut ends, mut means, mut increments) = (vec![], vec![], vec![], vec![]);
+    for i in 0..degrees {
+        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        let half = graph.scale(Number::HALF, d);
+        starts.push(start);
+        ends.push(graph.add(start, d));
+        means.push(graph.add(start, half));
+        increments.push(graph.mul(h, means[i as usize]));
+    }
+    let polarised = polarisation(graph, given, (&starts, &ends), &means);
+    let slopes = discrete_gradient(graph, polarised, degrees).q;
+    let damping: Option<Vec<Vec<Id>>> = given.damping.map(|matrix| {
+        let mut there = Substitution::new(middle);
+        matrix.iter().map(|row| row.iter().map(|entry| there.apply(graph, *entry)).collect()).collect()
+    });
+    let force = rubbed(graph, &slopes, damping.as_deref(), &means);
+    let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
+        Symbol::Dq(i) => Some(increments[i as usize]),
+        _ => None,
+    });
+    let mut scaled = |force: &Id| {
+        let force = moved.apply(graph, *force);
+        graph.mul(h, force)
+    };
+    let impulse: Vec<Id> = force.iter().map(&mut scaled).collect();
+
+    // The momentum at the end, by L at its time.
+    let half = graph.scale(Number::HALF, h);
+    let late = graph.add(t, half);
+    let mut end = Substitution::new(|graph: &mut Graph, symbol| match symbol {
+        Symbol::Q(i) => {
+            let q = graph.symbol(symbol);
+            Some(graph.add(q, increments[i as usize]))
+        }
+        Symbol::T => Some(late),
+        _ => None,
+    });
+    let mut residual = vec![];
+    for i in 0..ends.len() {
+        let mut terms = vec![end.apply(graph, given.shift[i])];
+        for (entry, v) in given.mass[i].iter().zip(&ends) {
+            let entry = end.apply(graph, *entry);
+            terms.push(graph.mul(entry, *v));
+        }
+        let p = graph.symbol(Symbol::P(i as u32));
+        terms.extend([graph.neg(p), graph.neg(impulse[i])]);
+        residual.push(graph.sum(&terms));
+    }
+    let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
+    let matrix = jacobian(graph, &residual, &unknowns);
+    ([residual, matrix.concat()].concat(), impulse)
+}
+
+/// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.
+fn polarisation(graph: &mut Graph, given: Given<'_>, (starts, ends): (&[Id], &[Id]), means: &[Id]) -> Id {
+    let mut terms = vec![graph.neg(given.potential)];
+    for i in 0..starts.len() {
+        terms.push(graph.mul(given.shift[i], means[i]));
+        for j in 0..=i {
+            let mut pair = graph.mul(starts[i], ends[j]);
+            if i != j {
+                let other = graph.mul(starts[j], ends[i]);
+                pair = graph.add(pair, other);
+            }
+            let half = graph.scale(Number::HALF, pair);
+            terms.push(graph.mul(given.mass[i][j], half));
+        }
+    }
+    graph.sum(&terms)
+}
+
+/// Forces less friction Cv.
+fn rubbed(graph: &mut Graph, forces: &[Id], damping: Option<&[Vec<Id>]>, velocities: &[Id]) -> Vec<Id> {
+    let Some(matrix) = damping else { return forces.to_vec() };
+    let mut rubbed = vec![];
+    for (i, force) in forces.iter().enumerate() {
+        let mut terms = vec![*force];
+        for (j, velocity) in velocities.iter().enumerate() {
+            let coefficient = taking(graph, matrix, i, j);
+            let drag = graph.mul(coefficient, *velocity);
+            terms.push(graph.neg(drag));
+        }
+        rubbed.push(graph.sum(&terms));
+    }
+    rubbed
+}

@@ -1,0 +1,82 @@
+//! From velocities to momenta and back: what a system has that was written as a Lagrangian.
+
+use super::kernel::{Context, write};
+use super::system::{self_type, state};
+use crate::derive::Lagrangian;
+use crate::parse::Energy;
+use crate::schedule::Plan;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// `impl Lagrangian`, and what users call.
+pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> TokenStream {
+    let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
+    let (action, places) = (context.action(), context.coordinates());
+    let value = context.values(&found.value, |mut values| values.remove(0));
+    let momenta = context.values(&found.momenta, |values| write("momentum", &places, &values));
+    let velocities = match &found.velocities {
+        Some(velocities) => {
+            let velocities = context.values(velocities, |values| write("velocity", &places, &values));
+            quote! {
+                #parts
+                let mut velocity = <#array as Array>::zero();
+                #velocities
+                velocity
+            }
+        }
+        None => quote!(velocity_of(self, t, z)),
+    };
+    let Energy { name: plain, float, coordinates, form, .. } = context.energy;
+    let (state, coordinates) = (state(*form), &coordinates.ty);
+    // The action, where there is one.
+    let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
+    let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
+    quote! {
+        impl<R: Real> LagrangianSystem<R> for #name {
+            type Proof = ();
+            #[inline]
+            fn lagrangian(&self, t: R, q: &#array, v: &#array, s: &#action) -> R {
+                #value
+            }
+            #[inline]
+            fn momentum(&self, t: R, q: &#array, v: &#array, s: &#action) -> #array {
+                let mut momentum = <#array as Array>::zero();
+                #momenta
+                momentum
+            }
+            #[inline]
+            fn velocity(&self, t: R, z: &#phase, s: &#action) -> #array {
+                #velocities
+            }
+        }
+        impl #plain {
+            /// The state with these positions and velocities, at t = 0.
+            pub fn at(&self, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
+                self.at_time(0.0, q, v #hands)
+            }
+
+            /// The state with these positions and velocities at a time.
+            pub fn at_time(&self, t: #float, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
+                #state::at(t, q, self.momentum(t, q, v #hands) #hands)
+            }
+
+            /// The momenta ∂L/∂v.
+            pub fn momentum(&self, t: #float, q: #coordinates, v: #coordinates #takes) -> #coordinates {
+                let [q, v] = [q, v].map(Coordinates::into_array);
+                Coordinates::from_array(LagrangianSystem::momentum(self, t, &q, &v, #given))
+            }
+
+            /// The velocities of a state.
+            pub fn velocity(&self, state: &#state<#coordinates>) -> #coordinates {
+                let (t, z, s) = state.parts();
+                Coordinates::from_array(LagrangianSystem::velocity(self, t, &z, &s))
+            }
+
+            /// The Lagrangian.
+            pub fn lagrangian(&self, t: #float, q: #coordinates, v: #coordinates #takes) -> #float {
+                let [q, v] = [q, v].map(Coordinates::into_array);
+                LagrangianSystem::lagrangian(self, t, &q, &v, #given)
+            }
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! What was found of a Lagrangian, in words.
+
+use super::super::damping;
+use super::super::kernel::Context;
+use super::counted;
+use crate::analyze::{self, Damping};
+use crate::derive::{Implicit, System};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::legendre::{Kinetic, Legendre, Part};
+use crate::parse::Role;
+use crate::schedule::Plan;
+use std::fmt::{Result as Written, Write};
+
+/// The report, up to that of the energy; nothing if there is no Lagrangian.
+pub(crate) fn lagrangian(context: &Context<'_>, graph: &Graph, legendre: Option<&Legendre>) -> String {
+    let mut text = String::new();
+    if let Some(legendre) = legendre {
+        let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+        // Writing to a string cannot fail.
+        let _ = sections(&mut text, context, &printer, legendre);
+    }
+    text
+}
+
+fn sections<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    legendre: &Legendre,
+) -> Written {
+    let graph = printer.graph();
+    writeln!(text, "L = {}", printer.formula(legendre.lagrangian))?;
+    for (symbol, slopes) in [(Symbol::Q as fn(u32) -> Symbol, &legendre.forces), (Symbol::V, &legendre.momenta)] {
+        for (i, slope) in (0..).zip(slopes) {
+            writeln!(text, "∂L/∂{} = {}", printer.named(symbol(i)), printer.excerpt(*slope))?;
+        }
+    }
+
+    let p = context.name_of(Role::Momentum);
+    writeln!(
+        text,
+        "\nFrom velocities to momenta: {p} = ∂L/∂{}, H = {p}·{1} − L",
+        context.name_of(Role::Velocity),
+        context.name_of(Role::Velocity)
+    )?;
+    legendre.parts.iter().try_for_each(|part| self::part(text, printer, part))?;
+    if !graph.is_zero(legendre.potential) {
+        writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
+    }
+    writeln!(text, "- H is {}\n", mechanical(graph, legendre))
+}
+
+/// What the mass matrix of a part is, entry by entry, or what rule there is.
+fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, part: &Part) -> Written {
+    let Part { velocities, kinetic } = part;
+    let graph = printer.graph();
+    let names: Vec<String> = velocities.iter().map(|i| printer.named(Symbol::V(*i))).collect();
+    let names = names.join(", ");
+    match kinetic {
+        Kinetic::Conjugate { term, rule } => {
+            writeln!(text, "- {names}: a conjugate in closed form of {}: {rule}", printer.excerpt(*term))
+        }
+        Kinetic::Open(term) => {
+            writeln!(
+                text,
+                "- {names}: neither quadratic nor of a known conjugate, found by Newton's iteration: {}",
+                printer.excerpt(*term)
+            )
+        }
+        Kinetic::Quadratic { mass, shift } => {
+            let entries = || (0..mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
+            let constant = entries().all(|(i, j)| {
+                let reads = analyze::reads(graph, mass[i][j]);
+                !reads.state() && !reads.t
+            });
+            let kind = if constant { "constant" } else { "not constant" };
+            let how = match mass.len() {
+                1 => "",
+                _ => ", factored as LDLᵀ",
+            };
+            writeln!(text, "- {names}: L is quadratic, with a mass matrix that is {kind}{how}")?;
+            for (i, j) in entries().filter(|(i, j)| !graph.is_zero(mass[*i][*j])) {
+                let [i_name, j_name] = [i, j].map(|i| printer.named(Symbol::V(velocities[i])));
+                writeln!(text, "  - ∂²L/∂{i_name}∂{j_name} = {}", printer.excerpt(mass[i][j]))?;
+            }
+            linear(text, printer, velocities, shift)
+        }
+    }
+}
+
+fn linear<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    velocities: &[u32],
+    shift: &[Id],
+) -> Written {
+    for (i, a) in velocities.iter().zip(shift).filter(|(_, a)| !printer.graph().is_zero(**a)) {
+        writeln!(text, "  - linear in {}: {}", printer.named(Symbol::V(*i)), printer.excerpt(*a))?;
+    }
+    Ok(())
+}
+
+/// Whether H is the sum of kinetic and potential energy.
+fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
+    let quadratic = |part: &Part| match &part.kinetic {
+        Kinetic::Quadratic { shift, .. } => shift.iter().all(|a| graph.is_zero(*a)),
+        Kinetic::Conjugate { .. } | Kinetic::Open(_) => false,
+    };
+    match legendre.parts.iter().all(quadratic) {
+        true => {
+            "T + V, with V = −L at rest: what a moving frame adds to L is in V, and H is then not the mechanical energy"
+        }
+        false => "not T + V: L is not T − V with a T that is a quadratic form in the velocities",
+    }
+}
+
+/// The report of steps with velocities as unknowns.
+pub(crate) fn velocities(
+    context: &Context<'_>,
+    graph: &Graph,
+    (legendre, long): (&Legendre, Id),
+    (system, damping): (&System<Plan>, Option<&Damping>),
+) -> String {
+    let mut text = String::new();
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let _ = steps(&mut text, context, &printer, (legendre, long), (system, damping));
+    text
+}
+
+fn steps<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    (legendre, long): (&Legendre, Id),
+    (system, damping): (&System<Plan>, Option<&Damping>),
+) -> Written {
+    let Implicit::Velocities(kernels) = &system.implicit else { return Ok(()) };
+    let v = context.name_of(Role::Velocity);
+    writeln!(text, "Structure")?;
+    writeln!(
+        text,
+        "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
+        printer.excerpt(long)
+    )?;
+    writeln!(text, "- kick and drift do not exist")?;
+    let autonomous = !analyze::reads(printer.graph(), legendre.lagrangian).t;
+    writeln!(text, "- L {} on time", if autonomous { "does not depend" } else { "depends" })?;
+    if let Some(damping) = damping {
+        damping::section(text, printer, damping, autonomous)?;
+    }
+
+    writeln!(text, "\nConserved by the flow, at least")?;
+    let read = analyze::symbols(printer.graph(), legendre.lagrangian);
+    let spared = |i: u32| {
+        let row = damping.map(|damping| &damping.matrix[i as usize]);
+        row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))
+    };
+    let cyclic: Vec<u32> =
+        (0..context.energy.degrees()).filter(|i| !read.contains(&Symbol::Q(*i)) && spared(*i)).collect();
+    let energy = autonomous && damping.is_none();
+    if energy {
+        writeln!(text, "- the energy")?;
+    }
+    for i in &cyclic {
+        writeln!(text, "- {}: L does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+    }
+    if !energy && cyclic.is_empty() {
+        writeln!(text, "- nothing that was found")?;
+    }
+
+    writeln!(
+        text,
+        "\nImplicit steps, with {} unknowns a stage (a sine with its cosine counts as two)",
+        legendre.momenta.len()
+    )?;
+    writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(kernels.stage.operations()))?;
+    match &kernels.polarised {
+        Ok(polarised) => {
+            writeln!(
+                text,
+                "- Newton iteration of the discrete gradient, the polarised one: {}",
+                counted(polarised.operations())
+            )
+        }
+        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+    }
+}

@@ -1,0 +1,74 @@
+//! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
+
+use crate::analyze;
+use crate::ir::{Graph, Id, Ratio};
+
+/// A square, and what divides it.
+pub(super) type Square = (Id, Id);
+
+/// Why there is no such sum.
+pub(super) enum NoForm {
+    /// M is singular at every state.
+    Singular,
+    /// What is left of M has this entry, but none on its diagonal.
+    NoPivot(Id),
+}
+
+/// yᵀM⁻¹y for a symmetric M, as a sum of squares.
+///
+/// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
+pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Square>, NoForm> {
+    let (mut mass, mut y): (Vec<Vec<Id>>, Vec<Id>) = (mass.to_vec(), y.to_vec());
+    let mut left: Vec<usize> = (0..y.len()).collect();
+    let mut squares: Vec<(usize, Square)> = vec![];
+    while !left.is_empty() {
+        let k = pivot(graph, &mass, &left)?;
+        left.retain(|i| *i != k);
+        let d = mass[k][k];
+        let coupled: Vec<usize> = left.iter().copied().filter(|i| !graph.is_zero(mass[*i][k])).collect();
+        for i in &coupled {
+            let l = graph.div(mass[*i][k], d);
+            for j in coupled.iter().filter(|j| *j <= i) {
+                let fill = graph.mul(l, mass[*j][k]);
+                let entry = graph.sub(mass[*i][*j], fill);
+                (mass[*i][*j], mass[*j][*i]) = (entry, entry);
+            }
+            let part = graph.mul(l, y[k]);
+            y[*i] = graph.sub(y[*i], part);
+        }
+        let square = graph.pow(y[k], Ratio::integer(2));
+        squares.push((k, (square, d)));
+    }
+    squares.sort_by_key(|(k, _)| *k);
+    Ok(squares.into_iter().map(|(_, square)| square).collect())
+}
+
+/// The sum; squares over equal pivots are one, as |p|²/m is written.
+pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
+    let mut terms: Vec<(Id, Vec<Id>)> = vec![];
+    for (square, d) in squares {
+        match terms.iter_mut().find(|(other, _)| other == d) {
+            Some((_, sum)) => sum.push(*square),
+            None => terms.push((*d, vec![*square])),
+        }
+    }
+    let mut divided = vec![];
+    for (d, sum) in terms {
+        let sum = graph.sum(&sum);
+        divided.push(graph.div(sum, d));
+    }
+    graph.sum(&divided)
+}
+
+/// The next pivot: of those that are not zero everywhere the one whose coordinate couples to the fewest others.
+fn pivot(graph: &mut Graph, mass: &[Vec<Id>], left: &[usize]) -> Result<usize, NoForm> {
+    let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
+    let mut order = left.to_vec();
+    order.sort_by_key(|i| couples(graph, *i));
+    let vanishes = |graph: &mut Graph, id| graph.is_zero(id) || analyze::identity(graph, id).is_zero();
+    if let Some(k) = order.iter().find(|i| !vanishes(graph, mass[**i][**i])) {
+        return Ok(*k);
+    }
+    let mut entries = left.iter().flat_map(|i| left.iter().map(|j| mass[*i][*j]));
+    Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular, NoForm::NoPivot))
+}

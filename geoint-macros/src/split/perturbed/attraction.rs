@@ -1,0 +1,131 @@
+//! Bodies that attract each other: their masses, read off T, and what is between each two of them, read off V.
+
+use super::super::polynomial::{Polynomial, is_free, is_momentum, times_powers};
+use super::NoPart;
+use crate::analyze::{self, Parts};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+use crate::messages::{NO_ATTRACTION, NOT_BODIES, NOT_ONE_MASS};
+use crate::parse::Shape;
+use std::collections::BTreeSet;
+
+/// T = Σ |pᵢ|²/2mᵢ and V = −Σ cᵢⱼ/|qᵢ − qⱼ| + other terms.
+#[derive(Clone, Debug)]
+pub(crate) struct Attraction {
+    pub(crate) masses: Vec<Id>,
+    pub(crate) pairs: Vec<Pair>,
+    /// The other terms of V.
+    pub(crate) others: Vec<Id>,
+}
+
+/// A term −c/|qᵢ − qⱼ|, i < j.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub(crate) bodies: [usize; 2],
+    /// c.
+    pub(crate) strength: Id,
+    pub(crate) term: Id,
+}
+
+/// The bodies of an energy, of which `shape` has the coordinates: one a row.
+pub(crate) fn attraction(graph: &mut Graph, parts: &Parts, shape: &Shape) -> Result<Attraction, NoPart> {
+    let [_, dimensions] = shape.extents[..] else {
+        return Err(NoPart { term: parts.potential, why: NOT_BODIES });
+    };
+    let masses = masses(graph, parts.kinetic, shape.len() / dimensions, dimensions)?;
+    let (mut pairs, mut others) = (vec![], vec![]);
+    for term in analyze::single_terms(graph, parts.potential) {
+        match pair(graph, term, dimensions) {
+            Some((bodies, strength)) => pairs.push(Pair { bodies, strength, term }),
+            None => others.push(term),
+        }
+    }
+    if pairs.is_empty() {
+        return Err(NoPart { term: parts.potential, why: NO_ATTRACTION });
+    }
+    Ok(Attraction { masses, pairs, others })
+}
+
+/// The mass of each body; or the term by which T is something else.
+fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> Result<Vec<Id>, NoPart> {
+    let no = |term| NoPart { term, why: NOT_ONE_MASS };
+    let powers = Polynomial::of(graph, kinetic, &is_momentum).ok_or(no(kinetic))?;
+    for (monomial, coefficient) in powers.clone().into_terms() {
+        let square = monomial.len() == 1 && monomial.values().all(|power| *power == Ratio::integer(2));
+        if !square || analyze::reads(graph, coefficient).t {
+            return Err(no(times_powers(graph, coefficient, &monomial)));
+        }
+    }
+    let mut masses = vec![];
+    for body in 0..bodies {
+        let of = |graph: &mut Graph, i: usize| {
+            let p = Symbol::P((body * dimensions + i) as u32);
+            (powers.coefficient(graph, &[(p, 2)]), p)
+        };
+        let (first, _) = of(graph, 0);
+        for i in 0..dimensions {
+            let (coefficient, p) = of(graph, i);
+            let difference = graph.sub(coefficient, first);
+            if graph.is_zero(coefficient) || !analyze::identity(graph, difference).is_zero() {
+                let p = graph.symbol(p);
+                let square = graph.pow(p, Ratio::integer(2));
+                return Err(no(graph.mul(coefficient, square)));
+            }
+        }
+        let twice = graph.scale(Number::integer(2), first);
+        masses.push(graph.recip(twice));
+    }
+    Ok(masses)
+}
+
+/// r² of a power that is 1/r: of r², or of a distance in the plane.
+fn distance_squared(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
+    match graph.node(base).clone() {
+        _ if exponent == (Ratio { numerator: -1, denominator: 2 }) => Some(base),
+        Node::Call(Function::Hypot, args) if exponent == Ratio::integer(-1) => {
+            let squares = [args[0], args[1]].map(|x| graph.pow(x, Ratio::integer(2)));
+            Some(graph.sum(&squares))
+        }
+        _ => None,
+    }
+}
+
+/// The two bodies and c of −c/|qᵢ − qⱼ|, if a term is that.
+fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], Id)> {
+    let is_state = |symbol: Symbol| symbol.is_coordinate() || symbol == Symbol::T;
+    let (c, rest) = graph.coefficient(term);
+    let mut strength = graph.number(c.neg());
+    let mut square = None;
+    for (base, exponent) in graph.factors(rest) {
+        if is_free(graph, base, &is_state) {
+            let factor = graph.pow(base, exponent);
+            strength = graph.mul(strength, factor);
+        } else if square.is_none() {
+            square = Some(distance_squared(graph, base, exponent)?);
+        } else {
+            return None;
+        }
+    }
+    let square = square?;
+    let read: BTreeSet<usize> = graph
+        .reachable(&[square])
+        .into_iter()
+        .map(|id| match graph.node(id) {
+            Node::Symbol(Symbol::Q(i)) => Some(Some(*i as usize / dimensions)),
+            Node::Symbol(symbol) if is_state(*symbol) => None,
+            _ => Some(None),
+        })
+        .collect::<Option<Vec<_>>>()?
+        .into_iter()
+        .flatten()
+        .collect();
+    let [i, j] = read.into_iter().collect::<Vec<_>>()[..] else { return None };
+    let mut squares = vec![];
+    for d in 0..dimensions {
+        let [a, b] = [j, i].map(|body| graph.symbol(Symbol::Q((body * dimensions + d) as u32)));
+        let difference = graph.sub(a, b);
+        squares.push(graph.pow(difference, Ratio::integer(2)));
+    }
+    let distance = graph.sum(&squares);
+    let difference = graph.sub(square, distance);
+    analyze::identity(graph, difference).is_zero().then_some(([i, j], strength))
+}

@@ -1,0 +1,142 @@
+//! H = A + B: a part with an exact flow, and a rest that is a kick.
+//!
+//! Nothing is assumed to be small: that A + B is H is proven, and which part is to be solved exactly follows from the attribute, or is the
+//! kinetic energy with the oscillators in V.
+
+mod attraction;
+mod jacobi;
+
+use super::families::piece;
+use super::flow::Flow;
+use super::polynomial::{Polynomial, is_momentum, times_powers};
+use super::time::Clock;
+use crate::analyze::{self, Split, Structure};
+use crate::diff;
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
+use crate::lower::Place;
+use crate::messages::{NO_EXACT_PART, NO_FLOW_OF_EXACT_PART, NOT_A_KICK, NOT_TWO_PARTS};
+use crate::parse::{Coordinates, Energy};
+use attraction::attraction;
+
+/// A and B, in the coordinates in which methods move.
+#[derive(Clone, Debug)]
+pub(crate) struct Perturbed {
+    /// A.
+    pub(crate) exact: Id,
+    /// B, which reads positions and time.
+    pub(crate) rest: Id,
+    pub(crate) flow: Flow,
+    pub(crate) clock: Clock,
+    /// What is known of the flow of A: the rule, and what it is for.
+    pub(crate) known: Vec<String>,
+    /// ∂A/∂p, if A is of degree 2 in p with constant coefficients of its squares: then \[B, \[A, B\]\] is a kick. Else the term in the way.
+    pub(crate) velocity: Result<Vec<Id>, Id>,
+    pub(crate) inner: Option<Inner>,
+}
+
+/// Coordinates other than those of the state.
+#[derive(Clone, Debug)]
+pub(crate) struct Inner {
+    pub(crate) name: &'static str,
+    /// Each of them, by those of the state.
+    pub(crate) enter: Vec<(Symbol, Id)>,
+    /// The state, by them.
+    pub(crate) leave: Vec<(Symbol, Id)>,
+    /// What has the place of each momentum is that momentum times this.
+    pub(crate) weights: Vec<Id>,
+}
+
+/// Why there is no such part: the term, and what is wrong with it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NoPart {
+    pub(crate) term: Id,
+    pub(crate) why: &'static str,
+}
+
+/// A and B, or why there are none.
+pub(crate) type Division = Result<Perturbed, NoPart>;
+
+/// A and B: as the attribute says, or T with the oscillators in V, and the rest.
+pub(crate) fn divided(
+    graph: &mut Graph,
+    structure: &Structure,
+    energy: &Energy,
+    groups: Option<&[(Id, Place)]>,
+) -> Division {
+    let degrees = energy.degrees();
+    if let Some(groups) = groups {
+        return match groups {
+            [(exact, _), (rest, _)] => of_parts(graph, *exact, *rest, degrees),
+            _ => Err(NoPart { term: structure.energy, why: NOT_TWO_PARTS }),
+        };
+    }
+    let parts = match &structure.split {
+        Split::Separable(parts) => parts,
+        Split::Coupled(term) => return Err(NoPart { term: *term, why: NO_EXACT_PART }),
+    };
+    if let Some((Coordinates::Jacobi, _)) = energy.inner {
+        let shape = &energy.coordinates.shape;
+        let attraction = attraction(graph, parts, shape)?;
+        return Ok(jacobi::perturbed(graph, &attraction, shape));
+    }
+    let (bound, rest) = oscillators(graph, parts.potential);
+    if graph.is_zero(bound) {
+        return Err(NoPart { term: parts.potential, why: NO_EXACT_PART });
+    }
+    let exact = graph.add(parts.kinetic, bound);
+    of_parts(graph, exact, rest, degrees)
+}
+
+/// A with its flow and B, if they have flows.
+fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
+    let reads = analyze::reads(graph, rest);
+    if reads.p || reads.s {
+        return Err(NoPart { term: rest, why: NOT_A_KICK });
+    }
+    let found = piece(graph, exact, degrees).ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
+    Ok(Perturbed {
+        exact,
+        rest,
+        clock: found.clock,
+        known: vec![format!("{}: {} ({})", found.family.name, found.family.energies, found.family.source)],
+        velocity: velocity(graph, exact, degrees),
+        flow: found.flow,
+        inner: None,
+    })
+}
+
+/// ∂A/∂p, if A is of degree 2 in p with constant coefficients of its squares.
+fn velocity(graph: &mut Graph, exact: Id, degrees: u32) -> Result<Vec<Id>, Id> {
+    let Some(powers) = Polynomial::of(graph, exact, &is_momentum) else { return Err(exact) };
+    for (monomial, coefficient) in powers.into_terms() {
+        let whole = monomial.values().all(|power| power.is_integer() && power.numerator > 0);
+        let degree: i128 = monomial.values().map(|power| power.numerator).sum();
+        let reads = analyze::reads(graph, coefficient);
+        if !whole || degree > 2 || degree == 2 && (reads.q || reads.t) {
+            return Err(times_powers(graph, coefficient, &monomial));
+        }
+    }
+    Ok(diff::gradient(graph, exact, degrees).p)
+}
+
+/// The terms of a potential in qᵢ² and qᵢ with constant coefficients, where there is qᵢ²; and the others.
+fn oscillators(graph: &mut Graph, potential: Id) -> (Id, Id) {
+    let (mut bound, mut rest) = (vec![], vec![]);
+    for term in analyze::single_terms(graph, potential) {
+        let square = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::T).is_some_and(
+            |powers| {
+                powers.has_only(|monomial| {
+                    monomial.len() == 1
+                        && monomial.iter().all(|(symbol, power)| *symbol != Symbol::T && *power == Ratio::integer(2))
+                })
+            },
+        );
+        if square { bound.push(term) } else { rest.push(term) }
+    }
+    (graph.sum(&bound), graph.sum(&rest))
+}
+
+/// Half of a number.
+fn halved(graph: &mut Graph, x: Id) -> Id {
+    graph.scale(Number::HALF, x)
+}

@@ -1,0 +1,359 @@
+//! From Lagrangians to energies: what Legendre's transformation promises, on random states; and what has none.
+
+use super::{Noise, lowered};
+use crate::ir::eval::eval;
+use crate::ir::print::Printer;
+use crate::ir::{Graph, Symbol};
+use crate::legendre::{self, Flaw, Kinetic, Legendre, Route};
+use crate::parse::Form;
+use crate::{expand, lower, parse};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// The graph of a Lagrangian, and what belongs to it.
+fn transformed(item: TokenStream) -> (Graph, Result<Legendre, Flaw>) {
+    let item = syn::parse2(item).expect("a function");
+    let energy =
+        parse::energy(Form::Lagrangian, TokenStream::new(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let lower::Lowered { mut graph, energy: root, partial, .. } =
+        lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+    let found = legendre::transform(&mut graph, root, (energy.degrees(), true), &partial);
+    (graph, found)
+}
+
+/// With p = ∂L/∂v at random (q, v): H = p·v − L, ∂H/∂p = v, and ∂H/∂q = −∂L/∂q.
+fn check(item: TokenStream, velocities: [f64; 2]) {
+    let text = item.to_string();
+    let (mut graph, found) = transformed(item);
+    let found = found.unwrap_or_else(|flaw| panic!("{flaw:?} of {text}"));
+    let Route::Energy(energy, velocities_of) = &found.route else { panic!("no energy of {text}") };
+    let degrees = found.momenta.len();
+    let by_q = crate::diff::gradient(&mut graph, *energy, degrees as u32).q;
+    let mut noise = Noise(7);
+    for _ in 0..100 {
+        let mut numbers = |low, high| -> Vec<f64> { (0..4).map(|_| noise.between(low, high)).collect() };
+        let (q, v, k) = (numbers(0.3, 1.2), numbers(velocities[0], velocities[1]), numbers(0.6, 1.4));
+        let given = |symbol: Symbol| match symbol {
+            Symbol::Q(i) => q[i as usize],
+            Symbol::V(i) => v[i as usize],
+            Symbol::Parameter(i) => k[i as usize],
+            Symbol::S => 0.3,
+            Symbol::T => 0.7,
+            other => panic!("{other:?} in a Lagrangian"),
+        };
+        let momenta: Vec<f64> = found.momenta.iter().map(|momentum| eval(&graph, *momentum, &given)).collect();
+        let there = |symbol: Symbol| match symbol {
+            Symbol::P(i) => momenta[i as usize],
+            Symbol::V(_) => panic!("a velocity in the energy of {text}"),
+            other => given(other),
+        };
+        let close = |found: f64, expected: f64, what: &str| {
+            assert!((found - expected).abs() < 1e-11 * (1.0 + expected.abs()), "{what}: {found} {expected} of {text}");
+        };
+        let action: f64 = momenta.iter().zip(&v).map(|(p, v)| p * v).sum();
+        close(eval(&graph, *energy, &there), action - eval(&graph, found.lagrangian, &given), "H");
+        for i in 0..degrees {
+            close(eval(&graph, velocities_of[i], &there), v[i], "v");
+            close(eval(&graph, by_q[i], &there), -eval(&graph, found.forces[i], &given), "∂H/∂q");
+        }
+    }
+}
+
+#[test]
+fn energies_belong_to_lagrangians() {
+    // Constant, diagonal and full mass matrices, with terms that are linear, time, and the action.
+    check(
+        quote!(
+            fn f(q: f64, v: f64, m: f64, k: f64) -> f64 {
+                m * v * v / 2.0 - k * q.powi(4)
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: [f64; 2], v: [f64; 2], a: f64, b: f64) -> f64 {
+                a * v[0] * v[0] + v[0] * v[1] * b / 3.0 + (v[1] + q[0]).powi(2) - q[0] * q[1].cos()
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, t: f64, m: f64) -> f64 {
+                (m * t).exp() * (v * v / 2.0 - q.sin()) + t * v
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: [f64; 3], v: [f64; 3], m: [f64; 3]) -> f64 {
+                let sin = q[0].sin();
+                m[0] * v[0] * v[0]
+                    + m[1] * (v[1] * sin + v[0]).powi(2)
+                    + m[2] * (v[2] + v[1] * q[1]).powi(2)
+                    + v[1] * q[2]
+                    - q[2] * q[0]
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, s: f64, t: f64) -> f64 {
+                v * v * (1.0 + s / 5.0) / 2.0 + q.cos() - s * s / 10.0 - t.sin() * s / 4.0
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    // Each conjugate, with terms that are linear and constants that read positions.
+    check(
+        quote!(
+            fn f(q: [f64; 2], v: [f64; 2], m: f64, c: f64) -> f64 {
+                -m * c * c * (1.0 - (v[0] * v[0] + v[1] * v[1]) / (c * c)).sqrt() + q[0] * v[1] - q[1]
+            }
+        ),
+        [-0.3, 0.3],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64) -> f64 {
+                ((1.0 + v * v) / q).sqrt()
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, a: f64) -> f64 {
+                a * q * v.powi(4) / 4.0 - q
+            }
+        ),
+        [0.2, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, a: f64) -> f64 {
+                a * (2.0 * v).abs().powf(1.5) + q * v
+            }
+        ),
+        [-1.0, -0.2],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, a: f64) -> f64 {
+                a * q * (2.0 * v + q).exp() - q + 3.0 * v
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, a: f64) -> f64 {
+                a * (v + q).ln() - q.sin()
+            }
+        ),
+        [0.2, 1.0],
+    );
+    check(
+        quote!(
+            fn f(q: f64, v: f64, a: f64) -> f64 {
+                -a * (3.0 * v).cosh() - v * q
+            }
+        ),
+        [-1.0, 1.0],
+    );
+    // Parts of different kinds.
+    check(
+        quote!(
+            fn f(q: [f64; 3], v: [f64; 3], m: f64, a: f64) -> f64 {
+                a * (m * (v[0] + v[1] * q[0]).powi(2) / 2.0 + m * v[1] * v[1]
+                    - (1.0 - v[2] * v[2]).sqrt()
+                    - q[2] * q[1])
+            }
+        ),
+        [-0.9, 0.9],
+    );
+}
+
+/// Its derivatives are those of the energy that one writes, to the last operation.
+#[test]
+fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
+    let pairs = [
+        (
+            quote!(
+                fn f(q: [f64; 2], v: [f64; 2], m: f64, k: f64) -> f64 {
+                    m * (v[0] * v[0] + v[1] * v[1]) / 2.0 - k * (q[0] * q[1]).cos()
+                }
+            ),
+            quote!(
+                fn f(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+                    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + k * (q[0] * q[1]).cos()
+                }
+            ),
+        ),
+        (
+            quote!(
+                fn f(q: f64, v: f64, m: f64, l: f64, g: f64) -> f64 {
+                    m * l * l * v * v / 2.0 + m * g * l * q.cos()
+                }
+            ),
+            quote!(
+                fn f(q: f64, p: f64, m: f64, l: f64, g: f64) -> f64 {
+                    p * p / (2.0 * m * l * l) - m * g * l * q.cos()
+                }
+            ),
+        ),
+    ];
+    for (lagrangian, hamiltonian) in pairs {
+        let slopes = |mut graph: Graph, energy, degrees| {
+            let gradient = crate::diff::gradient(&mut graph, energy, degrees);
+            let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+            [gradient.q, gradient.p].concat().into_iter().map(|slope| printer.formula(slope)).collect::<Vec<_>>()
+        };
+        let (graph, found) = transformed(lagrangian);
+        let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
+        let Route::Energy(root, _) = found.route else { panic!("no energy") };
+        let (energy, written) = lowered(hamiltonian);
+        let degrees = energy.degrees();
+        assert_eq!(slopes(graph, root, degrees), slopes(written.graph, written.energy, degrees));
+    }
+}
+
+/// Cartesian kinematics: sin² + cos² is 1, products of sines and cosines are those of differences, and what vanishes is zero.
+#[test]
+fn mass_matrices_do_not_read_what_they_do_not_depend_on() {
+    let masses = |item| {
+        let (graph, found) = transformed(item);
+        let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
+        let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+        let entries = found.parts.iter().flat_map(|part| match &part.kinetic {
+            Kinetic::Quadratic { mass, .. } => mass.concat(),
+            _ => vec![],
+        });
+        entries.map(|entry| printer.formula(entry)).collect::<Vec<_>>()
+    };
+    let pendulum = quote!(
+        fn f(q: f64, v: f64, l: f64) -> f64 {
+            let [x, y] = [l * v * q.cos(), l * v * q.sin()];
+            0.5 * (x * x + y * y) + q.cos()
+        }
+    );
+    assert_eq!(masses(pendulum), ["Parameter(0)²"]);
+    let double = quote!(
+        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+            let [x, y] = [v[0] * q[0].cos() + v[1] * q[1].cos(), v[0] * q[0].sin() + v[1] * q[1].sin()];
+            0.5 * (x * x + y * y) + v[1] * v[1]
+        }
+    );
+    assert_eq!(masses(double), ["1", "cos(Q(0) - Q(1))", "cos(Q(0) - Q(1))", "3"]);
+    let relative = quote!(
+        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+            let (a, b) = (q[0], q[0] + q[1]);
+            let (u, w) = (v[0], v[0] + v[1]);
+            let [x, y] = [u * a.cos() + w * b.cos(), u * a.sin() + w * b.sin()];
+            0.5 * (x * x + y * y)
+        }
+    );
+    let found = masses(relative);
+    assert!(found.iter().all(|entry| !entry.contains("Q(0)")), "{found:?}");
+    let polar = quote!(
+        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+            let (sin, cos) = q[1].sin_cos();
+            let [x, y] = [v[0] * cos - q[0] * sin * v[1], v[0] * sin + q[0] * cos * v[1]];
+            0.5 * (x * x + y * y) - q[0]
+        }
+    );
+    assert_eq!(masses(polar), ["1", "Q(0)²"]);
+}
+
+/// What a mass matrix of positions is divided by is looked at in every step.
+#[test]
+fn pivots_must_not_vanish() {
+    let (graph, found) = transformed(quote!(
+        fn f(q: f64, v: f64, e: f64) -> f64 {
+            v * v / 2.0 + e * q * v * v - q * q
+        }
+    ));
+    let found = found.unwrap_or_else(|flaw| panic!("{flaw:?}"));
+    let printer = Printer::new(&graph, |symbol| format!("{symbol:?}"));
+    let partial: Vec<String> = found.partial.iter().map(|partial| printer.formula(partial.node)).collect();
+    assert_eq!(partial.len(), 1, "{partial:?}");
+}
+
+#[test]
+fn what_has_no_energy_says_why() {
+    let flaw = |item| transformed(item).1.expect_err("a flaw");
+    assert!(matches!(
+        flaw(quote!(
+            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+                v[0] * v[0] - q[1]
+            }
+        )),
+        Flaw::Unread(1)
+    ));
+    assert!(matches!(
+        flaw(quote!(
+            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+                q[1] * v[0] - q[0] * v[1] - q[0]
+            }
+        )),
+        Flaw::Linear(_)
+    ));
+    assert!(matches!(
+        flaw(quote!(
+            fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+                q[1] * v[0] + v[1] * v[1] - q[0]
+            }
+        )),
+        Flaw::LinearIn(0, _)
+    ));
+    let singular = quote!(
+        fn f(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
+            m * (v[0] + v[1] * q[0].cos()).powi(2) - q[1]
+        }
+    );
+    assert!(matches!(flaw(singular), Flaw::Singular(velocities) if velocities == [0, 1]));
+    // sin² + cos² − 1 is zero by a relation between functions.
+    let hidden = quote!(
+        fn f(q: [f64; 2], v: [f64; 2]) -> f64 {
+            let (s, c) = q[0].sin_cos();
+            v[0] * v[0] * (s * s + c * c) + 2.0 * v[0] * v[1] + v[1] * v[1] - q[1]
+        }
+    );
+    assert!(matches!(flaw(hidden), Flaw::Singular(_)));
+    assert!(matches!(
+        flaw(quote!(fn f(q: f64, v: f64) -> f64 { v.powi(4) + v * v - q })),
+        Flaw::NotClosed(velocities, _) if velocities == [0]
+    ));
+}
+
+fn message(args: TokenStream, item: TokenStream) -> String {
+    let expanded = expand::expand(Form::Lagrangian, args, item).to_string();
+    let start = expanded.find("compile_error").unwrap_or_else(|| panic!("accepted: {expanded}"));
+    expanded[start..].chars().take(400).collect()
+}
+
+#[test]
+fn friction_is_a_quadratic_form() {
+    let pendulum = quote!(
+        fn f(q: f64, v: f64, m: f64, c: f64) -> f64 {
+            m * v * v / 2.0 + q.cos()
+        }
+    );
+    for (rayleigh, word) in [
+        (quote!(c * v.abs().powi(3)), "quadratic form"),
+        (quote!(c * v * v + c * v), "vanishes at rest"),
+        (quote!(-v * v), "takes energy away"),
+    ] {
+        let message = message(quote!(rayleigh = #rayleigh), pendulum.clone());
+        assert!(message.contains(word), "{rayleigh}: {message}");
+    }
+    let herglotz = quote!(
+        fn f(q: f64, v: f64, s: f64, c: f64) -> f64 {
+            v * v / 2.0 + q.cos() - c * s
+        }
+    );
+    assert!(message(quote!(rayleigh = c * v * v), herglotz).contains("leave `rayleigh` out"));
+}

@@ -1,0 +1,74 @@
+//! Steps of the tree discrete gradient of an energy, or of what a field keeps.
+
+use super::GradientSteps;
+use super::equation::{Coefficients, Equation};
+use crate::method::{Deciding, Probe, Refusal, Step, check_conditions, check_poles, start};
+use crate::scalar::Real;
+use crate::solving::Inverse;
+use crate::solving::newton::Newton;
+use crate::space::{Array, Compensated, Snapshot, Summation};
+use crate::system::{ByTree, DiscreteField, Poles};
+
+/// Coefficients of a step.
+#[derive(Clone, Debug)]
+pub struct Prepared<S: DiscreteField<R>, R: Real> {
+    coefficients: Coefficients<S, R>,
+    inverse: S::Inverse,
+    poles: Poles,
+}
+
+/// What a step hands on to the next one.
+#[derive(Clone, Debug)]
+pub struct Memory<S: DiscreteField<R>, R: Real> {
+    newton: Newton<S::Unknown>,
+    /// The energy is worth compensated sums, which cost a twentieth: at some step sizes the roundings of plain ones have a bias,
+    /// and it drifts by 10⁻¹² in a million steps.
+    sums: Compensated<S::Phase>,
+}
+
+impl<S: DiscreteField<R>, R: Real> GradientSteps<S, R> for ByTree {
+    type Prepared = Prepared<S, R>;
+    type Memory = Memory<S, R>;
+
+    fn prepare(system: &S, h: R) -> Prepared<S, R> {
+        let coefficients = Coefficients::new(system, h);
+        let inverse = S::Inverse::new(|| coefficients.constant_matrix(system));
+        Prepared { coefficients, inverse, poles: Poles::of(system) }
+    }
+
+    fn memory() -> Memory<S, R> {
+        Memory { newton: Newton::new(S::State::ALIKE, S::Phase::LEN / S::State::ALIKE), sums: Compensated::new() }
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
+        Memory { newton, sums }: &mut Memory<S, R>,
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        probe.visit(t, &x.z, &());
+        let equation = Equation::of_step(system, coefficients, t, x);
+        let mut deciding = Deciding { probe, end: x.z };
+
+        // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
+        if S::Inverse::EXISTS {
+            let impulse = inverse.times(&equation.without_impulse(&mut deciding));
+            let before = start::<S, R, C>(x);
+            x.add_with(sums, &equation.increments(&impulse), &S::Phase::zero());
+            if !impulse.is_finite() {
+                return Err(Refusal::Singular);
+            }
+            // Poles that the simplified energy has not.
+            return check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe });
+        }
+
+        let (impulse, lost) = newton.solve(&equation, &mut deciding)?;
+        let Deciding { probe, end } = deciding;
+
+        let before = start::<S, R, C>(x);
+        let increments = equation.increments(&impulse);
+        x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
+        check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &end, x)?;
+        check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe })
+    }
+}

@@ -1,0 +1,203 @@
+//! Stages of a Lagrangian, solved for their velocities: with Qᵢ = q₀ + h Σ aᵢⱼ Vⱼ and pᵢ = p₀ + h Σ aᵢⱼ fⱼ,
+//!
+//! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
+
+use super::{Gauss, GaussTableau, StageForm};
+use crate::method::explicit::tableau::Tableau;
+use crate::method::{Probe, Refusal, Step, check_end, start};
+use crate::scalar::Real;
+use crate::solving::equation::StepEquation;
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, moved, scaled, sum};
+use crate::space::{Array, Square, Summation};
+use crate::system::{ByVelocities, Orientation, Poles, VelocityForm, acceleration, row_scale, velocity_near};
+
+/// Coefficients of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<P, R, const S: usize> {
+    poles: Poles,
+    constants: P,
+    h: R,
+    /// h·A.
+    coupling: [[R; S]; S],
+    /// h·c.
+    nodes: [R; S],
+    /// h·b.
+    weights: [R; S],
+}
+
+/// What a step hands on to the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<A, const S: usize> {
+    newton: Newton<[A; S]>,
+    orientation: Orientation,
+}
+
+impl<Y: VelocityForm<R>, R: Real> StageForm<Y, R> for ByVelocities {
+    type Prepared<const S: usize> = Prepared<Y::Constants, R, S>;
+    type Memory<const S: usize> = Memory<Y::Array, S>;
+
+    fn prepare<const S: usize>(system: &Y, h: R) -> Self::Prepared<S>
+    where
+        Gauss<S>: GaussTableau<S>,
+    {
+        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
+        Prepared {
+            poles: Poles::of(system),
+            constants: VelocityForm::constants(system),
+            h,
+            coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
+            nodes: c.map(|c| R::from_f64(c) * h),
+            weights: b.map(|b| R::from_f64(b) * h),
+        }
+    }
+
+    fn memory<const S: usize>() -> Self::Memory<S> {
+        Memory { newton: Newton::new(Y::Array::LEN, 1), orientation: Orientation::unknown() }
+    }
+
+    #[inline(always)]
+    fn step<const S: usize, C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared<S>,
+        Memory { newton, orientation }: &mut Self::Memory<S>,
+        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let (none, z) = (Y::Array::zero(), x.z);
+        probe.visit(t, &z, &());
+        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
+        let equation = StageVelocities { system, prepared, t, z, sign };
+        let (v, _) = newton.solve(&equation, probe)?;
+
+        let Prepared { poles, constants, h, nodes, weights, .. } = prepared;
+        let (mut change, mut impulse) = (none, none);
+        for i in 0..S {
+            change.add_scaled(weights[i], &v[i]);
+            let f = system.force(constants, t + nodes[i], &equation.position(i, &v), &v[i]);
+            impulse.add_scaled(weights[i], &f);
+        }
+        let before = start::<Y, R, C>(x);
+        x.add(&[change, impulse]);
+        // The end has a velocity, and the mass matrix has not changed its orientation.
+        let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
+        orientation.agrees(end.map(|(_, positive)| positive))?;
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// ∂L/∂v(Qᵢ, Vᵢ) = pᵢ for the velocities of all stages.
+struct StageVelocities<'a, Y: VelocityForm<R>, R: Real, const S: usize> {
+    system: &'a Y,
+    prepared: &'a Prepared<<Y as VelocityForm<R>>::Constants, R, S>,
+    t: R,
+    z: Y::Phase,
+    /// Of the determinant of the mass matrix.
+    sign: R,
+}
+
+impl<Y: VelocityForm<R>, R: Real, const S: usize> Clone for StageVelocities<'_, Y, R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Y: VelocityForm<R>, R: Real, const S: usize> Copy for StageVelocities<'_, Y, R, S> {}
+
+impl<Y: VelocityForm<R>, R: Real, const S: usize> StageVelocities<'_, Y, R, S> {
+    /// Qᵢ.
+    #[inline(always)]
+    fn position(&self, i: usize, v: &[Y::Array; S]) -> Y::Array {
+        let mut change = Y::Array::zero();
+        for (a, v) in self.prepared.coupling[i].iter().zip(v) {
+            change.add_scaled(*a, v);
+        }
+        sum(&self.z[0], &change)
+    }
+
+    /// Momentum and force of a stage, and the derivatives of both.
+    #[inline(always)]
+    fn stage<P: Probe<Y, R>>(&self, probe: &mut P, i: usize, v: &[Y::Array; S]) -> Stage<Y::Array> {
+        let none = Y::Array::zero();
+        let t = self.t + self.prepared.nodes[i];
+        let q = self.position(i, v);
+        probe.visit(t, &[q, self.z[1]], &());
+        let mut stage = Stage { momentum: none, force: none, derivatives: [Y::Array::fill(none); 4] };
+        let values = [&mut stage.momentum, &mut stage.force];
+        self.system.stage(&self.prepared.constants, t, &q, &v[i], values, &mut stage.derivatives);
+        stage
+    }
+}
+
+/// Values at a stage, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
+#[derive(Clone, Copy)]
+struct Stage<A: Array> {
+    momentum: A,
+    force: A,
+    derivatives: [Square<A>; 4],
+}
+
+impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], P>
+    for StageVelocities<'_, Y, R, S>
+{
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+
+    /// The accuracy of a velocity that can be seen in the position which h times it is added to.
+    #[inline(always)]
+    fn origin(&self) -> [Y::Array; S] {
+        [scaled(R::from_f64(1.0) / self.prepared.h, &self.z[0]); S]
+    }
+
+    /// The velocities as if v' were constant.
+    fn explicit(&self) -> [Y::Array; S] {
+        let none = Y::Array::zero();
+        let v = velocity_near(self.system, self.t, &self.z, none).map_or(none, |(v, _)| v);
+        let rate = acceleration(self.system, self.t, &self.z[0], &v);
+        self.prepared.nodes.map(|node| moved(&v, node, &rate))
+    }
+
+    #[inline(always)]
+    fn evaluate(&self, probe: &mut P, v: &[Y::Array; S], matrix: &mut Square<[Y::Array; S]>) -> [Y::Array; S] {
+        difference(v, &self.residual(probe, v, matrix))
+    }
+
+    /// What the momentum of each stage is too large by, and its derivative, a row over |Mᵢᵢ|: then it has the unit of the velocity.
+    #[inline(always)]
+    fn residual(&self, probe: &mut P, v: &[Y::Array; S], matrix: &mut Square<[Y::Array; S]>) -> [Y::Array; S] {
+        let coupling = &self.prepared.coupling;
+        let mut stages: [Stage<Y::Array>; S] = core::array::from_fn(|i| self.stage(probe, i, v));
+        let rows = <[Y::Array; S]>::entries::<[Y::Array; S]>(matrix);
+        core::array::from_fn(|i| {
+            let mut residual = difference(&stages[i].momentum, &self.z[1]);
+            for j in 0..S {
+                residual.add_scaled(-coupling[i][j], &stages[j].force);
+            }
+            for (r, residual) in residual.as_mut_slice().iter_mut().enumerate() {
+                let entry = |stage: &mut Stage<Y::Array>, of: usize| {
+                    Y::Array::entries::<Y::Array>(&mut stage.derivatives[of])[r]
+                };
+                let mass = entry(&mut stages[i], MASS);
+                let mut scale = R::from_f64(1.0) / row_scale(&mass, r);
+                // As many mass matrices as stages: with an even number of them the determinant is positive.
+                if S % 2 == 1 && i == 0 && r == 0 {
+                    scale *= self.sign;
+                }
+                for k in 0..S {
+                    let mut row = if i == k { mass } else { Y::Array::zero() };
+                    row.add_scaled(coupling[i][k], &entry(&mut stages[i], MOMENTUM_BY_Q));
+                    row.add_scaled(-coupling[i][k], &entry(&mut stages[k], FORCE_BY_V));
+                    for j in 0..S {
+                        row.add_scaled(-(coupling[i][j] * coupling[j][k]), &entry(&mut stages[j], FORCE_BY_Q));
+                    }
+                    rows[i * Y::Array::LEN + r][k] = scaled(scale, &row);
+                }
+                *residual *= scale;
+            }
+            residual
+        })
+    }
+}
+
+/// The places of derivatives.
+const MOMENTUM_BY_Q: usize = 0;
+const MASS: usize = 1;
+const FORCE_BY_Q: usize = 2;
+const FORCE_BY_V: usize = 3;

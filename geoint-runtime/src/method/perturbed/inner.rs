@@ -1,0 +1,106 @@
+//! A + B as the drivers of kicks and drifts see it: the flow of A is the drift, a kick by B the kick.
+
+use crate::method::Probe;
+use crate::scalar::Real;
+use crate::space::PerCoordinate;
+use crate::system::{Cotangent, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable};
+
+/// A system in the coordinates in which its parts A and B move.
+#[derive(Clone, Copy, Debug)]
+pub struct Inner<S>(pub(super) S);
+
+impl<S: Perturbed<R>, R: Real> PhaseSpace<R> for Inner<S> {
+    type State = S::State;
+    type Phase = S::Phase;
+    type Action = ();
+
+    fn hamiltonian(&self, t: R, z: &S::Phase, s: &()) -> R {
+        self.0.hamiltonian(t, &outer(&self.0, z), s)
+    }
+
+    fn outside_domain(&self, t: R, z: &S::Phase, s: &()) -> Option<&'static str> {
+        self.0.outside_domain(t, &outer(&self.0, z), s)
+    }
+}
+
+/// The point of a state, from inner coordinates.
+#[inline(always)]
+fn outer<S: Perturbed<R>, R: Real>(system: &S, z: &S::Phase) -> S::Phase {
+    let mut z = *z;
+    system.leave(&mut z);
+    z
+}
+
+impl<S: Perturbed<R>, R: Real> Cotangent<R> for Inner<S> {
+    type Coordinates = S::Coordinates;
+    type Array = S::Array;
+}
+
+impl<S: Perturbed<R>, R: Real> Separable<R> for Inner<S> {
+    type Proof = <S as Perturbed<R>>::Proof;
+    type Kick = S::Rest;
+    type Drift = S::Exact;
+    const DRIFTS_ARE_EXACT_IN_TIME: bool = S::EXACT_IN_TIME;
+    const KICKS_REPEAT: bool = <S as Perturbed<R>>::KICKS_REPEAT;
+    const DRIFTS_SHIFT: bool = false;
+
+    #[inline]
+    fn prepare_kick(&self, h: R) -> S::Rest {
+        self.0.prepare_rest(h)
+    }
+    #[inline]
+    fn prepare_drift(&self, h: R) -> S::Exact {
+        self.0.prepare_exact(h)
+    }
+    #[inline(always)]
+    fn kick(&self, kick: &S::Rest, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
+        self.0.rest(kick, t, q, p, s);
+    }
+    #[inline(always)]
+    fn drift(&self, flow: &S::Exact, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
+        self.0.exact(flow, t, q, p, s);
+    }
+    #[inline(always)]
+    fn drift_increments(&self, flow: &S::Exact, t: R, x: &PerCoordinate<S::Phase, ()>) -> PerCoordinate<S::Phase, ()> {
+        self.0.exact_increments(flow, t, x)
+    }
+}
+
+impl<S: PerturbedGradient<R>, R: Real> QuadraticKinetic<R> for Inner<S> {
+    type Proof = <S as PerturbedGradient<R>>::Proof;
+}
+
+impl<S: PerturbedGradient<R>, R: Real> ForceGradient<R> for Inner<S> {
+    type GradientKick = S::GradientKick;
+    fn prepare_gradient_kick(&self, h: R, g: R) -> S::GradientKick {
+        self.0.prepare_gradient_kick(h, g)
+    }
+    #[inline(always)]
+    fn gradient_kick(&self, kick: &S::GradientKick, t: R, q: &mut S::Array, p: &mut S::Array, _: &mut ()) {
+        self.0.gradient_kick(kick, t, q, p);
+    }
+}
+
+/// Shows the points of states for inner ones.
+#[derive(Debug)]
+pub(super) struct Seen<'a, S, P> {
+    pub(super) system: &'a S,
+    pub(super) probe: &'a mut P,
+}
+
+impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for Seen<'_, S, P> {
+    const PATIENT: bool = P::PATIENT;
+
+    #[inline(always)]
+    fn visit(&mut self, t: R, z: &S::Phase, s: &()) {
+        // The fast path sees nothing.
+        if P::PATIENT {
+            self.probe.visit(t, &outer(self.system, z), s);
+        }
+    }
+
+    #[inline(always)]
+    fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
+        self.probe.flown(piece, finite);
+    }
+}

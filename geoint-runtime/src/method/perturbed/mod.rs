@@ -1,0 +1,104 @@
+//! Methods for H = A + B, a part A with an exact flow and a rest B that is a kick.
+//!
+//! Where B is small against A by ε, an error is a sum of parts with powers of ε: that of order (s₁, s₂, …) is O(ε hˢ¹ + ε² hˢ² + …).
+
+mod inner;
+mod processed;
+
+pub use inner::Inner;
+pub use processed::Processed;
+
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::{Point, Summation};
+use crate::system::Perturbed;
+use inner::Seen;
+
+/// A table of kicks and drifts for H = A + B: the exact flow of A in place of the drift, B in place of V.
+///
+/// Every table: `Perturbation(BlanesMoan4)`; those of Runge–Kutta–Nyström type and with force gradients where A is of degree 2 in p.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A star and two planets.
+/// #[hamiltonian(coordinates = jacobi)]
+/// fn planets(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64) -> f64 {
+///     let mut energy = 0.0;
+///     for i in 0..3 {
+///         energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
+///         for j in 0..i {
+///             energy -= g * m[i] * m[j] / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]);
+///         }
+///     }
+///     energy
+/// }
+///
+/// let system = Planets { m: [1.0, 1e-3, 3e-4], g: 1.0 };
+/// let start = State::new([[0.0, 0.0], [1.0, 0.0], [-2.5, 0.0]], [[0.0, 0.0], [0.0, 1e-3], [0.0, -1.9e-4]]);
+/// // Steps of a tenth of the inner planet's year.
+/// let mut sim = system.integrator(Perturbation(BlanesMoanSrkn11b), 0.6, start);
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-10);
+/// # Ok::<(), StepError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Perturbation<M>(pub M);
+
+impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturbation<M> {
+    type Proof = M::Proof;
+    type Prepared = M::Prepared;
+    type Memory = M::Memory;
+    const FORGETFUL: bool = M::FORGETFUL;
+    const INNER: bool = S::INNER;
+
+    fn claims(&self) -> Claims {
+        self.0.claims()
+    }
+
+    fn name(&self) -> Name {
+        // Tables made for this have names of their own.
+        if self.0.claims().perturbed.is_empty() { Name::new("Perturbation").of(self.0.name()) } else { self.0.name() }
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        self.0.prepare(&Inner(*system), h)
+    }
+
+    fn memory() -> Self::Memory {
+        M::memory()
+    }
+
+    #[inline(always)]
+    fn enter(_: &Self::Prepared, system: &S, _: R, z: &mut S::Phase) {
+        system.enter(z);
+    }
+
+    #[inline(always)]
+    fn leave(_: &Self::Prepared, system: &S, _: R, z: &mut S::Phase) {
+        system.leave(z);
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let probe = &mut Seen { system, probe };
+        M::step(prepared, memory, Step { system: &Inner(*system), t, x, probe })
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Phase>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        M::advance(prepared, memory, &Inner(*system), clock, steps, x)
+    }
+}

@@ -1,0 +1,191 @@
+//! Tables for H = A + B, a part A with an exact flow and a small rest B: the outer flows are those of A.
+
+use crate::method::perturbed::{Perturbation, Processed};
+use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
+
+/// Half of A, B, half of A. Orders (2, 2), 1 force: the map of J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528. Steps of an eighth
+/// of the innermost period at most: longer ones meet resonances with it.
+pub const WisdomHolman: Perturbation<Splitting<1, DriftFirst>> =
+    Perturbation(Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
+
+/// Gauss's nodes. Orders (8, 2), 4 forces. J. Laskar & P. Robutel, Celest. Mech. Dyn. Astron. 80 (2001) 39, (23).
+pub const Saba4: Perturbation<Splitting<4, DriftFirst>> = Perturbation(
+    Splitting::palindrome(
+        "Saba4",
+        2,
+        [
+            0.069431844202973712388026755553595247452137310185141,
+            0.2605776340045981552106403648947824089475747549294,
+            0.33998104358485626480266575910324468720057586977091,
+        ],
+        [0.17392742256872692868653197461099970361767434791695, 0.32607257743127307131346802538900029638232565208305],
+    )
+    .near_integrable(&[8, 2]),
+);
+
+/// Orders (8, 4), 5 forces. R. I. McLachlan, BIT 35 (1995) 258.
+pub const Aba8_4: Perturbation<Splitting<5, DriftFirst>> = Perturbation(
+    Splitting::palindrome(
+        "Aba8_4",
+        4,
+        [
+            0.075346960269892888416527803683474464372652664554079,
+            0.51791685468825678230077397849631564432384744782198,
+            -0.09326381495814967071730178217979010869650011237606,
+        ],
+        [
+            0.19022593937367661924523076273845389746120361990487,
+            0.84652407044352625705508054464677583417711374239468,
+            -1.0735000196344057526006226147704594632766347245991,
+        ],
+    )
+    .near_integrable(&[8, 4]),
+);
+
+/// Orders (8, 6, 4), 7 forces. S. Blanes, F. Casas, A. Farrés, J. Laskar, J. Makazaga & A. Murua, Appl. Numer. Math. 68 (2013) 58; A.
+/// Farrés et al., Celest. Mech. Dyn. Astron. 116 (2013) 141, table 3.
+pub const Aba8_6_4: Perturbation<Splitting<7, DriftFirst>> = Perturbation(
+    Splitting::palindrome(
+        "Aba8_6_4",
+        4,
+        [
+            0.07113342649822311777793873000615499641740229592374,
+            0.24115342795664009873648779532628964961781467804934,
+            0.52141176177281478921213607806799422999143647885026,
+            -0.33369861622767800572656260340043887602665345282334,
+        ],
+        [
+            0.1830836874721972219617037571664302910726241265516,
+            0.31078285989857486950752229105426279637515732111626,
+            -0.026564618511958800697212137916498759266329772852548,
+            0.065396142282373418455972179391611343637096650369384,
+        ],
+    )
+    .near_integrable(&[8, 6, 4]),
+);
+
+/// Orders (10, 6, 4), 8 forces: for long runs of planets to 10⁻⁹ and better, with steps up to a fifth of the innermost period. As
+/// [`Aba8_6_4`].
+pub const Aba10_6_4: Perturbation<Splitting<8, DriftFirst>> = Perturbation(
+    Splitting::palindrome(
+        "Aba10_6_4",
+        4,
+        [
+            0.038094497422412195456975322308637565340660060395807,
+            0.14529871611691374929402007266066374974430888514613,
+            0.20762769572554125071620561132498820651583696844616,
+            0.43590970365152615922315486240106518440068879649433,
+            -0.65386122583278670938071173739070941200298942096484,
+        ],
+        [
+            0.095858880837075210610771503771458847769342226040715,
+            0.20444615314299878068050778391643447797632995861737,
+            0.21707034797899110171433859243063367145297598204211,
+            -0.017375381959065093005617880118526997198648166700194,
+        ],
+    )
+    .near_integrable(&[10, 6, 4]),
+);
+
+/// Orders (10, 8, 6), 12 forces, for an A of degree 2 in the momenta: oscillators with a small rest, from errors of 10⁻⁶ on. A.
+/// Escorihuela-Tomàs, S. Blanes & F. Casas; digits fixed by the order conditions.
+pub const Rnia10_8_6: Perturbation<Nystrom<12, DriftFirst>> = Perturbation(Nystrom(
+    Splitting::palindrome(
+        "Rnia10_8_6",
+        6,
+        [
+            0.037424188242624325968368262247184297021237374012019,
+            0.26561064604365719378697580612416164525446242780896,
+            -0.11898009697238293107756923215408457878013090047804,
+            0.2593429559795568375007620483757755314665595494919,
+            -0.050487109506873995190790509011672541937495296128551,
+            -0.1757970916894682379393580359200237698476160386687,
+            0.56577301580577361390322332067731883364596576792482,
+        ],
+        [
+            0.094620465621870873233062722996722200767844396348324,
+            -0.083113003302747655954235747407470735195774138352586,
+            0.1708689632241170212948043845736803288402338443833,
+            -0.098522326906392763838537508515299488479056180636178,
+            0.37047037569665758912919684348299686266946557692867,
+            0.045675525666494936135709304869370831397286501328473,
+        ],
+    )
+    .near_integrable(&[10, 8, 6]),
+));
+
+/// Gauss's nodes, and a force gradient in the two inner kicks. Orders (4, 4), 2 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
+/// Astron. 80 (2001) 39, whose corrector is at both ends.
+pub const Saba2Gradient: Perturbation<Splitting<2, DriftFirst<WithGradient>>> = Perturbation(
+    Splitting::<2, DriftFirst<WithGradient>>::palindrome(
+        "Saba2Gradient",
+        4,
+        [0.21132486540518711774542560974902127217619912436494, 0.57735026918962576450914878050195745564760175127013],
+        [0.5],
+    )
+    .with_inner_gradients([0.0055822748423150563848448678852943256886915572122837])
+    .near_integrable(&[4, 4]),
+);
+
+/// Gauss's nodes, and a force gradient in the middle. Orders (6, 4), 3 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
+/// Astron. 80 (2001) 39, whose corrector is at both ends.
+pub const Saba3Gradient: Perturbation<Splitting<3, DriftFirst<WithGradient>>> = Perturbation(
+    Splitting::<3, DriftFirst<WithGradient>>::palindrome(
+        "Saba3Gradient",
+        4,
+        [0.11270166537925831148207346002176003891670782947084, 0.38729833462074168851792653997823996108329217052916],
+        [0.27777777777777777777777777777777777777777777777778, 0.44444444444444444444444444444444444444444444444444],
+    )
+    .with_inner_gradients([0.0, 0.0056345933631228094022678237697975386715617559123601])
+    .near_integrable(&[6, 4]),
+);
+
+/// Gauss's nodes, and a force gradient in the two inner kicks. Orders (8, 4), 4 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
+/// Astron. 80 (2001) 39, whose corrector is at both ends.
+pub const Saba4Gradient: Perturbation<Splitting<4, DriftFirst<WithGradient>>> = Perturbation(
+    Splitting::<4, DriftFirst<WithGradient>>::palindrome(
+        "Saba4Gradient",
+        4,
+        [
+            0.069431844202973712388026755553595247452137310185141,
+            0.2605776340045981552106403648947824089475747549294,
+            0.33998104358485626480266575910324468720057586977091,
+        ],
+        [0.17392742256872692868653197461099970361767434791695, 0.32607257743127307131346802538900029638232565208305],
+    )
+    .with_inner_gradients([0.0, 0.0016983875241043006657660788917460718985107066250374])
+    .near_integrable(&[8, 4]),
+);
+
+/// Gauss's nodes, and a force gradient in the middle. Orders (10, 4), 5 forces. After J. Laskar & P. Robutel, Celest. Mech. Dyn.
+/// Astron. 80 (2001) 39, whose corrector is at both ends.
+pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = Perturbation(
+    Splitting::<5, DriftFirst<WithGradient>>::palindrome(
+        "Saba5Gradient",
+        4,
+        [
+            0.046910077030668003601186560850303517437174044618735,
+            0.18385526791649045088065622879959208007918265192849,
+            0.26923465505284154551815721035010440248364330345278,
+        ],
+        [
+            0.11846344252809454375713202035995868132163000110621,
+            0.23931433524968323402064575741781909645614777667157,
+            0.28444444444444444444444444444444444444444444444444,
+        ],
+    )
+    .with_inner_gradients([0.0, 0.0, 0.0022705431214192648194349550500391298792644087408074])
+    .near_integrable(&[10, 4]),
+);
+
+/// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force: for planets to 10⁻⁶.
+pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
+    Processed::new("WisdomHolmanProcessed", &[10, 2], Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]));
+
+/// The same with a force gradient in the kick. Orders (10, 4), 1 force: for planets to 10⁻⁹ and better.
+pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(
+    "WisdomHolmanGradient",
+    &[10, 4],
+    Splitting::<1, DriftFirst<WithGradient>>::palindrome("WisdomHolman", 2, [0.5], [1.0])
+        .with_inner_gradients([1.0 / 24.0]),
+);

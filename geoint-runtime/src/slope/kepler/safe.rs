@@ -1,0 +1,138 @@
+//! The way that always leads to the end of an orbit: a bracket for X, which every step makes smaller.
+
+use super::lanes::Lanes;
+use super::orbit::{Correction, Functions, Orbits, reach};
+use super::{SMALL, STRAIGHT};
+use crate::scalar::{Real, zero};
+
+/// Beyond 2¹² halvings hyperbolic functions overflow, and ellipses have ended.
+const MOST_HALVINGS: u32 = 12;
+
+/// Doublings of the upper end of the bracket: it starts at h/r, and r may become small on the way.
+const DOUBLINGS: usize = 200;
+
+/// Each iteration halves the bracket, or is at most half as long as the one before.
+const ITERATIONS: usize = 200;
+
+/// One orbit.
+#[cold]
+#[inline(never)]
+pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
+    // Backwards in time is forwards with the other velocity.
+    let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
+    let forward = [square, sign * eta, speed, mu, sign * h];
+    let mut orbit = Orbits::new(forward.map(|x| Lanes([x])));
+    let periods = reduced(&mut orbit);
+    let x = anomaly(&orbit);
+    let g = functions(&orbit, x);
+    let g = g.shifted(orbit.correction(Lanes([x]), &g).change, orbit.beta);
+    let end = orbit.end(&g).map(|Lanes([x])| x);
+    let lost = passed_centre(forward, &orbit, &g, periods);
+    let [f, g, f_rate, g_rate] = end.map(|x| x + lost);
+    [f, sign * g, sign * f_rate, g_rate]
+}
+
+/// Takes whole periods off h, to the nearest; how many.
+fn reduced<R: Real>(orbit: &mut Orbits<R, 1>) -> R {
+    let [Lanes([beta]), Lanes([mu]), Lanes([h])] = [orbit.beta, orbit.mu, orbit.h];
+    let bound = zero::<R>().less(beta) & zero::<R>().less(mu);
+    let period = mu / (beta * beta.abs().sqrt()) * R::from_f64(core::f64::consts::TAU);
+    let mut periods = zero::<R>();
+    let mut power = 1.0;
+    while (h / period).any_above(power) && power < 1.0 / R::epsilon() {
+        power *= 2.0;
+    }
+    while power >= 1.0 {
+        let more = periods + R::from_f64(power);
+        let fits = bound & ((more - R::from_f64(0.5)) * period).less_equal(h);
+        periods = either(fits, more, periods);
+        power *= 0.5;
+    }
+    let [rest] = R::choose(zero::<R>().less(periods), || [h - periods * period], || [h]);
+    orbit.h = Lanes([rest]);
+    periods
+}
+
+/// X at the end of h, which may be negative where a period was taken off.
+fn anomaly<R: Real>(orbit: &Orbits<R, 1>) -> R {
+    let [Lanes([recip]), Lanes([beta]), Lanes([h])] = [orbit.recip, orbit.beta, orbit.h];
+    let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
+    // How far X is beyond the end: not a number counts as too far.
+    let early = |x: R| {
+        let Lanes([late]) = orbit.late(Lanes([x]), &functions(orbit, x));
+        zero::<R>().less(sign * late)
+    };
+    let ellipse = zero::<R>().less(beta);
+    let turn = R::from_f64(core::f64::consts::TAU) / beta.abs().sqrt();
+    let mut far = either(ellipse, sign * turn, h * recip);
+    for _ in 0..DOUBLINGS {
+        let doubled = either(!ellipse & early(far), far + far, far);
+        let done = (doubled - far).magnitude() == 0.0;
+        far = doubled;
+        if done {
+            break;
+        }
+    }
+    let [mut near, mut last] = [zero::<R>(), far];
+    let Lanes([guess]) = orbit.first_guess();
+    let inside = |x: R, near: R, far: R| (sign * near).less(sign * x) & (sign * x).less(sign * far);
+    let middle = |near: R, far: R| (near + far) * R::from_f64(0.5);
+    let mut x = either(inside(guess, near, far), guess, middle(near, far));
+    for _ in 0..ITERATIONS {
+        let g = functions(orbit, x);
+        let Lanes([late]) = orbit.late(Lanes([x]), &g);
+        let before = zero::<R>().less(sign * late);
+        (near, far) = (either(before, x, near), either(before, far, x));
+        let Correction { newton: Lanes([newton]), change: Lanes([d]) } = orbit.correction(Lanes([x]), &g);
+        // Far beyond the end the slope of time overflows, which looks like a correction of zero.
+        let small = newton.abs().less_equal(x.abs() * R::from_f64(SMALL)) & d.abs().less_equal(x.abs());
+        let shrinks = (d.abs() + d.abs()).less_equal(last.abs());
+        let next = either(small | shrinks & inside(x + d, near, far), x + d, middle(near, far));
+        last = either(small, zero(), next - x);
+        let (rest, size) = (last.magnitude(), x.magnitude());
+        x = either(small, x, next);
+        if rest <= R::epsilon() * size || rest.is_nan() {
+            break;
+        }
+    }
+    x
+}
+
+/// The functions G with as many halvings as X asks for; not a number where they overflow.
+fn functions<R: Real>(orbit: &Orbits<R, 1>, x: R) -> Functions<R, 1> {
+    let Lanes([beta]) = orbit.beta;
+    let size = (beta * x * x).abs();
+    let halvings = (0..MOST_HALVINGS).find(|n| !size.any_above(reach(*n))).unwrap_or(MOST_HALVINGS);
+    let far = R::from_f64(reach(MOST_HALVINGS)).less(size);
+    let Functions(g) = orbit.functions(Lanes([x]), halvings);
+    Functions(g.map(|Lanes([g])| Lanes([either(far, R::from_f64(f64::NAN), g)])))
+}
+
+/// Not a number if the orbit is straight and meets the centre within h, else zero. The time goes forwards.
+fn passed_centre<R: Real>(
+    [square, eta, speed, mu, h]: [R; 5],
+    orbit: &Orbits<R, 1>,
+    g: &Functions<R, 1>,
+    periods: R,
+) -> R {
+    let none = zero::<R>();
+    let straight = (square * speed * R::from_f64(1.0 - STRAIGHT * R::epsilon())).less_equal(eta * eta);
+    let [Lanes([beta]), Lanes([zeta])] = [orbit.beta, orbit.zeta];
+    let Functions([Lanes([g0]), Lanes([g1]), _, _]) = *g;
+    let inward = eta.less(none);
+    // It fell, and is on its way out.
+    let turned = none.less(eta * g0 + zeta * g1) | none.less(periods);
+    // It rises, and falls: t = (E − sin E)μ/β^(3/2) from the centre.
+    let root = beta.abs().sqrt();
+    let angle = (root * eta).abs().atan2(zeta);
+    let fall = (R::from_f64(core::f64::consts::TAU) - angle + angle.sin()) * mu / (beta.abs() * root);
+    let fell = none.less(beta) & fall.less_equal(h);
+    let passed = straight & none.less(mu) & (inward & turned | !inward & fell);
+    either(passed, R::from_f64(f64::NAN), none)
+}
+
+/// `first` where the condition holds, else `second`.
+fn either<R: Real>(mask: R::Mask, first: R, second: R) -> R {
+    let [value] = R::choose(mask, || [first], || [second]);
+    value
+}

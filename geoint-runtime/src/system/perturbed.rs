@@ -1,0 +1,76 @@
+//! H = A + B: a part with an exact flow, and a rest that is a kick.
+
+use super::Cotangent;
+use crate::scalar::Real;
+use crate::space::PerCoordinate;
+
+/// H = A(q, p, t) + B(q, t), A with an exact flow: where B is small, steps are as long as B is small.
+///
+/// A and B move in coordinates of their own, if the system has such: those of Jacobi for bodies that attract each other.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no part with an exact flow beside a rest that is a kick",
+    label = "H was not parted into A + B",
+    note = "methods for every energy: `ImplicitMidpoint`, `Gauss`, `DiscreteGradient`"
+)]
+pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What the flow of A of given length needs from the parameters.
+    type Exact: Clone;
+    /// What a kick by B of given length needs from the parameters.
+    type Rest: Clone;
+    /// Whether the flow of A from t on is exact in its own time, or takes place at the frozen time t of the kicks.
+    const EXACT_IN_TIME: bool = false;
+    /// Whether a kick by B adds to p what positions alone decide.
+    const KICKS_REPEAT: bool = false;
+    /// Whether A and B move in other coordinates than those of states.
+    const INNER: bool = false;
+
+    /// Coefficients of the flow of A of length `h`.
+    fn prepare_exact(&self, h: R) -> Self::Exact;
+    /// Coefficients of a kick by B of length `h`.
+    fn prepare_rest(&self, h: R) -> Self::Rest;
+    /// The flow of A.
+    fn exact(&self, flow: &Self::Exact, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
+    /// The flow of B at frozen time: p ← p − h ∂B/∂q.
+    fn rest(&self, kick: &Self::Rest, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
+
+    /// What the flow of A from `x` adds, for sums that compensate.
+    #[inline(always)]
+    fn exact_increments(
+        &self,
+        flow: &Self::Exact,
+        t: R,
+        x: &PerCoordinate<Self::Phase, ()>,
+    ) -> PerCoordinate<Self::Phase, ()> {
+        let mut d: PerCoordinate<Self::Phase, ()> = PerCoordinate::nothing();
+        self.exact(flow, t, &mut d.z[0], &mut x.z[1].clone(), &mut d.s);
+        d
+    }
+
+    /// From the coordinates of a state to those in which A and B move.
+    #[inline(always)]
+    fn enter(&self, _z: &mut Self::Phase) {}
+
+    /// And back.
+    #[inline(always)]
+    fn leave(&self, _z: &mut Self::Phase) {}
+}
+
+/// A is of degree 2 in p, its squares with constant coefficients a: \[B, \[A, B\]\] = F·aF with F = −∂B/∂q is a function of q alone, and
+/// \[B, \[B, \[B, A\]\]\] = 0, so that all tables of Runge–Kutta–Nyström type and with force gradients keep their order.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no kick with a force gradient beside its part with an exact flow",
+    label = "that part is not of degree 2 in `p` with constant coefficients",
+    note = "tables without force gradients: `WisdomHolman`, `Aba10_6_4`"
+)]
+pub trait PerturbedGradient<R: Real = f64>: Perturbed<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What a kick of given weights needs from the parameters.
+    type GradientKick: Clone;
+    /// Coefficients of a kick with `h` of the force and `g` of its gradient, both with their powers of the step size.
+    fn prepare_gradient_kick(&self, h: R, g: R) -> Self::GradientKick;
+    /// The flow of hB − g F·aF at frozen time: p ← p + hF + g ∇(F·aF).
+    fn gradient_kick(&self, kick: &Self::GradientKick, t: R, q: &mut Self::Array, p: &mut Self::Array);
+}

@@ -1,0 +1,210 @@
+//! Kepler's motion against fifty digits, and against itself on random orbits.
+
+use geoint_runtime::slope::kepler;
+
+type Point = ([f64; 3], [f64; 3]);
+
+fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// The end of an orbit as a piece of an energy has it: increments by f − 1, g, ḟ, ġ − 1.
+fn flow((q, v): Point, mu: f64, h: f64) -> Point {
+    let [[f, g, f_rate, g_rate]] = kepler([[dot(&q, &q), dot(&q, &v), dot(&v, &v), mu, h]]);
+    let end = |x: &[f64; 3], a, b| std::array::from_fn(|i| x[i] + (f64::mul_add(a, q[i], b * v[i])));
+    (end(&q, f, g), end(&v, f_rate, g_rate))
+}
+
+fn distance(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    let d: [f64; 3] = std::array::from_fn(|i| a[i] - b[i]);
+    dot(&d, &d).sqrt()
+}
+
+/// The larger relative error of q and v.
+fn error(found: &Point, expected: &Point) -> f64 {
+    let relative = |a: &[f64; 3], b: &[f64; 3]| distance(a, b) / dot(b, b).sqrt();
+    let errors = [relative(&found.0, &expected.0), relative(&found.1, &expected.1)];
+    if errors[0].is_nan() || errors[1].is_nan() { f64::NAN } else { errors[0].max(errors[1]) }
+}
+
+/// Of references.py beside this file.
+const REFERENCES: &str = include_str!("references.txt");
+
+#[test]
+fn orbits_end_where_fifty_digits_say() {
+    let mut worst: f64 = 0.0;
+    for line in REFERENCES.lines() {
+        let numbers: Vec<f64> = line.split(' ').map(|number| number.parse().expect("a number")).collect();
+        let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
+        let (start, end) = ((vector(2), vector(5)), (vector(8), vector(11)));
+        let error = error(&flow(start, 1.0, numbers[1]), &end) / numbers[14].max(1.0);
+        assert!(error <= 1e-15, "e = {}, h = {}: {error:.1e} of its condition", numbers[0], numbers[1]);
+        worst = worst.max(error);
+    }
+    // The references are no copy of what is tested.
+    assert!(worst > 1e-17);
+}
+
+fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
+}
+
+/// Numbers between 0 and 1 that repeat.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.next()
+    }
+
+    /// From 10^low to 10^high, with many of every size.
+    fn decades(&mut self, low: f64, high: f64) -> f64 {
+        10_f64.powf(self.between(low, high))
+    }
+}
+
+/// An orbit of this eccentricity about μ, its pericentre at distance `pericentre`, seen at this true anomaly.
+fn orbit(e: f64, mu: f64, pericentre: f64, anomaly: f64) -> Point {
+    let (sin, cos) = anomaly.sin_cos();
+    let parameter = pericentre * (1.0 + e);
+    let (r, speed) = (parameter / (1.0 + e * cos), (mu / parameter).sqrt());
+    let in_space = |x: f64, y: f64| [0.6 * x - 0.64 * y, 0.8 * x + 0.48 * y, 0.6 * y];
+    (in_space(r * cos, r * sin), in_space(-speed * sin, speed * (e + cos)))
+}
+
+/// The time since the pericentre, less whole periods; how well both ends' numbers determine it, in roundings; and the period.
+fn time((q, v): &Point, e: f64, mu: f64, beta: f64) -> (f64, f64, f64) {
+    let (r, square) = (dot(q, q).sqrt(), dot(v, v));
+    let unit = mu / beta.abs().powf(1.5);
+    let sine = dot(q, v) * beta.abs().sqrt() / mu;
+    let scale = dot(q, q).sqrt() * square.sqrt() * beta.abs().sqrt() / mu;
+    let cancelled = (2.0 * mu / r + square) / beta.abs();
+    if beta > 0.0 {
+        let cosine = 1.0 - r * beta / mu;
+        let anomaly = sine.atan2(cosine);
+        let size = (scale + 1.0) / e + anomaly.abs() + sine.abs();
+        (unit * (anomaly - sine), unit * size * cancelled, unit * std::f64::consts::TAU)
+    } else {
+        let anomaly = (sine / e).asinh();
+        (unit * (sine - anomaly), unit * (scale + anomaly.abs()) * cancelled, f64::INFINITY)
+    }
+}
+
+/// By how much, relative to its size, the end of an orbit moves for a relative change of 1 of each number that is given.
+fn condition(start: Point, mu: f64, h: f64) -> f64 {
+    let (small, end) = (1e-7, flow(start, mu, h));
+    let moved = |changed: Point, mu: f64, h: f64| {
+        let other = flow(changed, mu, h);
+        let relative = |a, b| distance(a, b) / dot(b, b).sqrt();
+        relative(&other.0, &end.0).max(relative(&other.1, &end.1)) / small
+    };
+    let coordinates = (0..6).map(|i| {
+        let mut changed = start;
+        let x = if i < 3 { &mut changed.0 } else { &mut changed.1 };
+        x[i % 3] += small * dot(x, x).sqrt();
+        moved(changed, mu, h)
+    });
+    coordinates.sum::<f64>() + moved(start, mu * (1.0 + small), h) + moved(start, mu, h * (1.0 + small))
+}
+
+#[test]
+fn random_orbits_keep_what_orbits_keep_and_kepler_s_equation() {
+    let mut random = Random(1);
+    for case in 0..100_000 {
+        let e = if case % 7 == 0 { 1.0 - random.decades(-9.0, -1.0) } else { random.between(0.05, 5.0) };
+        let (mu, pericentre) = (random.decades(-6.0, 6.0), random.decades(-3.0, 3.0));
+        let widest = if e < 1.0 { 3.14 } else { 0.95 * (-1.0 / e).acos() };
+        let start = orbit(e, mu, pericentre, random.between(-widest, widest));
+        let unit = (pericentre.powi(3) / mu).sqrt();
+        let h = unit * random.decades(-3.0, 3.0) * if case % 2 == 0 { 1.0 } else { -1.0 };
+        let end = flow(start, mu, h);
+        let context = format!("case {case}: e = {e}, h = {} of the pericentre's time", h / unit);
+        let rounding = 1e-14 * condition(start, mu, h).max(1.0);
+        let energy = |(q, v): &Point| (0.5 * dot(v, v), mu / dot(q, q).sqrt());
+        let [(kinetic, potential), (kinetic_end, potential_end)] = [&start, &end].map(energy);
+        let change =
+            (kinetic_end - potential_end - kinetic + potential) / (kinetic + kinetic_end + potential + potential_end);
+        assert!(change.abs() < rounding, "{context}: energy {change:.1e}");
+        let moments = [&start, &end].map(|(q, v)| cross(q, v));
+        let sizes = [&start, &end].map(|(q, v)| (dot(q, q) * dot(v, v)).sqrt());
+        let change = distance(&moments[0], &moments[1]) / (sizes[0] + sizes[1]);
+        assert!(change < rounding, "{context}: angular momentum {change:.1e}");
+        let beta = 2.0 * (potential - kinetic);
+        let [(before, first, period), (after, second, _)] = [&start, &end].map(|point| time(point, e, mu, beta));
+        let late = after - before - h;
+        let late = if period.is_finite() { late - (late / period).round() * period } else { late };
+        let known = 1e-14 * (first + second + h.abs() * (kinetic + potential) / beta.abs())
+            + rounding * (dot(&end.0, &end.0) / dot(&end.1, &end.1)).sqrt();
+        assert!(late.abs() < known, "{context}: {late:.1e}, known to {known:.1e}");
+    }
+}
+
+#[test]
+fn flows_of_other_fields_and_of_no_time_are_exact_where_formulas_are() {
+    let start = ([0.3, -0.4, 1.2], [0.5, 0.1, -0.2]);
+    assert_eq!(flow(start, 1.7, 0.0), start);
+    let straight = flow(start, 0.0, 2.5);
+    assert!(error(&straight, &(std::array::from_fn(|i| start.0[i] + 2.5 * start.1[i]), start.1)) < 1e-15);
+    // Repelled: head on, v²/2 + 1/r is kept, and the particle comes back.
+    let end = flow(([2.0, 0.0, 0.0], [-1.0, 0.0, 0.0]), -1.0, 20.0);
+    let kept = 0.5 * end.1[0] * end.1[0] + 1.0 / end.0[0];
+    assert!((kept - 1.0).abs() < 1e-14 && end.0[0] > 2.0 && end.1[0] > 1.0);
+}
+
+#[test]
+fn orbits_that_meet_the_centre_end_there() {
+    let is_lost = |point: Point| point.0.iter().chain(&point.1).all(|x| x.is_nan());
+    // From rest at distance 1: π/√8 until the centre.
+    let fall = std::f64::consts::PI / 8_f64.sqrt();
+    let rest = ([1.0, 0.0, 0.0], [0.0; 3]);
+    for sign in [1.0, -1.0] {
+        assert!(!is_lost(flow(rest, 1.0, sign * 0.999 * fall)));
+        for part in [1.001, 1.5, 2.0, 2.5, 17.0, 1e6] {
+            assert!(is_lost(flow(rest, 1.0, sign * part * fall)), "{part}");
+        }
+    }
+    // Outward and back; faster than the speed of escape outward for ever, inward not.
+    let outward = ([1.0, 2.0, -2.0], [0.1, 0.2, -0.2]);
+    assert!(!is_lost(flow(outward, 1.0, 3.0)));
+    assert!(is_lost(flow(outward, 1.0, 30.0)));
+    let escaping = ([1.0, 2.0, -2.0], [1.0, 2.0, -2.0]);
+    assert!(!is_lost(flow(escaping, 1.0, 1e3)));
+    assert!(is_lost(flow(escaping, 1.0, -10.0)));
+    assert!(is_lost(flow(([0.0; 3], [0.1, 0.2, 0.3]), 1.0, 0.1)), "no distance");
+    // However near it passes, an orbit that passes goes on.
+    assert!(!is_lost(flow(([1.0, 0.0, 0.0], [0.0, 1e-5, 0.0]), 1.0, 2.0)));
+}
+
+#[test]
+fn orbits_side_by_side_are_those_alone() {
+    let of = |(q, v): Point, h: f64| [dot(&q, &q), dot(&q, &v), dot(&v, &v), 1.3, h];
+    let orbits: [[f64; 5]; 5] =
+        std::array::from_fn(|i| of(orbit(0.1 * i as f64, 1.3, 1.0 + i as f64, 0.7 * i as f64), 0.4));
+    let together = kepler(orbits);
+    for (orbit, end) in orbits.into_iter().zip(together) {
+        assert_eq!(kepler([orbit]), [end]);
+    }
+    // One of them needs the safe way: the others go with it, and end where they did, but for rounding.
+    let mut mixed = orbits;
+    mixed[2][4] = 400.0;
+    for (i, (end, alone)) in kepler(mixed).into_iter().zip(together).enumerate().filter(|(i, _)| *i != 2) {
+        let near = end.iter().zip(alone).all(|(a, b)| (a - b).abs() < 4.0 * f64::EPSILON);
+        assert!(near, "{i}: {end:?}, {alone:?}");
+    }
+}
+
+#[test]
+fn single_numbers_have_their_own_digits() {
+    let start = orbit(0.3, 1.0, 0.7, 0.5);
+    let numbers = |(q, v): Point| [dot(&q, &q), dot(&q, &v), dot(&v, &v), 1.0, 0.6];
+    let [long] = kepler([numbers(start)]);
+    let [short] = kepler([numbers(start).map(|x| x as f32)]);
+    for (long, short) in long.iter().zip(short) {
+        assert!((long - f64::from(short)).abs() < 1e-6, "{long} {short}");
+    }
+}

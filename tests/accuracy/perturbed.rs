@@ -1,0 +1,337 @@
+//! Methods for H = A + B: their orders in h and in the size of B, the outer solar system in Jacobi's coordinates, and what the state is
+//! when another point moves.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Claims, Method};
+use geoint_tests::measure::distance;
+use geoint_tests::methods::{self, Visitor};
+use geoint_tests::problems::{Planets, Problem, flat};
+use geoint_tests::scalars::Double;
+use nalgebra::Vector3;
+
+/// An oscillator with a small rest.
+#[hamiltonian]
+fn hardening(q: f64, p: f64, m: f64, k: f64, epsilon: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0 + epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)
+}
+
+const FREQUENT: f64 = 1.3;
+
+fn end<M: Method<Hardening<Double>, Double>>(method: M, epsilon: f64, steps: u64) -> Vec<Double> {
+    let [m, k, epsilon] = [1.0 / FREQUENT, FREQUENT, epsilon].map(Double::from);
+    let start = State::new(Double::from(0.9), Double::from(0.3));
+    let mut sim = Hardening { m, k, epsilon }.integrator(method, Double::from(4.0) / steps as f64, start);
+    sim.advance(steps).expect("no singularity");
+    flat(&sim.state())
+}
+
+/// Observes the last order of every table that claims several: that of h where the rest is not small.
+#[derive(Default)]
+struct Orders {
+    visited: usize,
+    failures: Vec<String>,
+}
+
+impl Orders {
+    fn observe<M: Method<Hardening<Double>, Double>>(
+        &mut self,
+        method: M,
+        epsilon: f64,
+        steps: u64,
+        claimed: u32,
+        tolerance: f64,
+    ) {
+        let exact = end(Rnia10_8_6, epsilon, 2048);
+        let [long, short] = [steps, 2 * steps].map(|steps| distance(&end(method, epsilon, steps), &exact));
+        let observed = (long / short).log2();
+        println!("{:24} {epsilon:5.0e} claims {claimed}, observed {observed:.2}", method.name().to_string());
+        if (observed - f64::from(claimed)).abs() > tolerance {
+            self.failures.push(format!("{} at {epsilon}: claims {claimed}, observed {observed:.2}", method.name()));
+        }
+    }
+
+    fn finish(self, expected: usize) {
+        assert!(self.failures.is_empty(), "{}", self.failures.join("\n"));
+        assert_eq!(self.visited, expected);
+    }
+}
+
+impl Visitor<Hardening<Double>, Double> for Orders {
+    fn visit<M: Method<Hardening<Double>, Double> + 'static>(&mut self, method: M) {
+        let Claims { perturbed: [_, .., last], .. } = method.claims() else { return };
+        self.visited += 1;
+        self.observe(method, 0.03, 64, *last, 0.15);
+    }
+}
+
+#[test]
+fn tables_have_the_order_of_h_that_they_claim() {
+    let mut orders = Orders::default();
+    methods::perturbed(&mut orders);
+    methods::perturbed_gradient(&mut orders);
+    methods::processed(&mut orders);
+    orders.finish(12);
+}
+
+/// To first order in B a step adds up B at the points that A has reached: the order is that of the quadrature. Beyond it a table is wrong,
+/// or it would claim more.
+#[test]
+fn to_first_order_in_the_rest_tables_are_quadratures() {
+    fn check(name: &str, claims: Claims, drifts: &[f64], kicks: &[f64]) {
+        let [first, ..] = *claims.perturbed else { panic!("{name} claims nothing") };
+        let defect = |power: u32| {
+            let mut reached = 0.0;
+            let sum: f64 = drifts
+                .iter()
+                .zip(kicks)
+                .map(|(a, b)| {
+                    reached += a;
+                    // About the middle of the step, where odd powers vanish.
+                    b * (reached - 0.5_f64).powi(power as i32)
+                })
+                .sum();
+            let exact = if power % 2 == 0 { 0.5_f64.powi(power as i32) / f64::from(power + 1) } else { 0.0 };
+            (sum - exact).abs() / 0.5_f64.powi(power as i32)
+        };
+        for power in 0..first {
+            assert!(defect(power) < 1e-13, "{name}: {power}, {:e}", defect(power));
+        }
+        assert!(defect(first) > 1e-9, "{name} is of higher order than it claims: {:e}", defect(first));
+    }
+    macro_rules! check {
+        ($($table:ident $($part:ident)*;)*) => { $({
+            let table = $table.0$(.$part())*;
+            let (drifts, _, kicks) = table.coefficients();
+            check(stringify!($table), table.claims(), drifts, kicks);
+        })* };
+    }
+    check!(WisdomHolman; Saba4; Aba8_4; Aba8_6_4; Aba10_6_4; Saba2Gradient; Saba3Gradient; Saba4Gradient; Saba5Gradient; Rnia10_8_6 table;);
+}
+
+/// A processor does to the errors of first order what a better quadrature does.
+#[test]
+fn processors_take_errors_of_first_order_away() {
+    let mut orders = Orders::default();
+    orders.observe(WisdomHolmanProcessed, 1e-6, 8, 10, 0.6);
+    orders.observe(WisdomHolmanGradient, 1e-6, 8, 10, 0.6);
+    orders.observe(WisdomHolman, 1e-6, 16, 2, 0.1);
+    orders.finish(0);
+}
+
+/// Bodies under their mutual gravity.
+#[hamiltonian(coordinates = jacobi)]
+fn outer_planets(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
+    let mut energy = 0.0;
+    for i in 0..6 {
+        energy += p[i].norm_squared() / (2.0 * m[i]);
+        for j in 0..i {
+            energy -= g * m[i] * m[j] / (q[i] - q[j]).norm();
+        }
+    }
+    energy
+}
+
+/// E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), table I.2.2.
+const OUTER: OuterPlanets = OuterPlanets {
+    m: [1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449, 1.0 / 1.3e8],
+    g: 2.95912208286e-4,
+};
+
+const POSITIONS: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [-3.5023653, -3.8169847, -1.5507963],
+    [9.0755314, -3.0458353, -1.6483708],
+    [8.3101420, -16.2901086, -7.2521278],
+    [11.4707666, -25.7294829, -10.8169456],
+    [-15.5387357, -25.2225594, -3.1902382],
+];
+
+const VELOCITIES: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [0.00565429, -0.00412490, -0.00190589],
+    [0.00168318, 0.00483525, 0.00192462],
+    [0.00354178, 0.00137102, 0.00055029],
+    [0.00288930, 0.00114527, 0.00039677],
+    [0.00276725, -0.00170702, -0.00136504],
+];
+
+type Bodies = State<[Vector3<f64>; 6]>;
+
+fn outer_start() -> Bodies {
+    let momentum = |i: usize| Vector3::from(VELOCITIES[i]) * OUTER.m[i];
+    State::new(POSITIONS.map(Vector3::from), std::array::from_fn(momentum))
+}
+
+fn outer_end<M: Method<OuterPlanets>>(method: M, steps: u64) -> Bodies {
+    let mut sim = OUTER.integrator(method, 200_000.0 / steps as f64, outer_start());
+    sim.advance(steps).expect("no collision");
+    sim.state()
+}
+
+/// The relative error of positions and velocities of all bodies.
+fn outer_error(found: &Bodies, exact: &Bodies) -> f64 {
+    let mut sums = [0.0; 2];
+    for i in 0..6 {
+        let velocities = [found, exact].map(|state| state.p[i] / OUTER.m[i]);
+        sums[0] += (found.q[i] - exact.q[i]).norm_squared() + (velocities[0] - velocities[1]).norm_squared();
+        sums[1] += exact.q[i].norm_squared() + velocities[1].norm_squared();
+    }
+    (sums[0] / sums[1]).sqrt()
+}
+
+/// Errors over 547 years, as another program with the same tables has them (to 20 %): they depend on all of A, B, the coordinates, the
+/// processor and the gradient.
+#[test]
+fn the_outer_solar_system_has_the_errors_of_other_programs() {
+    // A method that knows nothing of Jacobi's coordinates, in steps of which only rounding is left.
+    let exact = outer_end(BceRkn17_8, 5000);
+    let near = |name: &str, error: f64, expected: f64| {
+        assert!((error / expected - 1.0).abs() < 0.2, "{name}: {error:.2e}, expected {expected:.2e}");
+    };
+    near("WisdomHolman", outer_error(&outer_end(WisdomHolman, 1000), &exact), 8.8e-6);
+    near("WisdomHolmanProcessed", outer_error(&outer_end(WisdomHolmanProcessed, 1000), &exact), 7.8e-8);
+    near("WisdomHolmanGradient", outer_error(&outer_end(WisdomHolmanGradient, 1000), &exact), 3.3e-10);
+    near("WisdomHolmanGradient", outer_error(&outer_end(WisdomHolmanGradient, 2000), &exact), 2.1e-11);
+    near("Saba3Gradient", outer_error(&outer_end(Saba3Gradient, 500), &exact), 5.4e-7);
+    near("Saba3Gradient", outer_error(&outer_end(Saba3Gradient, 1000), &exact), 1.15e-11);
+    near("Aba10_6_4", outer_error(&outer_end(Aba10_6_4, 250), &exact), 7.3e-8);
+    near("Aba10_6_4", outer_error(&outer_end(Aba10_6_4, 500), &exact), 1.2e-10);
+    assert!(outer_error(&outer_end(Aba10_6_4, 2000), &exact) < 2e-12);
+    // A control: the same table for kicks and drifts has an error ten thousand times as large.
+    assert!(outer_error(&outer_end(StormerVerlet, 1000), &exact) > 1e-2);
+}
+
+#[test]
+fn energies_and_momenta_of_planets_do_not_drift() {
+    let mut sim = OUTER.integrator(Aba10_6_4, 100.0, outer_start()).compensated();
+    let (energy, moment) = (sim.energy(), |x: &Bodies| (0..6).map(|i| x.q[i].cross(&x.p[i])).sum::<Vector3<f64>>());
+    let before = moment(&sim.state());
+    sim.advance(20_000).expect("no collision");
+    assert!((sim.energy() / energy - 1.0).abs() < 5e-14);
+    assert!((moment(&sim.state()) - before).norm() < 5e-14 * before.norm());
+}
+
+/// States are the user's before, between and after steps, and steps one by one those of many at once.
+#[test]
+fn states_are_those_of_the_user() {
+    fn check<M: Method<Planets>>(method: M) {
+        let (system, start) = (Planets::system::<f64>(), Planets::initial(0.0));
+        let mut sim = system.integrator(method, 0.05, start);
+        assert_eq!(sim.state(), start);
+        assert_eq!(sim.energy(), system.energy(&start));
+        sim.step().expect("no collision");
+        let one = sim.state();
+        sim.advance(9).expect("no collision");
+        let mut single = system.integrator(method, 0.05, start);
+        for _ in 0..10 {
+            single.step().expect("no collision");
+        }
+        let ten = sim.state();
+        let near = |a: &State<[[f64; 2]; 3]>, b: &State<[[f64; 2]; 3]>, bound: f64| {
+            let (a, b) = (flat(a), flat(b));
+            a.iter().zip(&b).all(|(a, b)| (a - b).abs() < bound)
+        };
+        assert!(near(&ten, &single.state(), 1e-14), "{}", method.name());
+        // Looked at, and gone on from there.
+        let mut again = system.integrator(method, 0.05, one);
+        again.advance(9).expect("no collision");
+        assert!(near(&ten, &again.state(), 1e-13), "{}", method.name());
+        // Half of the step from here on, and back: coefficients are others, the state is not.
+        sim.set_step_size(-0.05);
+        assert!(near(&ten, &sim.state(), 1e-14), "{}", method.name());
+        sim.advance(10).expect("no collision");
+        assert!(near(&start, &sim.state(), 1e-9), "{}", method.name());
+    }
+    check(WisdomHolman);
+    check(WisdomHolmanProcessed);
+    check(WisdomHolmanGradient);
+    check(Aba10_6_4);
+    check(Perturbation(BlanesMoanSrkn6b));
+}
+
+/// Runs that look at every step see the user's coordinates as well.
+#[test]
+fn adaptive_and_projected_runs() {
+    let (system, start) = (Planets::system::<f64>(), Planets::initial(0.0));
+    let mut exact = system.integrator(BceRkn17_8, 0.01, start);
+    exact.advance(500).expect("no collision");
+    let error = |state: State<[[f64; 2]; 3]>| distance(&flat(&state), &flat(&exact.state()));
+    let mut adaptive = system.adaptive(Aba10_6_4, 1e-9, start);
+    adaptive.advance_to(5.0).expect("no collision");
+    assert!(error(adaptive.state()) < 1e-7, "{}", error(adaptive.state()));
+    let mut processed = system.adaptive(WisdomHolmanGradient, 1e-9, start);
+    processed.advance_to(5.0).expect("no collision");
+    assert!(error(processed.state()) < 1e-7, "{}", error(processed.state()));
+    let mut projected = system.integrator(Projection(Aba8_4, Energy), 0.05, start);
+    let energy = projected.energy();
+    projected.advance(100).expect("no collision");
+    assert!((projected.energy() / energy - 1.0).abs() < 1e-14);
+    assert!(error(projected.state()) < 1e-5, "{}", error(projected.state()));
+}
+
+/// A body may be so light that its attraction is lost: its orbit is that of its limit.
+#[test]
+fn test_particles() {
+    let with = |mass: f64| {
+        let mut system = OUTER;
+        system.m[5] = mass;
+        let mut start = outer_start();
+        start.p[5] = Vector3::from(VELOCITIES[5]) * mass;
+        let mut sim = system.integrator(Aba10_6_4, 400.0, start);
+        sim.advance(500).expect("no collision");
+        sim.state().q[5]
+    };
+    let limit = with(1e-30);
+    assert!((with(1e-20) - limit).norm() < 1e-11 * limit.norm());
+    assert!((with(1e-5) - limit).norm() > 1e-9 * limit.norm());
+}
+
+/// What cannot go on is an error that says why, and the state is the last good one.
+#[test]
+fn what_has_no_orbit_is_refused() {
+    let (system, start) = (Planets::system::<f64>(), Planets::initial::<f64>(0.0));
+    for body in 0..3 {
+        let mut massless = system;
+        massless.m[body] = 0.0;
+        let mut sim = massless.integrator(WisdomHolman, 0.1, start);
+        let expected = format!("division by zero: m[{body}]");
+        let refused = sim.step();
+        assert!(matches!(refused, Err(StepError::OutsideDomain { what, .. }) if what == expected), "{refused:?}");
+        assert_eq!(sim.state(), start);
+    }
+    let mut together = start;
+    together.q[1] = together.q[0];
+    let mut sim = system.integrator(Aba10_6_4, 0.1, together);
+    assert!(matches!(sim.advance(10), Err(StepError::OutsideDomain { .. })));
+    assert_eq!(sim.state(), together);
+    // From rest, at distance 1, two bodies meet after π/√8 units of time.
+    let pair = Planets { m: [1.0, 1e-3, 1e-30], g: 1.0 / 1.001, k: 0.0 };
+    let rest = State::new([[0.0, 0.0], [1.0, 0.0], [0.0, 50.0]], [[0.0; 2]; 3]);
+    let mut sim = pair.integrator(WisdomHolman, 0.05, rest);
+    let refused = sim.advance(100);
+    assert!(matches!(refused, Err(StepError::NonFinite { .. })), "{refused:?}");
+    assert_eq!(sim.steps(), 22);
+    assert!(sim.state().q[1][0].is_finite() && sim.state().q[1][0] < 0.1);
+}
+
+/// A and B by name: the same as what is found by itself, and a part that is not found.
+#[hamiltonian(split = "p * p / (2.0 * m) + k * q * q / 2.0 | epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)")]
+fn hardening_by_hand(q: f64, p: f64, m: f64, k: f64, epsilon: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0 + epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)
+}
+
+#[test]
+fn parts_by_name_are_those_that_are_found() {
+    let (m, k, epsilon, start) = (1.7, 0.9, 0.2, State::new(0.9, 0.3));
+    let mut found = Hardening { m, k, epsilon }.integrator(Aba8_6_4, 0.3, start);
+    let mut named = HardeningByHand { m, k, epsilon }.integrator(Aba8_6_4, 0.3, start);
+    found.advance(100).expect("no singularity");
+    named.advance(100).expect("no singularity");
+    assert!((found.state().q - named.state().q).abs() < 1e-13);
+    assert!(Hardening::<f64>::REPORT.contains("A = p²/(2·m) + q²·k/2"), "{}", Hardening::<f64>::REPORT);
+    // Where the rest is nothing the step is exact.
+    let mut free = Hardening { m, k, epsilon: 0.0 }.integrator(WisdomHolman, 20.0, start);
+    free.step().expect("no singularity");
+    let (sin, cos) = (20.0 * (k / m).sqrt()).sin_cos();
+    assert!((free.state().q - (start.q * cos + start.p / (k * m).sqrt() * sin)).abs() < 1e-14);
+}

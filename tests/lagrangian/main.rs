@@ -1,0 +1,8 @@
+//! Systems that are written as Lagrangians: against solutions to twenty digits, against the energies that one derives by hand, and laws.
+
+mod systems;
+mod references;
+mod orders;
+mod energies;
+mod laws;
+mod velocities;

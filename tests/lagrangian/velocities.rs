@@ -1,0 +1,264 @@
+//! Lagrangians whose steps are solved for velocities: against their energies, published numbers, and laws.
+
+use crate::references::ARM;
+use crate::systems::*;
+use geoint_runtime::prelude::*;
+
+const BENT: ([f64; 3], [f64; 3]) = ([0.5, 0.4, -0.3], [0.0, 0.0, 1.0]);
+
+/// The largest difference of positions and momenta.
+fn far<const N: usize>(a: &State<[f64; N]>, b: &State<[f64; N]>) -> f64 {
+    (0..N).fold(0.0, |far, i| f64::max(far, f64::max((a.q[i] - b.q[i]).abs(), (a.p[i] - b.p[i]).abs())))
+}
+
+/// L in one list, so that the variants of it below agree.
+fn after<S, M>(system: S, method: M, h: f64, start: State<[f64; 3]>, steps: u64) -> State<[f64; 3]>
+where
+    S: PhaseSpace<State = State<[f64; 3]>>,
+    M: Method<S>,
+{
+    let mut sim = Integrator::new(system, method, h, start);
+    sim.advance(steps).expect("steps");
+    sim.state()
+}
+
+#[test]
+fn the_report_says_which_steps() {
+    let report = Arm::<f64>::REPORT;
+    assert!(report.contains("steps are solved for v"), "{report}");
+    assert!(report.contains("with 3 unknowns a stage"), "{report}");
+    assert!(report.contains("- the energy"), "{report}");
+    assert!(!DoublePendulum::<f64>::REPORT.contains("steps are solved for v"));
+    assert!(Quartic::<f64>::REPORT.contains("there is no discrete gradient"));
+}
+
+/// Numbers that were found by another program.
+#[test]
+fn errors_of_the_polarised_discrete_gradient() {
+    let start = ARM.at(BENT.0, BENT.1);
+    let exact = after(ARM, Gauss::<6>, 0.01, start, 100);
+    for (h, expected) in [(0.04, 2.04e-2), (0.02, 5.61e-3), (0.01, 1.44e-3), (0.005, 3.61e-4)] {
+        let found = far(&after(ARM, DiscreteGradient, h, start, (1.0 / h) as u64), &exact);
+        assert!((found / expected - 1.0).abs() < 0.05, "{found:.3e} {expected:.3e}");
+    }
+    let fourth = [0.04, 0.02, 0.01]
+        .map(|h: f64| far(&after(ARM, Suzuki4.of(DiscreteGradient), h, start, (1.0 / h) as u64), &exact));
+    assert!((fourth[0] / fourth[1]).log2() > 3.7 && (fourth[1] / fourth[2]).log2() > 3.8, "{fourth:?}");
+}
+
+#[test]
+fn the_energy_stays_and_steps_go_back() -> Result<(), StepError> {
+    let start = ARM.at(BENT.0, BENT.1);
+    for h in [0.01, 0.05, 0.1] {
+        let mut sim = ARM.integrator(DiscreteGradient, h, start);
+        let energy = sim.energy();
+        sim.advance(2000)?;
+        assert!((sim.energy() - energy).abs() < 1e-12, "{h}: {:e}", sim.energy() - energy);
+    }
+    macro_rules! back {
+        ($($method:expr),*) => { $(
+            let mut sim = ARM.integrator($method, 0.05, start);
+            sim.step()?;
+            sim.set_step_size(-0.05);
+            sim.step()?;
+            assert!(far(&sim.state(), &start) < 1e-14, "{:?}", sim.state());
+        )* };
+    }
+    back!(DiscreteGradient, ImplicitMidpoint, Gauss::<2>, Gauss::<3>);
+    Ok(())
+}
+
+/// The same L with an action that it does not read is turned into an energy: the same map, with twice the unknowns.
+#[test]
+fn the_midpoint_rule_is_that_of_the_energy() -> Result<(), StepError> {
+    let Arm { m, l, g } = ARM;
+    let by_energy = ArmByEnergy { m, l, g };
+    let mut velocities = ARM.integrator(ImplicitMidpoint, 0.01, ARM.at(BENT.0, BENT.1));
+    let mut energy = by_energy.integrator(ContactMidpoint, 0.01, by_energy.at(BENT.0, BENT.1, 0.0));
+    velocities.advance(100)?;
+    energy.advance(100)?;
+    let ContactState { t, q, p, .. } = energy.state();
+    assert!(far(&velocities.state(), &State { t, q, p }) < 1e-13);
+    assert!((velocities.energy() - energy.energy()).abs() < 1e-12);
+    Ok(())
+}
+
+/// Without weight the whole arm turns freely: its momentum stays under Gauss methods. The discrete gradient keeps those of angles that are
+/// not read.
+#[test]
+fn a_momentum_that_is_not_acted_on_stays() -> Result<(), StepError> {
+    let arm = Arm { g: 0.0, ..ARM };
+    let start = arm.at(BENT.0, [0.7, 0.2, 1.0]);
+    macro_rules! keeps {
+        ($($method:expr),*) => { $(
+            let mut sim = arm.integrator($method, 0.05, start);
+            sim.advance(200)?;
+            assert!((sim.state().p[0] - start.p[0]).abs() < 1e-13, "{:e}", sim.state().p[0] - start.p[0]);
+        )* };
+    }
+    keeps!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>);
+    // An angle that is not read at all: to the last bit.
+    let start = FREE.at([0.5, 0.4, -0.3], [0.7, 0.2, 1.0]);
+    let mut sim = FREE.integrator(DiscreteGradient, 0.05, start);
+    sim.advance(200)?;
+    assert_eq!(sim.state().p[0], start.p[0]);
+    assert!(FreeArm::<f64>::REPORT.contains("p[0]: L does not read q[0]"));
+    Ok(())
+}
+
+const FREE: FreeArm = FreeArm { m: [2.0, 1.0, 0.5] };
+
+/// h v̄·C v̄ is what friction takes in a step, and h > 0 never gives.
+#[test]
+fn friction_takes_what_it_says() -> Result<(), StepError> {
+    let Arm { m, l, g } = ARM;
+    let system = RubbedArm { m, l, g, c: 0.4 };
+    let mut sim = system.integrator(DiscreteGradient, 0.05, system.at(BENT.0, BENT.1));
+    for _ in 0..200 {
+        let (before, energy) = (sim.state(), sim.energy());
+        sim.step()?;
+        let after = sim.state();
+        let mean: [f64; 3] = core::array::from_fn(|i| (after.q[i] - before.q[i]) / 0.05);
+        let middle = 0.5 * (before.q[1] + after.q[1]);
+        let c = 0.4 * (1.0 + middle * middle);
+        let rayleigh = 0.5
+            * c
+            * (0.3 * mean[0] * mean[0] + 0.1 * mean[0] * mean[1] + 0.2 * mean[1] * mean[1] + 0.1 * mean[2] * mean[2]);
+        assert!((sim.energy() - energy + 0.05 * 2.0 * rayleigh).abs() < 1e-13);
+        assert!(sim.energy() < energy);
+    }
+    // Gauss methods keep their order.
+    let end = |h: f64| after(system, Gauss::<2>, h, system.at(BENT.0, BENT.1), (1.0 / h).round() as u64);
+    let exact = after(system, Gauss::<6>, 0.02, system.at(BENT.0, BENT.1), 50);
+    let order = (far(&end(0.04), &exact) / far(&end(0.02), &exact)).log2();
+    assert!((order - 4.0).abs() < 0.2, "{order}");
+    Ok(())
+}
+
+/// A mass that time changes.
+#[test]
+fn time_keeps_the_order() {
+    let system = GrowingArm { m: [2.0, 1.0, 0.5], rate: 0.7 };
+    let start = system.at(BENT.0, [0.7, 0.2, 1.0]);
+    let exact = after(system, Gauss::<6>, 0.02, start, 50);
+    let observed = |errors: [f64; 2]| (errors[0] / errors[1]).log2();
+    let midpoint =
+        observed([0.02, 0.01].map(|h| far(&after(system, ImplicitMidpoint, h, start, (1.0 / h) as u64), &exact)));
+    let discrete =
+        observed([0.02, 0.01].map(|h| far(&after(system, DiscreteGradient, h, start, (1.0 / h) as u64), &exact)));
+    let gauss = observed([0.05, 0.025].map(|h| far(&after(system, Gauss::<2>, h, start, (1.0 / h) as u64), &exact)));
+    assert!(
+        (midpoint - 2.0).abs() < 0.1 && (discrete - 2.0).abs() < 0.1 && (gauss - 4.0).abs() < 0.2,
+        "{midpoint} {discrete} {gauss}"
+    );
+    let explicit = observed([0.01, 0.005].map(|h| far(&after(system, RK4, h, start, (1.0 / h) as u64), &exact)));
+    assert!((explicit - 4.0).abs() < 0.2, "{explicit}");
+}
+
+/// v⁴ + v², which no formula inverts: order, and energy kept as a symplectic method does.
+#[test]
+fn other_powers_of_velocities() -> Result<(), StepError> {
+    let system = Quartic { k: 1.3 };
+    let start = system.at([0.4, -0.2], [0.3, 0.9]);
+    let end = |h: f64| {
+        let mut sim = system.integrator(Gauss::<2>, h, start);
+        sim.advance((2.0 / h).round() as u64).expect("steps");
+        sim.state()
+    };
+    let mut sim = system.integrator(Gauss::<6>, 0.02, start);
+    sim.advance(100)?;
+    let exact = sim.state();
+    let order = (far(&end(0.1), &exact) / far(&end(0.05), &exact)).log2();
+    assert!((order - 4.0).abs() < 0.2, "{order}");
+    // By the third identity of Legendre's transformation.
+    let v = system.velocity(&exact);
+    let p = system.momentum(0.0, exact.q, v);
+    assert!((0..2).all(|i| (p[i] - exact.p[i]).abs() < 1e-14));
+    assert!((sim.energy() - system.energy(&start)).abs() < 1e-13);
+    Ok(())
+}
+
+/// v₀v₁ has no positive definite mass matrix, nor one with a diagonal.
+#[test]
+fn masses_of_both_signs() -> Result<(), StepError> {
+    #[hamiltonian]
+    fn by_hand(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+        p[0] * p[1] / m + q[0] * q[1] + (q[0] + 2.0 * q[1]).cos()
+    }
+    let system = Mixed { m: 0.7 };
+    let start = system.at([0.3, 0.2], [-0.4, 0.5]);
+    macro_rules! same {
+        ($($method:expr),*) => { $(
+            let mut one = system.integrator($method, 0.1, start);
+            let mut other = ByHand { m: 0.7 }.integrator($method, 0.1, start);
+            one.advance(30)?;
+            other.advance(30)?;
+            assert!(far(&one.state(), &other.state()) < 1e-13, "{:?} {:?}", one.state(), other.state());
+        )* };
+    }
+    same!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>);
+    let mut sim = system.integrator(DiscreteGradient, 0.1, start);
+    let energy = sim.energy();
+    sim.advance(30)?;
+    assert!((sim.energy() - energy).abs() < 1e-14);
+    Ok(())
+}
+
+/// Where the mass matrix is singular no step leads across.
+#[test]
+fn no_step_leads_over_a_singular_mass_matrix() {
+    let start = SINGULAR.at([1.0, 0.2, -0.1], [-1.5, 0.3, 0.2]);
+    macro_rules! refuses {
+        ($($method:expr),*) => { $(
+            for h in [0.02, 0.3, 1.5] {
+                let mut sim = SINGULAR.integrator($method, h, start);
+                let mut refused = false;
+                for _ in 0..200 {
+                    let before = sim.state();
+                    if sim.step().is_err() {
+                        assert_eq!(sim.state(), before);
+                        refused = true;
+                        break;
+                    }
+                    assert!(sim.state().q[0] > 0.0, "{:?} by {h}", sim.state());
+                }
+                assert!(refused, "{h}");
+            }
+        )* };
+    }
+    refuses!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient);
+}
+
+const SINGULAR: Singular = Singular { m: 0.7 };
+
+/// Other units of mass and time, by powers of two: the same bits.
+#[test]
+fn units_change_nothing() -> Result<(), StepError> {
+    let scaled = Arm { m: ARM.m.map(|m| 4.0 * m), g: 16.0 * ARM.g, ..ARM };
+    macro_rules! same {
+        ($($method:expr),*) => { $(
+            let mut one = ARM.integrator($method, 0.05, ARM.at(BENT.0, BENT.1));
+            let mut other = scaled.integrator($method, 0.0125, scaled.at(BENT.0, BENT.1.map(|v| 4.0 * v)));
+            one.advance(300)?;
+            other.advance(300)?;
+            assert_eq!(one.state().q, other.state().q);
+            assert_eq!(one.state().p.map(|p| 16.0 * p), other.state().p);
+        )* };
+    }
+    same!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient, RK4);
+    Ok(())
+}
+
+/// Steps that adapt, and sums that compensate.
+#[test]
+fn runs_of_every_kind() -> Result<(), StepError> {
+    let start = ARM.at(BENT.0, BENT.1);
+    let exact = after(ARM, Gauss::<6>, 0.01, start, 100);
+    let mut adaptive = ARM.adaptive(Gauss::<2>, 1e-9, start);
+    adaptive.advance_to(1.0)?;
+    assert!(far(&adaptive.state(), &exact) < 1e-7);
+    let mut fine = ARM.integrator(Gauss::<3>, 1e-3, start).compensated();
+    fine.advance(1000)?;
+    assert!(far(&fine.state(), &exact) < 1e-12);
+    Ok(())
+}
