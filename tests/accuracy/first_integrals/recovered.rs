@@ -172,7 +172,7 @@ fn without_an_energy_the_report_says_why() {
     reports(FromASource::REPORT, "canonical, with an energy on each simply connected domain");
     reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[0]·x[1])");
     reports(Prey::<f64>::REPORT, "f = J ∇H/μ with H = ");
-    reports(SeparableOrbits::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(cos(x[0])·x[1])");
+    reports(SeparableOrbits::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[1]·cos(x[0]))");
     reports(SeparableOrbits::<f64>::REPORT, "f = J ∇H/μ with H = ");
 }
 
