@@ -10,5 +10,5 @@ mod table;
 
 pub use cost::{evaluations, shortest};
 pub use output::{claim, output, shown};
-pub use run::{changes, largest, orbit, order};
+pub use run::{Sample, changes, largest, orbit, order};
 pub use table::table;

@@ -20,6 +20,9 @@ pub fn orbit<S: PhaseSpace, M: Method<S, f64>>(
     std::iter::once(Ok(start)).chain(later).collect()
 }
 
+/// A time of a run, and what functions of the state have changed by until then.
+pub type Sample<T, const N: usize> = (Scalar<T>, [f64; N]);
+
 /// The times of the next steps of a run, about twenty a decade, each with the largest change of some functions of the state so far.
 ///
 /// # Errors
@@ -28,7 +31,7 @@ pub fn changes<T: Trajectory, const N: usize>(
     run: &mut T,
     steps: u64,
     functions: impl Fn(&T::State) -> [f64; N],
-) -> Result<Vec<(Scalar<T>, [f64; N])>, StepError> {
+) -> Result<Vec<Sample<T, N>>, StepError> {
     let before = functions(&run.state());
     let (mut so_far, mut samples, mut due) = ([0.0; N], vec![], 0);
     for n in 1..=steps {

@@ -45,7 +45,7 @@ fn vortex_field(x: [f64; 8], gamma: [f64; 4]) -> [f64; 8] {
         for j in 0..4 {
             if i != j {
                 let (dx, dy) = (x[i] - x[j], x[4 + i] - x[4 + j]);
-                let square = 6.283185307179586 * (dx * dx + dy * dy);
+                let square = std::f64::consts::TAU * (dx * dx + dy * dy);
                 f[i] -= gamma[j] * dy / square;
                 f[4 + i] += gamma[j] * dx / square;
             }

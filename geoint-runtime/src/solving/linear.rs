@@ -93,8 +93,9 @@ fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     let terms = [a * x, d * y, g * z];
     let determinant = terms[0] + (terms[1] + terms[2]);
     let sizes = terms.map(|term| term.magnitude());
-    // Also where something is no finite number.
-    if !(determinant.magnitude() > SMALL * (sizes[0] + (sizes[1] + sizes[2]))) || !determinant.magnitude().is_finite() {
+    // What is no finite number is not large either.
+    let large = determinant.magnitude() > SMALL * (sizes[0] + (sizes[1] + sizes[2]));
+    if !large || !determinant.magnitude().is_finite() {
         return None;
     }
     let reciprocal = A::Real::from_f64(1.0) / determinant;
