@@ -35,6 +35,7 @@ fn main() {
     let discrete = discrete_gradients();
     let action = without_action();
     let single = single_steps();
+    let exact = exact_parts();
 
     // A test run only wants to know whether this runs.
     if !std::env::args().any(|arg| arg == "--test" || arg == "--list") {
@@ -42,6 +43,7 @@ fn main() {
         table("discrete gradient / Verlet", &discrete);
         table("without the action / with it", &action);
         table("step() in a loop / advance(n)", &single);
+        table("A + B / BlanesMoanSrkn14a, same error", &exact);
     }
     if std::env::var("RATIOS").is_ok_and(|value| value == "only") {
         return;
@@ -307,6 +309,30 @@ fn outer_solar_system() -> Vec<Pair> {
             subject: generated(system(), BlanesMoanSrkn14a, h, start),
             unit: Box::new(move |n| flat(hand().srkn_14a(black_box(h), n, (q, p)))),
         },
+    ]
+}
+
+/// What an exact part is worth: 547 years to the same error of positions and velocities, of which both sides have the steps that they need.
+fn exact_parts() -> Vec<Pair> {
+    let (bodies, start, _) = six_bodies();
+    let years = 200_000.0;
+    macro_rules! pair {
+        ($error:literal, $method:ident $own:literal, $others:literal) => {{
+            let own = generated(black_box(bodies), $method, years / f64::from($own), start);
+            Pair {
+                name: format!("outer planets to {}, {}", $error, stringify!($method)),
+                // As long a way as so many steps of the other method.
+                subject: Box::new(move |n| own((n * $own).div_ceil($others))),
+                unit: generated(black_box(bodies), BlanesMoanSrkn14a, years / f64::from($others), start),
+            }
+        }};
+    }
+    vec![
+        pair!("1e-3", WisdomHolman 369, 211),
+        pair!("1e-6", WisdomHolmanProcessed 646, 743),
+        pair!("1e-9", WisdomHolmanGradient 1129, 2271),
+        pair!("1e-11", WisdomHolmanGradient 2612, 4569),
+        pair!("1e-11", Saba5Gradient 854, 4569),
     ]
 }
 

@@ -35,7 +35,7 @@ pub(crate) fn henon_heiles(q: [f64; 2], p: [f64; 2], lambda: f64) -> f64 {
 }
 
 /// Sun, Jupiter, Saturn, Uranus, Neptune, Pluto.
-#[hamiltonian]
+#[hamiltonian(coordinates = jacobi)]
 pub(crate) fn outer_solar_system(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64) -> f64 {
     let mut energy = 0.0;
     for i in 0..6 {

@@ -98,10 +98,9 @@ fn kick_drift(
     KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }
 
-/// The flow of V.
-pub(super) fn kick(graph: &mut Graph, potential: Id, degrees: u32) -> FlowKernel {
-    let impulse = scaled_gradient(graph, potential, Number::MINUS_ONE, degrees);
-    increments(graph, Symbol::P, &impulse.q)
+/// What the flow of V adds to the momenta.
+pub(super) fn impulse(graph: &mut Graph, potential: Id, degrees: u32) -> Vec<Id> {
+    scaled_gradient(graph, potential, Number::MINUS_ONE, degrees).q
 }
 
 fn scaled_gradient(graph: &mut Graph, part: Id, sign: Number, degrees: u32) -> Gradient {

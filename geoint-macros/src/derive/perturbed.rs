@@ -1,13 +1,13 @@
 //! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
 
-use super::canonical::{increments, kick};
+use super::canonical::{impulse, increments};
 use super::system::{FlowKernel, Missing};
 use crate::analyze::reads;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::messages::NOT_NYSTROM_EXACT;
 use crate::schedule::{Kernel, Levels};
-use crate::split::{Clock, Division, NoExactPart};
+use crate::split::{self, Clock, Division, NoExactPart};
 
 /// A and B.
 #[derive(Debug)]
@@ -46,7 +46,8 @@ pub(super) fn kernels(graph: &mut Graph, division: &Division, degrees: u32) -> R
             let force: Vec<Id> =
                 diff::gradient(graph, parts.rest, degrees).q.into_iter().map(|slope| graph.neg(slope)).collect();
             let kick = diff::gradient_kick(graph, parts.rest, &force, velocity);
-            Ok(increments(graph, Symbol::P, &kick.impulse))
+            let impulse = weighted(graph, parts, kick.impulse);
+            Ok(increments(graph, Symbol::P, &impulse))
         }
         Err(term) => Err(Missing { marker: "Gentle", term: *term, why: NOT_NYSTROM_EXACT, pair: None }),
     };
@@ -56,7 +57,11 @@ pub(super) fn kernels(graph: &mut Graph, division: &Division, degrees: u32) -> R
         known: parts.known.clone(),
         flow: FlowKernel::with_increments(graph, Levels::Prepared, changed),
         exact_in_time: parts.clock == Clock::Own,
-        kick: kick(graph, parts.rest, degrees),
+        kick: {
+            let impulse = impulse(graph, parts.rest, degrees);
+            let impulse = weighted(graph, parts, impulse);
+            increments(graph, Symbol::P, &impulse)
+        },
         repeats: !reads(graph, parts.rest).t,
         gradient_kick,
         inner: parts.inner.as_ref().map(|inner| Inner {
@@ -65,6 +70,14 @@ pub(super) fn kernels(graph: &mut Graph, division: &Division, degrees: u32) -> R
             leave: FlowKernel::new(Levels::One, inner.leave.clone()),
         }),
     })
+}
+
+/// What an impulse adds to what is in the place of momenta.
+fn weighted(graph: &mut Graph, parts: &split::Perturbed, impulse: Vec<Id>) -> Vec<Id> {
+    match &parts.inner {
+        Some(inner) => impulse.into_iter().zip(&inner.weights).map(|(impulse, w)| graph.mul(*w, impulse)).collect(),
+        None => impulse,
+    }
 }
 
 impl<K> Perturbed<K> {

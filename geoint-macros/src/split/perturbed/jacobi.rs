@@ -1,6 +1,6 @@
 //! Jacobi's coordinates: each body as seen from the centre of mass of those before it.
 //!
-//! With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}, Q₀ and P₀ those of all together. Sums
+//! Momenta are velocities here: V_i is made of p_j/m_j as Q_i is of q_j. With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}, Q₀ and P₀ those of all together. Sums
 //! stay nested as written here, so that they, and the reverse sweep through them, cost as much for each body, not for each pair.
 //! J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
 
@@ -33,7 +33,12 @@ pub(super) fn perturbed(graph: &mut Graph, attraction: &Attraction, shape: &Shap
     }
     let bodies = Bodies { attraction, dimensions, sums, shares };
     let rest = bodies.rest(graph);
-    let (exact, flow, velocity) = bodies.motion(graph);
+    let (exact, flow, weights) = bodies.motion(graph);
+    let velocity = (0..).zip(&weights).map(|(i, weight)| {
+        let p = graph.symbol(Symbol::P(i));
+        graph.mul(*weight, p)
+    });
+    let velocity = velocity.collect();
     Perturbed {
         exact,
         rest,
@@ -41,7 +46,7 @@ pub(super) fn perturbed(graph: &mut Graph, attraction: &Attraction, shape: &Shap
         clock: Clock::Own,
         known: vec![KEPLER.into()],
         velocity: Ok(velocity),
-        inner: Some(Inner { name: "Jacobi", enter: bodies.enter(graph), leave: bodies.leave(graph) }),
+        inner: Some(Inner { name: "Jacobi", enter: bodies.enter(graph), leave: bodies.leave(graph), weights }),
     }
 }
 
@@ -70,7 +75,7 @@ impl Bodies<'_> {
     }
 
     /// Distances from body 0 along one direction: Q_i + R_{i−1} from positions, and in the same way from velocities.
-    fn from_first(&self, graph: &mut Graph, inner: &[Id]) -> (Vec<Id>, Id) {
+    fn offsets(&self, graph: &mut Graph, inner: &[Id]) -> (Vec<Id>, Id) {
         let (mut offsets, mut sum) = (vec![graph.zero()], graph.zero());
         for i in 1..self.count() {
             let offset = graph.add(inner[i], sum);
@@ -86,7 +91,7 @@ impl Bodies<'_> {
         let (mut offsets, mut first) = (vec![vec![]; self.count()], vec![]);
         for d in 0..self.dimensions {
             let inner: Vec<Id> = (0..self.count()).map(|i| self.symbol(graph, Symbol::Q, i, d)).collect();
-            let (along, sum) = self.from_first(graph, &inner);
+            let (along, sum) = self.offsets(graph, &inner);
             offsets.iter_mut().zip(along).for_each(|(offsets, along)| offsets.push(along));
             first.push(graph.sub(inner[0], sum));
         }
@@ -142,32 +147,34 @@ impl Bodies<'_> {
         terms.iter().map(|term| substitution.apply(graph, *term)).collect()
     }
 
-    /// A, its flow, and ∂A/∂p.
+    /// A, its flow for velocities in place of momenta, and the masses with which bodies move, each 1 over it.
+    ///
+    /// A mass that momenta are divided by and multiplied with again, both rounded, would let the energy drift.
     fn motion(&self, graph: &mut Graph) -> (Id, Flow, Vec<Id>) {
         let degrees = (self.count() * self.dimensions) as u32;
         let mut flow = Flow::rest(graph, degrees);
         let h = graph.symbol(Symbol::H);
-        let (mut terms, mut velocities) = (vec![], vec![]);
+        let (mut terms, mut weights) = (vec![], vec![]);
         for body in 0..self.count() {
             let of_body = body * self.dimensions..(body + 1) * self.dimensions;
-            let (q, p) = (flow.q[of_body.clone()].to_vec(), flow.p[of_body.clone()].to_vec());
-            // 1 over the mass with which it moves.
+            let (q, v) = (flow.q[of_body.clone()].to_vec(), flow.p[of_body.clone()].to_vec());
             let mass = self.attraction.masses[body];
-            let inverse = if body == 0 {
-                graph.recip(self.sums[self.count() - 1])
+            // η_i/η_{i−1}; of the first one, which stands for all, only the mass is another.
+            let ratio = if body == 0 {
+                graph.div(mass, self.sums[self.count() - 1])
             } else {
-                let ratio = graph.div(self.sums[body], self.sums[body - 1]);
-                graph.div(ratio, mass)
+                graph.div(self.sums[body], self.sums[body - 1])
             };
-            let v: Vec<Id> = p.iter().map(|p| graph.mul(inverse, *p)).collect();
+            let inverse = graph.div(ratio, mass);
+            weights.extend(of_body.clone().map(|_| inverse));
             let dot = |graph: &mut Graph, a: &[Id], b: &[Id]| {
                 let products: Vec<Id> = a.iter().zip(b).map(|(a, b)| graph.mul(*a, *b)).collect();
                 graph.sum(&products)
             };
-            let square = dot(graph, &p, &p);
-            let kinetic = graph.mul(inverse, square);
+            let speed = dot(graph, &v, &v);
+            // In words of momenta.
+            let kinetic = graph.mul(inverse, speed);
             terms.push(halved(graph, kinetic));
-            velocities.extend(v.iter().copied());
             let over_mass = self.strength_over_mass(graph, body);
             if body == 0 || graph.is_zero(over_mass) {
                 for (i, v) in of_body.zip(v) {
@@ -176,80 +183,63 @@ impl Bodies<'_> {
                 }
                 continue;
             }
-            let (distance, falling) = (dot(graph, &q, &q), dot(graph, &q, &p));
-            let falling = graph.mul(inverse, falling);
-            let speed = graph.product(&[inverse, inverse, square]);
-            let ratio = graph.div(self.sums[body], self.sums[body - 1]);
+            let (distance, falling) = (dot(graph, &q, &q), dot(graph, &q, &v));
             let strength = graph.mul(over_mass, ratio);
             let args = [distance, falling, speed, strength, h];
             let [f, g, f_rate, g_rate] = Function::KEPLER.map(|function| graph.call(function, &args));
             let recip = graph.pow(distance, Ratio { numerator: -1, denominator: 2 });
             let attraction = graph.product(&[over_mass, mass, recip]);
             terms.push(graph.neg(attraction));
-            // Velocities to momenta: g and ḟ with the mass, so that neither q nor p is scaled.
-            let (by_p, mass) = (graph.mul(inverse, g), graph.recip(inverse));
-            let by_q = graph.mul(mass, f_rate);
-            for (i, (q, p)) in of_body.zip(q.into_iter().zip(p)) {
-                let added = [graph.mul(f, q), graph.mul(by_p, p)];
-                let added = graph.sum(&added);
-                flow.q[i] = graph.add(q, added);
-                let added = [graph.mul(by_q, q), graph.mul(g_rate, p)];
-                let added = graph.sum(&added);
-                flow.p[i] = graph.add(p, added);
+            for (i, (q, v)) in of_body.zip(q.into_iter().zip(v)) {
+                for (x, [by_q, by_v]) in [(&mut flow.q[i], [f, g]), (&mut flow.p[i], [f_rate, g_rate])] {
+                    let added = [graph.mul(by_q, q), graph.mul(by_v, v)];
+                    let added = graph.sum(&added);
+                    *x = graph.add(*x, added);
+                }
             }
         }
-        (graph.sum(&terms), flow, velocities)
+        (graph.sum(&terms), flow, weights)
     }
 
-    /// Q_i = q_i − X_{i−1} and P_i = (η_{i−1} p_i − m_i s_{i−1})/η_i with the centre of mass X and the momentum s of those before.
+    /// Q_i = q_i − X_{i−1} with the centre of mass X of those before, and velocities in the same way.
     fn enter(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let mut inner = vec![];
-        for d in 0..self.dimensions {
-            let of = |body: usize| (body * self.dimensions + d) as u32;
-            let [mut centre, mut momentum] = [Symbol::Q, Symbol::P].map(|s| self.symbol(graph, s, 0, d));
-            for body in 1..self.count() {
-                let [q, p] = [Symbol::Q, Symbol::P].map(|s| self.symbol(graph, s, body, d));
-                let from_centre = graph.sub(q, centre);
-                inner.push((Symbol::Q(of(body)), from_centre));
-                let parts = [(self.sums[body - 1], p), (self.attraction.masses[body], momentum)];
-                let [own, others] = parts.map(|(mass, p)| graph.mul(mass, p));
-                let relative = graph.sub(own, others);
-                inner.push((Symbol::P(of(body)), graph.div(relative, self.sums[body])));
-                let shift = graph.mul(self.shares[body], from_centre);
-                centre = graph.add(shift, centre);
-                momentum = graph.add(p, momentum);
+        for symbol in [Symbol::Q as fn(u32) -> Symbol, Symbol::P] {
+            for d in 0..self.dimensions {
+                let of = |body: usize| symbol((body * self.dimensions + d) as u32);
+                let mut centre = self.motion_of(graph, symbol, 0, d);
+                for body in 1..self.count() {
+                    let x = self.motion_of(graph, symbol, body, d);
+                    let from_centre = graph.sub(x, centre);
+                    inner.push((of(body), from_centre));
+                    let shift = graph.mul(self.shares[body], from_centre);
+                    centre = graph.add(shift, centre);
+                }
+                inner.push((of(0), centre));
             }
-            inner.extend([(Symbol::Q(of(0)), centre), (Symbol::P(of(0)), momentum)]);
         }
         inner
     }
 
+    /// A position, or p/m.
+    fn motion_of(&self, graph: &mut Graph, symbol: fn(u32) -> Symbol, body: usize, d: usize) -> Id {
+        let x = self.symbol(graph, symbol, body, d);
+        if symbol(0) == Symbol::P(0) { graph.div(x, self.attraction.masses[body]) } else { x }
+    }
+
     /// q₀ = Q₀ − R, q_i = q₀ + Q_i + R_{i−1}, and velocities in the same way.
     fn leave(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
-        let (mut outer, last) = (vec![], self.count() - 1);
-        for d in 0..self.dimensions {
-            let of = |body: usize| (body * self.dimensions + d) as u32;
-            let positions: Vec<Id> = (0..=last).map(|i| self.symbol(graph, Symbol::Q, i, d)).collect();
-            let mut velocities = vec![];
-            for body in 0..=last {
-                let p = self.symbol(graph, Symbol::P, body, d);
-                let v = if body == 0 {
-                    graph.div(p, self.sums[last])
-                } else {
-                    let ratio = graph.div(self.sums[body], self.sums[body - 1]);
-                    let ratio = graph.div(ratio, self.attraction.masses[body]);
-                    graph.mul(ratio, p)
-                };
-                velocities.push(v);
-            }
-            for (inner, symbol) in [(positions, Symbol::Q as fn(u32) -> Symbol), (velocities, Symbol::P)] {
-                let (offsets, sum) = self.from_first(graph, &inner);
+        let mut outer = vec![];
+        for symbol in [Symbol::Q as fn(u32) -> Symbol, Symbol::P] {
+            let is_momentum = symbol(0) == Symbol::P(0);
+            for d in 0..self.dimensions {
+                let inner: Vec<Id> = (0..self.count()).map(|i| self.symbol(graph, symbol, i, d)).collect();
+                let (offsets, sum) = self.offsets(graph, &inner);
                 let first = graph.sub(inner[0], sum);
-                for body in 0..=last {
-                    let value = graph.add(first, offsets[body]);
-                    let is_momentum = symbol(0) == Symbol::P(0);
-                    let value = if is_momentum { graph.mul(self.attraction.masses[body], value) } else { value };
-                    outer.push((symbol(of(body)), value));
+                for (body, offset) in offsets.into_iter().enumerate() {
+                    let x = graph.add(first, offset);
+                    let x = if is_momentum { graph.mul(self.attraction.masses[body], x) } else { x };
+                    outer.push((symbol((body * self.dimensions + d) as u32), x));
                 }
             }
         }

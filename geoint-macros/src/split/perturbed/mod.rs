@@ -42,6 +42,8 @@ pub(crate) struct Inner {
     pub(crate) enter: Vec<(Symbol, Id)>,
     /// The state, by them.
     pub(crate) leave: Vec<(Symbol, Id)>,
+    /// What has the place of each momentum is that momentum times this.
+    pub(crate) weights: Vec<Id>,
 }
 
 /// Why there is no such part: the term, and what is wrong with it.

@@ -1,0 +1,125 @@
+//! Lagrangians: whether velocities follow from momenta, and whether friction is some.
+
+use super::blame::written;
+use super::damping::flaw_of_damping;
+use crate::analyze::Damping;
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::legendre::{self, Legendre, NoFriction};
+use crate::lower::Place;
+use crate::messages::FULL_MASS;
+use crate::parse::{Energy, Form, Role};
+use std::collections::HashMap;
+
+/// Reports a Lagrangian that has no energy here, and friction that is none.
+pub(crate) fn lagrangian(
+    energy: &Energy,
+    (found, friction): (std::result::Result<Legendre, legendre::Flaw>, std::result::Result<Option<Damped>, NoFriction>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<(Legendre, Option<Damped>)> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    let [q, v] = [Symbol::Q, Symbol::V].map(|kind| move |i: &u32| kind(*i));
+    let named = |symbol: Symbol| printer.named(symbol);
+    let velocities =
+        energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
+    match (energy.form, &friction) {
+        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.rayleigh, FRICTION_OF_ACTION),
+        (_, Err(NoFriction::Degree)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
+        (_, Err(NoFriction::AtRest(rest))) => {
+            errors.at(&energy.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
+        }
+        _ => {}
+    }
+    if let Err(flaw) = &found {
+        let all =
+            |velocities: &[u32]| velocities.iter().map(|i| format!("`{}`", named(v(i)))).collect::<Vec<_>>().join(", ");
+        let (message, term) = match flaw {
+            legendre::Flaw::Unread(i) => {
+                let [q, v] = [named(q(i)), named(v(i))];
+                let message = format!(
+                    "`{v}` is not read, so that `{q}` has no inertia, and ∂L/∂{q} = 0 is no differential equation: solve that for `{q}` and \
+                     put it in, or give it a mass"
+                );
+                (message, None)
+            }
+            legendre::Flaw::Linear(momenta) => {
+                let momenta: Vec<String> = momenta.iter().map(|momentum| printer.excerpt(*momentum)).collect();
+                let message = format!(
+                    "this Lagrangian is linear in the velocities, so that its equations are of first order: write them as \
+                     `#[hamiltonian(structure = …)]` of the energy −L at {} = 0; the momenta ∂L/∂v are {}",
+                    velocities.map(ToString::to_string).unwrap_or_default(),
+                    momenta.join(", ")
+                );
+                (message, None)
+            }
+            legendre::Flaw::LinearIn(i, momentum) => {
+                let message = format!(
+                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}",
+                    named(v(i)),
+                    printer.excerpt(*momentum)
+                );
+                (message, None)
+            }
+            legendre::Flaw::Singular(velocities) => {
+                let message = format!(
+                    "the mass matrix ∂²L/∂v² of {} is singular at every state, so that these velocities do not follow from momenta: some \
+                     combination of them has no inertia",
+                    all(velocities)
+                );
+                (message, None)
+            }
+            legendre::Flaw::NotClosed(velocities, of) => {
+                let message = format!(
+                    "no formula is known for {} as functions of their momenta; known are Lagrangians that are quadratic in velocities, and \
+                     A√(S + v·Cv), A|v|ⁿ, A eᵛ, A ln v and A cosh v, with terms that are linear: {}",
+                    all(velocities),
+                    printer.excerpt(*of)
+                );
+                (message, Some(*of))
+            }
+        };
+        match (term.and_then(|term| written(graph, places, term)), velocities) {
+            (Some(place), _) => errors.at_place(place, message),
+            (None, Some(velocities)) => errors.at(velocities, message),
+            (None, None) => errors.at(&energy.item.sig.ident, message),
+        }
+    }
+    match (found, friction) {
+        (Ok(legendre), Ok(friction)) => errors.or((legendre, friction)),
+        _ => Err(errors),
+    }
+}
+
+/// Reports friction that is none, and what is required of an energy that is not derived.
+pub(crate) fn velocities(
+    energy: &Energy,
+    (long, damping): (Id, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    for (_, span) in &energy.requirements {
+        let place = written(graph, places, long).unwrap_or((*span, *span));
+        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+    }
+    errors.or(())
+}
+
+/// The rows of a matrix of damping.
+type Damped = Vec<Vec<Id>>;
+
+const FRICTION_OF_ACTION: &str =
+    "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
+
+const NOT_RAYLEIGH: &str = "Rayleigh's function has to be a quadratic form in the velocities, such as `c * v * v / 2.0`; its coefficients may \
+                            read positions, parameters and time";
+
+const NO_REST: &str = "Rayleigh's function has to be a quadratic form in the velocities, so that friction vanishes at rest, but there ∂R/∂v is";

@@ -1,0 +1,70 @@
+//! What the user asked for against what was proven.
+
+mod blame;
+mod damping;
+mod lagrangian;
+mod pieces;
+mod proofs;
+pub(crate) mod wording;
+
+pub(crate) use lagrangian::{lagrangian, velocities};
+pub(crate) use pieces::{division, pieces};
+pub(crate) use proofs::{integrals, structure};
+
+use crate::analyze::{self, Split, Structure};
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::lower::Place;
+use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::parse::{Energy, Requirement};
+use blame::blame;
+use damping::flaw_of_damping;
+use std::collections::HashMap;
+
+/// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
+pub(crate) fn requests(
+    energy: &Energy,
+    structure: &Structure,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let Some(damping) = &structure.damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    for (requirement, span) in &energy.requirements {
+        if structure.damping.is_some() {
+            errors.at_place((*span, *span), DAMPED);
+            continue;
+        }
+        let witness = match (requirement, &structure.split) {
+            (_, Split::Coupled(term)) => Some((*term, COUPLED)),
+            (Requirement::Separable, Split::Separable(_)) => None,
+            (Requirement::QuadraticKinetic, Split::Separable(parts)) => {
+                parts.not_quadratic.map(|term| (term, NOT_QUADRATIC))
+            }
+        };
+        if let Some((term, why)) = witness {
+            blame((term, *span), why, &printer, places, &mut errors);
+        }
+    }
+    errors.or(())
+}
+
+/// Reports the term by which an energy is not that of rigid bodies.
+pub(crate) fn bodies(
+    energy: &Energy,
+    found: std::result::Result<analyze::Bodies, (Id, &'static str)>,
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<analyze::Bodies> {
+    found.map_err(|(term, why)| {
+        let mut errors = Diagnostics::default();
+        let span = energy.item.sig.ident.span();
+        blame((term, span), why, &Printer::new(graph, name), places, &mut errors);
+        errors
+    })
+}

@@ -1,0 +1,131 @@
+//! Pieces that were asked for against those that were found.
+
+use super::blame::{blame, written};
+use super::wording::in_case;
+use crate::analyze::{self, Identity, Remainder};
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
+use crate::lower::Place;
+use crate::parse::Energy;
+use crate::split::{Division, NoExactPart, Pieces};
+use proc_macro2::Span;
+use std::collections::HashMap;
+
+/// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
+pub(crate) fn pieces(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Pieces,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    if let Some(groups) = groups {
+        if let Err(group) = found
+            && let Some((_, place)) = groups.iter().find(|(other, _)| other == group)
+        {
+            let printer = Printer::new(graph, &name);
+            errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
+        }
+        adds_up(root, groups, graph, &name, &mut errors);
+    }
+    if let Some(span) = energy.lift
+        && let Some(term) = analyze::not_affine(graph, root)
+    {
+        blame((term, span), NO_LIFT, &Printer::new(graph, &name), places, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports a part with an exact flow, and a rest, that were asked for and are not there.
+pub(crate) fn division(
+    energy: &Energy,
+    (root, groups): (Id, Option<&[(Id, Place)]>),
+    found: &Division,
+    graph: &mut Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let asked = match (groups, energy.inner) {
+        (Some(groups), _) => Some(whole(groups)),
+        (None, inner) => inner.map(|(_, span)| (span, span)),
+    };
+    if let (Some(asked), Err(NoExactPart { term, why })) = (asked, found) {
+        let group = groups.and_then(|groups| groups.iter().find(|(group, _)| group == term)).map(|(_, place)| *place);
+        let place = group.or_else(|| written(graph, places, *term)).unwrap_or(asked);
+        errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
+    }
+    if let Some(groups) = groups {
+        adds_up(root, groups, graph, &name, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports what groups miss of the energy.
+fn adds_up(
+    root: Id,
+    groups: &[(Id, Place)],
+    graph: &mut Graph,
+    name: &impl Fn(Symbol) -> String,
+    errors: &mut Diagnostics,
+) {
+    let sum = graph.sum(&groups.iter().map(|(group, _)| *group).collect::<Vec<_>>());
+    let missing = difference(graph, root, sum);
+    let verdict = analyze::identity(graph, missing);
+    let printer = Printer::new(graph, name);
+    let wrong = matches!(verdict, Identity::Wrong(_));
+    let message = match verdict.rest() {
+        _ if verdict.is_zero() => None,
+        Some(Remainder { rest, certain, case }) => {
+            let (told, rest) = (in_case(&printer, case), shorter(&printer, missing, *rest, case));
+            let advice = if wrong || *certain || is_term(graph, missing) { "" } else { SAME_SPELLING };
+            Some(format!("{NOT_THE_SUM}{told} is: {rest}{advice}"))
+        }
+        None if wrong => Some(format!("{NOT_THE_SUM} is: {}", printer.excerpt(missing))),
+        None => Some(format!("{NOT_COMPARED}: {}", printer.excerpt(missing))),
+    };
+    if let Some(message) = message {
+        errors.at_place(whole(groups), message);
+    }
+}
+
+/// From the first group to the last.
+fn whole(groups: &[(Id, Place)]) -> Place {
+    let [first, last] =
+        [groups.first(), groups.last()].map(|group| group.map_or_else(Span::call_site, |(_, place)| place.0));
+    (first, last)
+}
+
+/// a − b, in which terms that are written alike have cancelled.
+fn difference(graph: &mut Graph, a: Id, b: Id) -> Id {
+    let [mut terms, other] = [a, b].map(|root| analyze::terms(graph, root));
+    terms.extend(other.into_iter().map(|term| graph.neg(term)));
+    graph.sum(&terms)
+}
+
+/// Whether a node is one term.
+fn is_term(graph: &Graph, id: Id) -> bool {
+    !matches!(graph.node(graph.coefficient(id).1), Node::Linear(..))
+}
+
+/// What is left, as it is written or multiplied out.
+fn shorter<F: Fn(Symbol) -> String>(printer: &Printer<'_, F>, missing: Id, rest: Id, case: &[(Id, bool)]) -> String {
+    let [written, rest] = [missing, rest].map(|id| printer.excerpt(id));
+    if case.is_empty() && written.chars().count() <= rest.chars().count() { written } else { rest }
+}
+
+const NO_FLOW: &str = "no flow in closed form is known for this piece: take it apart, or leave out `split` to see in `REPORT` what is \
+                       found";
+
+const NOT_THE_SUM: &str = "the pieces do not add up to the energy; what is missing";
+
+const SAME_SPELLING: &str =
+    "; if that is zero by a relation between functions, write them in the pieces as they are in the energy";
+
+const NOT_COMPARED: &str = "it cannot be decided whether the pieces add up to the energy, because their difference is too long: write \
+                            their terms as they are in the energy; what remains is";
+
+const NO_LIFT: &str =
+    "`lift` does not follow the momenta, but positions move by them in this term: write q' = X(q) as p·X(q)";

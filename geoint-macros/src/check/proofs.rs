@@ -1,0 +1,84 @@
+//! Identities that have to hold: skewness, and what a field keeps.
+
+use super::blame::written;
+use super::damping::flaw_of_damping;
+use super::wording::{open, remains};
+use crate::analyze::{Damping, Identity, Why};
+use crate::derive::proof;
+use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::lower::{Integral, Place};
+use crate::parse::Energy;
+use std::collections::HashMap;
+
+/// Reports S that is not skew, and damping that is none.
+pub(crate) fn structure(
+    energy: &Energy,
+    (structure, damping): (&proof::Structure, Option<&Damping>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.structure) {
+        let (sum, equal) = match verdict {
+            Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
+            _ => (open(&printer, verdict), " was not proven to be 0"),
+        };
+        let what = if i == j { format!("twice S[{i}][{i}]") } else { format!("S[{i}][{j}] + S[{j}][{i}]") };
+        let advice = if i == j { "" } else { "; `|i, j| …` is asked for i < j alone" };
+        let message = format!("S is skew, but {what}{equal}{sum}{advice}");
+        match written(graph, places, structure.matrix[*j][*i]) {
+            Some(place) => errors.at_place(place, message),
+            None => errors.at(&form.expr, message),
+        }
+    }
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &printer, &mut errors);
+    }
+    errors.or(())
+}
+
+/// Reports functions that are not kept, and those that are functions of others.
+pub(crate) fn integrals(
+    energy: &Energy,
+    written: &[Integral],
+    found: &proof::Integrals,
+    graph: &Graph,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    for (i, (kept, verdict)) in energy.keeps.iter().zip(&found.kept).enumerate() {
+        let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
+        let message = match verdict {
+            None | Some(Identity::Zero(_)) => continue,
+            Some(Identity::Wrong(wrong)) => {
+                let rest = remains(&printer, wrong.rest.as_ref(), &wrong.witness);
+                format!("`{name}` is not constant along the field{but}: what remains of its derivative{rest}")
+            }
+            Some(verdict @ Identity::Open(found)) => {
+                let why = match found.why {
+                    Why::Relation => {
+                        "it holds to rounding, and rests on a relation between functions that is not known here"
+                    }
+                    Why::Branch => "it holds to rounding, for one choice of the signs of roots",
+                    Why::TooLong => "it holds to rounding, and is too long to be decided",
+                    Why::Nowhere => "no state was met at which it is defined",
+                };
+                format!(
+                    "`{name}` was not proven to be constant along the field{but}: {why}; if you know that it is, say \
+                     `keeps(assume({name} = …))`{}",
+                    open(&printer, verdict).replacen(": ", "; what remains of its derivative is ", 1)
+                )
+            }
+        };
+        errors.at_place(written[i].place, message);
+    }
+    if let Some(i) = found.dependent.filter(|_| errors.len() == 0) {
+        let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
+        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.keeps[i].name));
+    }
+    errors.or(())
+}
