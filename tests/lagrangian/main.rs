@@ -1,5 +1,7 @@
 //! Systems that are written as Lagrangians: against solutions to twenty digits, against the energies that one derives by hand, and laws.
 
+#![allow(clippy::excessive_precision, reason = "digits as they are published")]
+
 mod systems;
 mod references;
 mod orders;
