@@ -102,6 +102,30 @@ fn contact_steps<M: Method<Damped>>(name: &str, method: M) {
     assert_eq!(count, 0, "damped with {name}");
 }
 
+/// Three angles of an arm, solved for their velocities.
+#[lagrangian]
+fn arm(q: [f64; 3], v: [f64; 3], m: f64) -> f64 {
+    let coupled = v[0] * v[1] * (q[0] - q[1]).cos() + v[1] * v[2] * (q[1] - q[2]).cos();
+    m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + coupled) + q[0].cos() + q[2].cos()
+}
+
+#[test]
+fn steps_of_velocities_allocate_nothing() {
+    let system = Arm { m: 0.7 };
+    macro_rules! none {
+        ($($method:expr),*) => { $(
+            let mut sim = system.integrator($method, 0.05, system.at([0.3, -0.2, 0.5], [0.1, 0.0, -0.4]));
+            let count = allocations_during(|| {
+                sim.advance(100).expect("steps");
+                sim.step().expect("a step");
+                assert!(sim.velocity()[0].is_finite() && sim.energy().is_finite());
+            });
+            assert_eq!(count, 0);
+        )* };
+    }
+    none!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient, RK4);
+}
+
 #[test]
 fn stepping_of_contact_systems_allocates_nothing() {
     contact_steps("splitting", ContactSplitting);

@@ -410,8 +410,9 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 
 /// Makes an integrable system from a Lagrangian L(q, v) with the velocities v = q', or L(q, v, t), or L(q, v, s, t).
 ///
-/// Its energy is H = p·v − L with p = ∂L/∂v, and from there on everything is as under [`macro@hamiltonian`], or with an argument `s`
-/// as under [`macro@contact_hamiltonian`]: the state is (q, p), or (q, p, s), and all methods that are for H are for L.
+/// Its energy is H = p·v − L with p = ∂L/∂v. The state is (q, p), as under [`macro@hamiltonian`], or (q, p, s) with an argument `s`, as under
+/// [`macro@contact_hamiltonian`]. Where v follows from p by a formula that is not too long, all methods that are for H are for L; where it
+/// does not, steps are solved for velocities.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -444,15 +445,54 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// # Which Lagrangians
 ///
-/// v has to follow from p in closed form. It does where L is quadratic in v, with any mass matrix ∂²L/∂v² of positions, time and
-/// parameters, which is factored as LDLᵀ and never inverted; and where L is a sum of such parts and of terms in other velocities, each
-/// one of
+/// The mass matrix M = ∂²L/∂v² must not be singular everywhere. Velocities that M couples, directly or by others, are a part. Of a part
+/// v follows from p in closed form where L is quadratic in v, by M = LDLᵀ without an inverse; and where L has linear terms and one of
 ///
 /// - A√(S + v·Cv), such as −mc²√(1 − v·v/c²), or n√(1 + v·v) of light;
 /// - A|v|ⁿ of one velocity, A eᵛ, A ln v, A cosh v, with a multiple of v and a constant inside.
 ///
-/// Terms that are linear in v, of magnetic fields or moving frames, may be added to both. A and C, S and M may read positions, time and
-/// the action. A mass matrix that is singular at every state is refused; at a state where it is singular steps are refused.
+/// A and C, S and M may read positions, time and the action. M is freed of coordinates on which it does not depend: what is written in
+/// Cartesian coordinates, with sin² + cos² in it, is as good as what was simplified by hand. A pole of H is where M is singular, and no
+/// implicit step leads over it.
+///
+/// # Velocities as unknowns
+///
+/// H would be long where M couples three velocities or more and depends on positions, and has no formula for other functions of v. Then
+/// `ImplicitMidpoint` and `Gauss` are solved for the velocities of their stages: the same map with half of the unknowns, from the
+/// derivatives of L alone. `DiscreteGradient`, of an L that is quadratic in v, is the polarised one: with
+/// Λ(q) = ½v₀·M(q)v₁ + a(q)·(v₀ + v₁)/2 − V(q) and its tree slopes Λ[q₀, q₁] in q,
+///
+/// q₁ − q₀ = h (v₀ + v₁)/2, p₁ − p₀ = h Λ[q₀, q₁], p = M(q)v + a(q) at both ends.
+///
+/// It keeps the energy to rounding for every h, and the momenta of coordinates that L does not read; of order 2 and symmetric, so that
+/// `Suzuki4` and others raise its order. Explicit Runge–Kutta methods solve for v wherever they evaluate L. An end of a step at which the
+/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`). With an action there is H, or
+/// nothing.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Masses on a chain of rods of length 1; q angles from below.
+/// #[lagrangian]
+/// fn chain(q: [f64; 4], v: [f64; 4], m: f64, g: f64) -> f64 {
+///     let (mut x, mut y, mut depth, mut sum) = (0.0, 0.0, 0.0, 0.0);
+///     for i in 0..4 {
+///         let (sin, cos) = q[i].sin_cos();
+///         x += v[i] * cos;
+///         y += v[i] * sin;
+///         depth += cos;
+///         sum += 0.5 * m * (x * x + y * y) + m * g * depth;
+///     }
+///     sum
+/// }
+///
+/// let system = Chain { m: 0.7, g: 9.81 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, system.at([0.5, 1.0, -0.5, 0.3], [0.0; 4]));
+/// let energy = sim.energy();
+/// sim.advance(500)?;
+/// assert!((sim.energy() - energy).abs() < 1e-12);
+/// # Ok::<(), StepError>(())
+/// ```
 ///
 /// # Friction
 ///

@@ -31,6 +31,9 @@ pub(crate) const COUPLED: &str = "this term couples positions and momenta, so ki
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
+                                        discrete gradient; use `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 

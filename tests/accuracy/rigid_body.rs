@@ -9,7 +9,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{Collocation, DiscreteField, QuadraticField};
+use geoint_runtime::system::{ByField, ByTree, Collocated, Collocation, DiscreteField, Graded, QuadraticField};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 
@@ -63,6 +63,11 @@ impl QuadraticField for RigidBody {
     type Proof = ();
 }
 
+impl Collocated for RigidBody {
+    type Proof = ();
+    type Stages = ByField;
+}
+
 impl Collocation for RigidBody {
     type Proof = ();
     type Unknown = [f64; 3];
@@ -87,6 +92,11 @@ impl Collocation for RigidBody {
     fn increments(change: &[f64; 3], _: &[f64; 3]) -> [f64; 3] {
         *change
     }
+}
+
+impl Graded for RigidBody {
+    type Proof = ();
+    type Gradient = ByTree;
 }
 
 /// c g₁ × g₂ with the discrete gradients g of the energy and of half the square of angular momentum, 1/c = the product of all

@@ -3,7 +3,7 @@
 use super::domain::{Check, Sign, checks_of};
 use super::proof::coordinates;
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
-use crate::analyze::{Identity, Proof, claims, is_positive, search};
+use crate::analyze::{Identity, Proof, claims, is_positive, search, symbols};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
 /// What is known of a field by its divergence.
@@ -63,12 +63,18 @@ pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[Partial]) ->
 }
 
 fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplier> {
-    let mut factors = vec![];
-    for (symbol, exponent) in x.iter().zip(search::multiplier(graph, x, field)?) {
-        let symbol = graph.symbol(*symbol);
-        factors.push(graph.pow(symbol, exponent));
-    }
-    let value = graph.product(&factors);
+    let found = match search::multiplier(graph, x, field) {
+        Some(exponents) => {
+            let mut powers = vec![];
+            for (symbol, exponent) in x.iter().zip(exponents) {
+                let symbol = graph.symbol(*symbol);
+                powers.push(graph.pow(symbol, exponent));
+            }
+            Some(graph.product(&powers))
+        }
+        None => of_separable_orbits(graph, x, field),
+    };
+    let value = found?;
     let scaled: Vec<Id> = field.iter().map(|f| graph.mul(value, *f)).collect();
     if !claims::divergence(graph, x, &scaled).1.is_zero() {
         return None;
@@ -79,6 +85,30 @@ fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplie
     };
     let energy = if x.len() == 2 { plane(graph) } else { None };
     Some(Multiplier { value, energy })
+}
+
+/// 1/(A(x)D(y)) of a field x' = A(x)B(y), y' = C(x)D(y) in the plane, whose orbits are separable: dy/dx = C/A · D/B.
+fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Id> {
+    let ([x, y], [first, second]) = (x, field) else { return None };
+    let mut own = |component: Id, own: Symbol, other: Symbol| {
+        let rest = graph.coefficient(component).1;
+        let mut product = graph.integer(1);
+        for (base, exponent) in graph.factors(rest) {
+            let read = symbols(graph, base);
+            match (read.contains(&own), read.contains(&other)) {
+                (true, true) => return None,
+                (true, false) => {
+                    let factor = graph.pow(base, exponent.neg());
+                    product = graph.mul(product, factor);
+                }
+                _ => {}
+            }
+        }
+        Some(product)
+    };
+    // Their reciprocals.
+    let (a, d) = (own(*first, *x, *y)?, own(*second, *y, *x)?);
+    Some(graph.mul(a, d))
 }
 
 /// Whether a node is defined wherever a field is: all that has to be tested of it is tested of the field.

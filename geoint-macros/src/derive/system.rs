@@ -151,7 +151,7 @@ pub(crate) struct VelocityKernels<K> {
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
     /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
-    pub(crate) polarised: Option<K>,
+    pub(crate) polarised: Result<K, Missing>,
 }
 
 /// Functions of x that a flow keeps, or whose change is known.

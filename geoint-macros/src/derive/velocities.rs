@@ -6,7 +6,7 @@ use crate::analyze::Damping;
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
-use crate::messages::FULL_MASS;
+use crate::messages::{FULL_MASS, NOT_POLARISED};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
@@ -17,10 +17,12 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix };
     let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
     let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
-    let polarised = quadratic.then(|| {
+    let polarised = if quadratic {
         let (equation, impulse) = lagrangian::polarised(graph, given);
-        Kernel { levels: Levels::Iterated, routines: vec![equation, impulse] }
-    });
+        Ok(Kernel { levels: Levels::Iterated, routines: vec![equation, impulse] })
+    } else {
+        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
+    };
     let known = [momenta.clone(), mass.concat()].concat();
     // What has no velocity in it is divided as slopes divide it.
     let roots = [&[*lagrangian][..], forces, momenta].concat();

@@ -134,13 +134,17 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     }
 }
 
-/// `impl DiscreteField` that no scalar satisfies, of a field that keeps nothing.
+/// `impl DiscreteField`, and what it is of, that no scalar satisfies, of a field that keeps nothing.
 pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
     let (marker, tokens) = unsatisfied(context, graph, missing);
     let (name, phase) = (self_type(context), context.phase());
     let never = quote!(::core::convert::Infallible);
     quote! {
         #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByTree;
+        }
         impl<R: Real + #marker> DiscreteField<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Parameters = #never;

@@ -81,7 +81,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #nothing_kept #fourth #collocation)
         }
-        Implicit::Velocities(kernels) => velocities::velocities(context, kernels),
+        Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
     let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);

@@ -1,20 +1,21 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
+use super::flows::unsatisfied;
 use super::implicit::{square, write_field};
 use super::kernel::{Context, write};
 use super::system::{cotangent, self_type};
-use crate::derive::VelocityKernels;
-use crate::ir::Symbol;
+use crate::derive::{Missing, VelocityKernels};
+use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
-pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels<Plan>) -> TokenStream {
+pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
     let VelocityKernels { increments, mass, stage, polarised } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
-    let (n, quadratic) = (places.len(), polarised.is_some());
+    let (n, quadratic) = (places.len(), polarised.is_ok());
     let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
@@ -27,7 +28,10 @@ pub(super) fn velocities(context: &Context<'_>, kernels: &VelocityKernels<Plan>)
             names.into_iter().zip(matrices.chunks(n * n)).map(|(name, entries)| write(name, &squares, entries));
         quote!(#momentum #force #(#matrices)*)
     });
-    let polarised = polarised.as_ref().map(|plan| self::polarised(context, increments, plan));
+    let polarised = match polarised {
+        Ok(plan) => self::polarised(context, increments, plan),
+        Err(missing) => not_polarised(context, graph, *missing),
+    };
     let cotangent = cotangent(context);
     quote! {
         #cotangent
@@ -117,6 +121,38 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
                 let mut impulse = <#array as Array>::zero();
                 #impulse
                 impulse
+            }
+        }
+    }
+}
+
+/// The same where L is not quadratic: for no scalar, with a message.
+fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (name, array, phase) = (self_type(context), context.array(), context.phase());
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByPolarisation;
+        }
+        impl<R: Real + #marker> PolarisedForm<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase, _: &#array) -> #never {
+                match *never {}
+            }
+            fn equation(&self, never: &#never, _: &#never, _: &#array, _: &mut #array, _: &mut Square<#array>) {
+                match *never {}
+            }
+            fn impulse(&self, never: &#never, _: &#never, _: &#array) -> #array {
+                match *never {}
             }
         }
     }

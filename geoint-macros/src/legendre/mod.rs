@@ -258,14 +258,13 @@ fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result<(), Flaw> 
     let massless = |i: &usize| mass[*i].iter().all(|entry| graph.is_zero(*entry));
     let all: Vec<usize> = (0..mass.len()).filter(massless).collect();
     let Some(first) = all.first() else { return Ok(()) };
+    if all.len() == mass.len() && momenta.iter().any(|momentum| !graph.is_zero(*momentum)) {
+        return Err(Flaw::Linear(momenta.to_vec()));
+    }
     if let Some(unread) = all.iter().find(|i| graph.is_zero(momenta[**i])) {
         return Err(Flaw::Unread(*unread as u32));
     }
-    Err(if all.len() == mass.len() {
-        Flaw::Linear(momenta.to_vec())
-    } else {
-        Flaw::LinearIn(*first as u32, momenta[*first])
-    })
+    Err(Flaw::LinearIn(*first as u32, momenta[*first]))
 }
 
 /// The velocities that entries of M couple, directly or by others.

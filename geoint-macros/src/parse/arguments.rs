@@ -269,15 +269,16 @@ pub(super) fn coordinates(
     }
     let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
     if form == Form::Lagrangian {
-        let v = find(Role::Velocity, "v", &|errors| match arguments
-            .iter()
-            .map(|(_, argument)| &argument.name)
-            .find(|name| is_velocity(name))
-        {
-            Some(name) => {
-                errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"))
+        let v = find(Role::Velocity, "v", &|errors| {
+            let mut names = arguments.iter().map(|(_, argument)| &argument.name);
+            match names.find(|name| is_velocity(name)) {
+                Some(name) => {
+                    errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
+                }
+                // Who has momenta in their place has been told.
+                None if exists(item, &format_ident!("p")) => {}
+                None => errors.at(&item.sig.ident, VELOCITIES),
             }
-            None => errors.at(&item.sig.ident, VELOCITIES),
         });
         return pair(q?, (&v?, "velocity"), errors);
     }

@@ -188,7 +188,7 @@ pub fn poisson<S: Pieces<PoissonSplitting, R>, R: Real>(visitor: &mut impl Visit
     compositions!(visitor: PoissonSplitting);
 }
 
-/// Methods for fields whose planar parts have flows in closed form, or few coordinates.
+/// Methods for fields that have planar parts.
 pub fn planar<S: Pieces<PlanarSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: PlanarSplitting);
     compositions!(visitor: PlanarSplitting);

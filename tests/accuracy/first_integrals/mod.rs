@@ -5,6 +5,7 @@
 
 #![allow(clippy::excessive_precision, reason = "all digits of the reference solutions, rounded once")]
 
+mod long;
 mod recovered;
 mod splittings;
 mod systems;
@@ -115,10 +116,12 @@ rows! {
 
     ring3: [1.0, 0.5, 0.8], 5.0, 50, [0.95356474896859081907, 0.48952391985507311643, 0.85691133117633606449]; {
         Ring => Second [2.393e-3, 5.987e-4, 1.497e-4], Suzuki [3.162e-7];
+        RingProduct => Second [2.459e-3];
         RingField => Second [2.315e-3, 5.791e-4, 1.448e-4], Fourth [3.355e-7, 2.097e-8, 1.311e-9];
     }
 
     epidemics: [0.9, 0.1, 0.0], 10.0, 50, [0.058959749238950772248, 0.032526994586720315814, 0.90851325617432891194]; {
+        EpidemicProduct { k: 1.5, l: 0.5 } => Second [6.795e-5, 1.701e-5, 4.253e-6];
         Epidemic { k: 1.5, l: 0.5 } => Second [3.615e-5, 9.049e-6, 2.263e-6], Fourth [2.323e-8, 1.451e-9, 9.071e-11];
     }
 

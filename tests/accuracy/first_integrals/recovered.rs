@@ -73,6 +73,12 @@ fn prey(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
     [x[0] * (a - b * x[1]), x[1] * (b * x[0] - c)]
 }
 
+/// Separable orbits: dy/dx = 2 tan x · y/(1 + y²)/(−c).
+#[vector_field]
+fn separable_orbits(x: [f64; 2], c: f64) -> [f64; 2] {
+    [c * x[0].cos() * (1.0 + x[1] * x[1]), -2.0 * x[0].sin() * x[1]]
+}
+
 fn reports(report: &str, line: &str) {
     assert!(report.contains(line), "{line} is missing in\n{report}");
 }
@@ -166,6 +172,8 @@ fn without_an_energy_the_report_says_why() {
     reports(FromASource::REPORT, "canonical, with an energy on each simply connected domain");
     reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[0]·x[1])");
     reports(Prey::<f64>::REPORT, "f = J ∇H/μ with H = ");
+    reports(SeparableOrbits::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(cos(x[0])·x[1])");
+    reports(SeparableOrbits::<f64>::REPORT, "f = J ∇H/μ with H = ");
 }
 
 /// Linear functions are kept as well; and H beside what is listed, under another name if its own is taken.

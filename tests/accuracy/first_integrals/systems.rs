@@ -85,6 +85,21 @@ pub(super) fn epidemic(x: [f64; 3], k: f64, l: f64) -> [f64; 3] {
     [-k * x[0] * x[1], k * x[0] * x[1] - l * x[1], l * x[1]]
 }
 
+/// x' = c ∇Σ × ∇I with the sum Σ of all people, which is linear, so that steps are c(m) ∇̄Σ × ∇̄I.
+#[hamiltonian(structure = {
+    let c = l * x[0] * x[1];
+    [[0.0, c, -c], [-c, 0.0, c], [c, -c, 0.0]]
+})]
+pub(super) fn epidemic_product(x: [f64; 3], k: f64, l: f64) -> f64 {
+    x[0].ln() + k / l * x[2]
+}
+
+/// The ring in the same way: ∇Σ × ∇Π.
+#[hamiltonian(structure = nambu(x[0] + x[1] + x[2]))]
+pub(super) fn ring_product(x: [f64; 3]) -> f64 {
+    x[0] * x[1] * x[2]
+}
+
 /// A heavy top with its centre of mass at r.
 #[hamiltonian(structure = se3)]
 pub(super) fn heavy_top(x: [f64; 6], inertia: [f64; 3], r: [f64; 3]) -> f64 {

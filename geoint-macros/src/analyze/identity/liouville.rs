@@ -132,15 +132,17 @@ fn product(graph: &mut Graph, factors: &[(Id, Ratio)]) -> Id {
 /// ∫ c·φ(u) u' dx = c·Φ(u), where φ(u) is one of the factors and c does not read x.
 fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): By) -> Option<Id> {
     for k in 0..factors.len() {
-        let (base, exponent) = factors[k];
-        let Some((inner, primitive)) = primitive(graph, (base, exponent), logarithm) else { continue };
         let others: Vec<(Id, Ratio)> = (0..factors.len()).filter(|i| *i != k).map(|i| factors[i]).collect();
         let others = product(graph, &others);
-        let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
-        let quotient = graph.div(others, slope);
-        let change = diff::jacobian(graph, &[quotient], &[x])[0][0];
-        if identity(graph, change).is_zero() {
-            return Some(graph.mul(quotient, primitive));
+        // As a function of its argument, or as a power.
+        let candidates = [primitive_of_function(graph, factors[k]), primitive_of_power(graph, factors[k], logarithm)];
+        for (inner, primitive) in candidates.into_iter().flatten() {
+            let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
+            let quotient = graph.div(others, slope);
+            let change = diff::jacobian(graph, &[quotient], &[x])[0][0];
+            if identity(graph, change).is_zero() {
+                return Some(graph.mul(quotient, primitive));
+            }
         }
     }
     None
@@ -148,7 +150,7 @@ fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): B
 
 /// ∫ xⁿφ(u) dx = xⁿΦ(u)/u' − n/u' ∫ xⁿ⁻¹Φ(u) dx, where u' does not read x.
 fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
-    let (x, logarithm) = by;
+    let x = by.0;
     let symbol = graph.symbol(x);
     let at = factors.iter().position(|(base, _)| *base == symbol)?;
     let [other] = factors.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, f)| *f).collect::<Vec<_>>()[..] else {
@@ -160,7 +162,7 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
     else {
         return None;
     };
-    let (inner, primitive) = primitive(graph, other, logarithm)?;
+    let (inner, primitive) = primitive_of_function(graph, other)?;
     let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
     if diff::jacobian(graph, &[slope], &[x])[0][0] != graph.zero() {
         return None;
@@ -175,46 +177,49 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
     Some(graph.add(whole, rest))
 }
 
-/// For baseᵉ = φ(u): u, and Φ(u) with Φ' = φ.
-fn primitive(graph: &mut Graph, (base, exponent): (Id, Ratio), logarithm: Logarithm) -> Option<(Id, Id)> {
-    if let Node::Call(function, args) = graph.node(base).clone() {
-        let u = args[0];
-        let call = |graph: &mut Graph, function| graph.call(function, &[u]);
-        let value = match function {
-            // A power of an exponential is one.
-            Function::Exp => {
-                let power = graph.pow(base, exponent);
-                graph.scale(Number::Exact(exponent.recip()?), power)
-            }
-            _ if exponent != Ratio::ONE => return None,
-            Function::Sin => {
-                let cosine = call(graph, Function::Cos);
-                graph.neg(cosine)
-            }
-            Function::Cos => call(graph, Function::Sin),
-            Function::Sinh => call(graph, Function::Cosh),
-            Function::Cosh => call(graph, Function::Sinh),
-            Function::Tanh => {
-                let cosh = call(graph, Function::Cosh);
-                graph.call(Function::Ln, &[cosh])
-            }
-            Function::Ln => {
-                let product = graph.mul(u, base);
-                graph.sub(product, u)
-            }
-            // u atan u − ln(1 + u²)/2.
-            Function::Atan => {
-                let product = graph.mul(u, base);
-                let (one, square) = (graph.integer(1), graph.pow(u, Ratio::integer(2)));
-                let sum = graph.add(one, square);
-                let logarithm = graph.call(Function::Ln, &[sum]);
-                let half = graph.scale(Number::HALF, logarithm);
-                graph.sub(product, half)
-            }
-            _ => return None,
-        };
-        return Some((u, value));
-    }
+/// For baseᵉ = φ(u) with a function φ of the table: u, and Φ(u) with Φ' = φ.
+fn primitive_of_function(graph: &mut Graph, (base, exponent): (Id, Ratio)) -> Option<(Id, Id)> {
+    let Node::Call(function, args) = graph.node(base).clone() else { return None };
+    let u = args[0];
+    let call = |graph: &mut Graph, function| graph.call(function, &[u]);
+    let value = match function {
+        // A power of an exponential is one.
+        Function::Exp => {
+            let power = graph.pow(base, exponent);
+            graph.scale(Number::Exact(exponent.recip()?), power)
+        }
+        _ if exponent != Ratio::ONE => return None,
+        Function::Sin => {
+            let cosine = call(graph, Function::Cos);
+            graph.neg(cosine)
+        }
+        Function::Cos => call(graph, Function::Sin),
+        Function::Sinh => call(graph, Function::Cosh),
+        Function::Cosh => call(graph, Function::Sinh),
+        Function::Tanh => {
+            let cosh = call(graph, Function::Cosh);
+            graph.call(Function::Ln, &[cosh])
+        }
+        Function::Ln => {
+            let product = graph.mul(u, base);
+            graph.sub(product, u)
+        }
+        // u atan u − ln(1 + u²)/2.
+        Function::Atan => {
+            let product = graph.mul(u, base);
+            let (one, square) = (graph.integer(1), graph.pow(u, Ratio::integer(2)));
+            let sum = graph.add(one, square);
+            let logarithm = graph.call(Function::Ln, &[sum]);
+            let half = graph.scale(Number::HALF, logarithm);
+            graph.sub(product, half)
+        }
+        _ => return None,
+    };
+    Some((u, value))
+}
+
+/// For uᵉ: u, and its antiderivative.
+fn primitive_of_power(graph: &mut Graph, (base, exponent): (Id, Ratio), logarithm: Logarithm) -> Option<(Id, Id)> {
     let next = exponent.add(Ratio::ONE)?;
     let value = match next.recip() {
         Some(reciprocal) => {

@@ -175,13 +175,13 @@ fn steps<F: Fn(Symbol) -> String>(
     )?;
     writeln!(text, "- stage of a Newton iteration of collocation: {}", counted(kernels.stage.operations()))?;
     match &kernels.polarised {
-        Some(polarised) => {
+        Ok(polarised) => {
             writeln!(
                 text,
                 "- Newton iteration of the discrete gradient, the polarised one: {}",
                 counted(polarised.operations())
             )
         }
-        None => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
     }
 }

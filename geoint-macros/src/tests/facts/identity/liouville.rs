@@ -45,6 +45,12 @@ fn energies_of_plane_fields_are_recovered() {
             quote!(p * p * (1.0 + q * q) / 2.0 - q * q * q.cos() + 2.0 * q * q.sin() + 2.0 * q.cos()),
         ),
         (quote!([2.0 * p * (p * p).cos(), q / (1.0 + q * q)]), quote!((p * p).sin() - (1.0 + q * q).ln() / 2.0)),
+        // Powers of functions.
+        (
+            quote!([p.sin() * p.cos().powi(2), -q.cos() * q.sin().powi(3)]),
+            quote!(q.sin().powi(4) / 4.0 - p.cos().powi(3) / 3.0),
+        ),
+        (quote!([p.sin() * p.cos(), -q.ln() / q]), quote!(q.ln().powi(2) / 2.0 - p.cos().powi(2) / 2.0)),
         (quote!([p.tanh(), -q.atan()]), quote!(p.cosh().ln() + q * q.atan() - (1.0 + q * q).ln() / 2.0)),
     ];
     for (field, energy) in &cases {

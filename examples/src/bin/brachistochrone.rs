@@ -1,0 +1,91 @@
+//! Along which path does a bead fall fastest? The time of a fall is an integral of a Lagrangian, in which x takes the place of time.
+//!
+//! L(y, y') = √((1 + y'²)/y) with the depth y below the start of the fall is not quadratic in y': its energy −√(1/y − p²) is found by the
+//! rule for roots. That the energy is constant is Beltrami's identity, y (1 + y'²) = const, and the path a cycloid.
+
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use std::error::Error;
+
+/// The time that a bead needs for a piece of its path.
+#[lagrangian(q = y, v = slope, t = _x)]
+fn fall(y: f64, slope: f64, _x: f64) -> f64 {
+    ((1.0 + slope * slope) / y).sqrt()
+}
+
+/// From one angle of the wheel that rolls the cycloid to another.
+const ANGLES: [f64; 2] = [1.0, 3.0];
+
+/// x, y and y' of the cycloid.
+fn cycloid(angle: f64) -> (f64, f64, f64) {
+    (angle - angle.sin(), 1.0 - angle.cos(), angle.sin() / (1.0 - angle.cos()))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let counts = [20, 40, 80];
+    let [midpoint, gauss, discrete] = [
+        counts.map(|steps| path(ImplicitMidpoint, steps)),
+        counts.map(|steps| path(Gauss::<3>, steps)),
+        counts.map(|steps| path(DiscreteGradient, steps)),
+    ];
+    let row = |name: &str, paths: &[Result<Path, StepError>; 3]| -> Result<[String; 5], StepError> {
+        let errors = paths.each_ref().map(|path| path.as_ref().map(|path| path.error).map_err(|error| *error));
+        let [a, b, c] = [errors[0]?, errors[1]?, errors[2]?];
+        let beltrami = paths[0].as_ref().map(|path| path.beltrami).map_err(|error| *error)?;
+        Ok([name.into(), format!("{a:.1e}"), format!("{b:.1e}"), format!("{c:.1e}"), format!("{beltrami:.1e}")])
+    };
+    let rows = [row("ImplicitMidpoint", &midpoint)?, row("DiscreteGradient", &discrete)?, row("Gauss<3>", &gauss)?];
+    println!("A fall from y = {:.3} to {:.3}\n", cycloid(ANGLES[0]).1, cycloid(ANGLES[1]).1);
+    println!("{}", table(["", "20 steps", "40", "80", "Beltrami, 20"], &rows));
+    println!("error of y at the end; change of y (1 + y'²)\n");
+
+    let [midpoint, gauss, discrete] =
+        [midpoint, gauss, discrete].map(|paths| paths.map(|path| path.map(|p| (p.error, p.beltrami))));
+    let order = |coarse: (f64, f64), fine: (f64, f64)| (coarse.0 / fine.0).log2();
+    claim("the midpoint rule is of order 2, Gauss' method of order 6", {
+        (order(midpoint[1]?, midpoint[2]?) - 2.0).abs() < 0.2 && (order(gauss[1]?, gauss[2]?) - 6.0).abs() < 0.6
+    })?;
+    claim("the discrete gradient keeps Beltrami's constant to 1e-13, the midpoint rule to 1e-2 alone", {
+        discrete[0]?.1 < 1e-13 && midpoint[0]?.1 > 1e-4
+    })?;
+    println!();
+    draw(&path(Gauss::<3>, 20)?)
+}
+
+/// A path by equal steps of x.
+struct Path {
+    points: Vec<(f64, f64)>,
+    error: f64,
+    beltrami: f64,
+}
+
+fn path<M: Method<Fall, f64>>(method: M, steps: u64) -> Result<Path, StepError> {
+    let [(x, y, slope), (end, depth, _)] = ANGLES.map(cycloid);
+    let mut sim = Fall.integrator(method, (end - x) / steps as f64, Fall.at_time(x, y, slope));
+    let mut points = vec![(x, y)];
+    let mut beltrami = 0.0;
+    for _ in 0..steps {
+        sim.step()?;
+        let State { t, q, .. } = sim.state();
+        points.push((t, q));
+        beltrami = f64::max(beltrami, (q * (1.0 + sim.velocity().powi(2)) - 2.0).abs());
+    }
+    Ok(Path { error: (sim.state().q - depth).abs(), points, beltrami })
+}
+
+fn draw(path: &Path) -> Result<(), Box<dyn Error>> {
+    let down = |points: &[(f64, f64)]| points.iter().map(|(x, y)| (*x, -*y)).collect::<Vec<_>>();
+    let exact: Vec<(f64, f64)> =
+        (0..=100).map(|i| cycloid(f64::from(i) * 3.2 / 100.0)).map(|(x, y, _)| (x, y)).collect();
+    let straight = [path.points[0], path.points[path.points.len() - 1]];
+    let curves = vec![
+        Curve::line("cycloid", palette::GREY, down(&exact)),
+        Curve::line("straight", palette::ORANGE, down(&straight)).width(0.8),
+        Curve::dots("Gauss<3>", palette::BLUE, down(&path.points)),
+    ];
+    let axes = [Axis::linear("x", 0.0..3.4), Axis::linear("−y", -2.2..0.2)];
+    let panel = Panel::new("The fastest way down", "20 steps of x", axes, curves);
+    figure("brachistochrone.svg", (520, 340), &[panel.named_above()])
+}

@@ -1,0 +1,117 @@
+//! Where does a bead on a turning hoop rest? Its Lagrangian answers, and its energy function is not kinetic plus potential energy.
+//!
+//! The hoop turns about its vertical diameter at the rate Ω; q is the angle of the bead from below. Beyond Ω² = g/r the lowest point is
+//! no longer stable, and there are two others at cos q = g/(rΩ²).
+
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
+use geoint_runtime::prelude::*;
+use std::error::Error;
+use std::f64::consts::TAU;
+
+/// A bead of mass 1 on a hoop of radius 1.
+#[lagrangian]
+fn hoop(q: f64, v: f64, omega: f64, g: f64) -> f64 {
+    let [along, around, height] = [v, omega * q.sin(), -q.cos()];
+    (along * along + around * around) / 2.0 - g * height
+}
+
+const G: f64 = 9.81;
+const FAST: Hoop = Hoop { omega: 4.0, g: G };
+const SLOW: Hoop = Hoop { omega: 3.0, g: G };
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", Hoop::<f64>::REPORT.lines().take(8).collect::<Vec<_>>().join("\n"));
+    println!();
+    let rest = (G / 16.0_f64).acos();
+    let swing = run(FAST, 0.5, 0.01, 400)?;
+    let [kept, swinging] = [|e: &Sample| e.energy, |e: &Sample| e.mechanical].map(|of| spread(&swing, of));
+    let period = period(&run(FAST, rest + 0.01, 0.001, 4000)?, rest);
+    let expected = TAU / (16.0 - G * G / 16.0).sqrt();
+    let rows = [
+        ["spread of p·v − L in 4 s".into(), format!("{kept:.1e}")],
+        ["spread of T + V in 4 s".into(), format!("{swinging:.2}")],
+        [format!("period about q = {rest:.4}"), format!("{period:.4}")],
+        ["the same by linearisation".into(), format!("{expected:.4}")],
+    ];
+    println!("{}", table(["", "discrete gradient, Ω = 4"], &rows));
+
+    claim("the energy function is kept to 1e-13, and T + V swings by more than 5", kept < 1e-13 && swinging > 5.0)?;
+    claim("it rests at cos q = g/Ω²", run(FAST, rest, 0.01, 1000)?.iter().all(|e| (e.q - rest).abs() < 1e-12))?;
+    claim("about there it swings with the period of the linearised equation", (period / expected - 1.0).abs() < 1e-4)?;
+    let most = |system, start| {
+        run(system, start, 0.01, 1000).map(|run| run.iter().fold(0.0, |most, e| f64::max(most, e.q.abs())))
+    };
+    claim("a slow hoop holds a bead at its lowest point, a fast one does not", {
+        most(SLOW, 0.01)? < 0.011 && most(FAST, 0.01)? > 1.2
+    })?;
+    println!();
+    draw(rest, &swing)
+}
+
+/// What is seen after a step.
+struct Sample {
+    t: f64,
+    q: f64,
+    v: f64,
+    energy: f64,
+    mechanical: f64,
+}
+
+fn run(system: Hoop, start: f64, h: f64, steps: usize) -> Result<Vec<Sample>, StepError> {
+    let mut sim = system.integrator(DiscreteGradient, h, system.at(start, 0.0));
+    let mut samples = vec![];
+    for _ in 0..=steps {
+        let (State { t, q, .. }, v) = (sim.state(), sim.velocity());
+        let mechanical = (v * v + (system.omega * q.sin()).powi(2)) / 2.0 - G * q.cos();
+        samples.push(Sample { t, q, v, energy: sim.energy(), mechanical });
+        sim.step()?;
+    }
+    Ok(samples)
+}
+
+fn spread(samples: &[Sample], of: fn(&Sample) -> f64) -> f64 {
+    let ends = samples.iter().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(x), b.max(x)));
+    ends.1 - ends.0
+}
+
+/// From crossing to crossing of an angle, upwards.
+fn period(samples: &[Sample], angle: f64) -> f64 {
+    let crossing = |pair: &[Sample]| {
+        let [a, b] = [pair[0].q - angle, pair[1].q - angle];
+        (a < 0.0 && b >= 0.0).then(|| pair[0].t - a / (b - a) * (pair[1].t - pair[0].t))
+    };
+    let times: Vec<f64> = samples.windows(2).filter_map(crossing).collect();
+    (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
+}
+
+fn draw(rest: f64, swing: &[Sample]) -> Result<(), Box<dyn Error>> {
+    let mut orbits = vec![];
+    for (name, start, colour) in
+        [("", 0.3, palette::BLUE), ("", 0.6, palette::BLUE), ("", 1.5, palette::GREEN), ("", 1.9, palette::GREEN)]
+    {
+        for side in [1.0, -1.0] {
+            let points = run(FAST, side * start, 0.01, 400)?.iter().map(|e| (e.q, e.v)).collect();
+            orbits.push(Curve::line(name, colour, points).width(1.2).solid());
+        }
+    }
+    orbits.push(Curve::dots("rest", palette::VERMILION, vec![(rest, 0.0), (-rest, 0.0)]));
+    let of = |value: fn(&Sample) -> f64| swing.iter().map(|e| (e.t, value(e))).collect::<Vec<_>>();
+    let energies = vec![
+        Curve::line("T + V", palette::VERMILION, of(|e| e.mechanical)),
+        Curve::line("p·v − L", palette::BLUE, of(|e| e.energy)),
+    ];
+    let portrait = Panel::new(
+        "Orbits at Ω = 4",
+        "g = 9.81, r = 1",
+        [Axis::linear("q", -2.4..2.4), Axis::linear("v", -4.5..4.5)],
+        orbits,
+    );
+    let energy = Panel::new(
+        "From q = 0.5 at rest",
+        "discrete gradient, h = 0.01",
+        [Axis::linear("t", 0.0..4.0), Axis::linear("energy", -11.0..8.0)],
+        energies,
+    );
+    figure("rotating_hoop.svg", (400, 300), &[portrait.named_above(), energy.named_above()])
+}
