@@ -206,8 +206,9 @@ fn energies_and_momenta_of_planets_do_not_drift() {
     let mut sim = OUTER.integrator(Aba10_6_4, 100.0, outer_start()).compensated();
     let (energy, moment) = (sim.energy(), |x: &Bodies| (0..6).map(|i| x.q[i].cross(&x.p[i])).sum::<Vector3<f64>>());
     let before = moment(&sim.state());
-    sim.advance(20_000).expect("no collision");
-    assert!((sim.energy() / energy - 1.0).abs() < 5e-14);
+    sim.advance(50_000).expect("no collision");
+    // Momenta that are divided by a rounded mass and multiplied with it again would have lost twice as much by now, in a straight line.
+    assert!((sim.energy() / energy - 1.0).abs() < 1e-14);
     assert!((moment(&sim.state()) - before).norm() < 5e-14 * before.norm());
 }
 
