@@ -90,7 +90,7 @@ fn to_first_order_in_the_rest_tables_are_quadratures() {
                     b * (reached - 0.5_f64).powi(power as i32)
                 })
                 .sum();
-            let exact = if power % 2 == 0 { 0.5_f64.powi(power as i32) / f64::from(power + 1) } else { 0.0 };
+            let exact = if power.is_multiple_of(2) { 0.5_f64.powi(power as i32) / f64::from(power + 1) } else { 0.0 };
             (sum - exact).abs() / 0.5_f64.powi(power as i32)
         };
         for power in 0..first {

@@ -118,7 +118,7 @@ fn random_orbits_keep_what_orbits_keep_and_kepler_s_equation() {
     for case in 0..100_000 {
         let e = if case % 7 == 0 { 1.0 - random.decades(-9.0, -1.0) } else { random.between(0.05, 5.0) };
         let (mu, pericentre) = (random.decades(-6.0, 6.0), random.decades(-3.0, 3.0));
-        let widest = if e < 1.0 { 3.14 } else { 0.95 * (-1.0 / e).acos() };
+        let widest = if e < 1.0 { 3.1 } else { 0.95 * (-1.0 / e).acos() };
         let start = orbit(e, mu, pericentre, random.between(-widest, widest));
         let unit = (pericentre.powi(3) / mu).sqrt();
         let h = unit * random.decades(-3.0, 3.0) * if case % 2 == 0 { 1.0 } else { -1.0 };

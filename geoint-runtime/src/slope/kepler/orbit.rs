@@ -38,7 +38,7 @@ const RADIUS: f64 = 1.6;
 
 /// |β|X² up to which halving X so many times leaves no more than [`RADIUS`].
 pub(super) fn reach(halvings: u32) -> f64 {
-    RADIUS * 4_f64.powi(halvings as i32)
+    RADIUS * (1_u64 << (2 * halvings)) as f64
 }
 
 impl<R: Real, const N: usize> Orbits<R, N> {
@@ -55,7 +55,7 @@ impl<R: Real, const N: usize> Orbits<R, N> {
     #[inline(always)]
     pub(super) fn functions(&self, x: Lanes<R, N>, halvings: u32) -> Functions<R, N> {
         let (beta, one) = (self.beta, Lanes::all(1.0));
-        let mut y = x.times(0.5_f64.powi(halvings as i32));
+        let mut y = x.times(1.0 / (1_u64 << halvings) as f64);
         let square = y * y;
         let z = -(beta * square);
         // Without the digits that 1/6 is rounded by, every G₃ is too small, and a million steps gain energy.
