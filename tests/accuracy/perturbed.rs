@@ -5,6 +5,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::{Claims, Method};
 use geoint_tests::measure::distance;
 use geoint_tests::methods::{self, Visitor};
+use geoint_tests::outer_planets;
 use geoint_tests::problems::{Planets, Problem, flat};
 use geoint_tests::scalars::Double;
 use nalgebra::Vector3;
@@ -131,39 +132,12 @@ fn outer_planets(q: [Vector3<f64>; 6], p: [Vector3<f64>; 6], m: [f64; 6], g: f64
     energy
 }
 
-/// E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), table I.2.2.
-const OUTER: OuterPlanets = OuterPlanets {
-    m: [1.00000597682, 0.000954786104043, 0.000285583733151, 0.0000437273164546, 0.0000517759138449, 1.0 / 1.3e8],
-    g: 2.95912208286e-4,
-};
-
-const POSITIONS: [[f64; 3]; 6] = [
-    [0.0, 0.0, 0.0],
-    [-3.5023653, -3.8169847, -1.5507963],
-    [9.0755314, -3.0458353, -1.6483708],
-    [8.3101420, -16.2901086, -7.2521278],
-    [11.4707666, -25.7294829, -10.8169456],
-    [-15.5387357, -25.2225594, -3.1902382],
-];
-
-const VELOCITIES: [[f64; 3]; 6] = [
-    [0.0, 0.0, 0.0],
-    [0.00565429, -0.00412490, -0.00190589],
-    [0.00168318, 0.00483525, 0.00192462],
-    [0.00354178, 0.00137102, 0.00055029],
-    [0.00288930, 0.00114527, 0.00039677],
-    [0.00276725, -0.00170702, -0.00136504],
-];
+const OUTER: OuterPlanets = OuterPlanets { m: outer_planets::MASSES, g: outer_planets::G };
 
 type Bodies = State<[Vector3<f64>; 6]>;
 
-fn outer_start() -> Bodies {
-    let momentum = |i: usize| Vector3::from(VELOCITIES[i]) * OUTER.m[i];
-    State::new(POSITIONS.map(Vector3::from), std::array::from_fn(momentum))
-}
-
 fn outer_end<M: Method<OuterPlanets>>(method: M, steps: u64) -> Bodies {
-    let mut sim = OUTER.integrator(method, 200_000.0 / steps as f64, outer_start());
+    let mut sim = OUTER.integrator(method, 200_000.0 / steps as f64, outer_planets::start());
     sim.advance(steps).expect("no collision");
     sim.state()
 }
@@ -203,7 +177,7 @@ fn the_outer_solar_system_has_the_errors_of_other_programs() {
 
 #[test]
 fn energies_and_momenta_of_planets_do_not_drift() {
-    let mut sim = OUTER.integrator(Aba10_6_4, 100.0, outer_start()).compensated();
+    let mut sim = OUTER.integrator(Aba10_6_4, 100.0, outer_planets::start()).compensated();
     let (energy, moment) = (sim.energy(), |x: &Bodies| (0..6).map(|i| x.q[i].cross(&x.p[i])).sum::<Vector3<f64>>());
     let before = moment(&sim.state());
     sim.advance(50_000).expect("no collision");
@@ -276,8 +250,8 @@ fn test_particles() {
     let with = |mass: f64| {
         let mut system = OUTER;
         system.m[5] = mass;
-        let mut start = outer_start();
-        start.p[5] = Vector3::from(VELOCITIES[5]) * mass;
+        let mut start = outer_planets::start();
+        start.p[5] = Vector3::from(outer_planets::VELOCITIES[5]) * mass;
         let mut sim = system.integrator(Aba10_6_4, 400.0, start);
         sim.advance(500).expect("no collision");
         sim.state().q[5]

@@ -13,6 +13,7 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;
 use geoint_runtime::space::{Coordinates, Snapshot};
 use geoint_runtime::system::StateOf;
+use geoint_tests::outer_planets;
 use nalgebra::{UnitQuaternion, Vector3};
 use paired::{Pair, Ratio, Run};
 use std::hint::black_box;
@@ -260,36 +261,8 @@ fn henon_heiles() -> Vec<Pair> {
     ]
 }
 
-/// Astronomical units, days and solar masses, the inner planets added to the Sun: E. Hairer, C. Lubich & G. Wanner,
-/// *Geometric Numerical Integration*, I.2.4.
 fn six_bodies() -> (systems::OuterSolarSystem, State<[Vector3<f64>; 6]>, f64) {
-    let m = [
-        1.000_005_976_82,
-        0.000_954_786_104_043,
-        0.000_285_583_733_151,
-        0.000_043_727_316_454_6,
-        0.000_051_775_913_844_9,
-        1.0 / 1.3e8,
-    ];
-    let g = 2.959_122_082_86e-4;
-    let q = [
-        [0.0, 0.0, 0.0],
-        [-3.502_365_3, -3.816_984_7, -1.550_796_3],
-        [9.075_531_4, -3.045_835_3, -1.648_370_8],
-        [8.310_142_0, -16.290_108_6, -7.252_127_8],
-        [11.470_766_6, -25.729_482_9, -10.816_945_6],
-        [-15.538_735_7, -25.222_559_4, -3.190_238_2],
-    ];
-    let v = [
-        [0.0, 0.0, 0.0],
-        [0.005_654_29, -0.004_124_90, -0.001_905_89],
-        [0.001_683_18, 0.004_835_25, 0.001_924_62],
-        [0.003_541_78, 0.001_371_02, 0.000_550_29],
-        [0.002_889_30, 0.001_145_27, 0.000_396_77],
-        [0.002_767_25, -0.001_707_02, -0.001_365_04],
-    ];
-    let p: [[f64; 3]; 6] = std::array::from_fn(|i| v[i].map(|v| m[i] * v));
-    (systems::OuterSolarSystem { m, g }, State::new(q.map(Vector3::from), p.map(Vector3::from)), 50.0)
+    (systems::OuterSolarSystem { m: outer_planets::MASSES, g: outer_planets::G }, outer_planets::start(), 50.0)
 }
 
 fn outer_solar_system() -> Vec<Pair> {

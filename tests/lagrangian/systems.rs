@@ -76,9 +76,9 @@ pub(crate) fn charge(q: [f64; 2], v: [f64; 2], k: f64) -> f64 {
     0.5 * (v[0] * v[0] + v[1] * v[1]) + (x + 0.5 * x * x) * v[1] - k * (x * x + y * y)
 }
 
-/// Three slender rods with relative angles, the first from below.
-#[lagrangian]
-pub(crate) fn arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
+/// L of three slender rods with relative angles, the first from below.
+#[energy_function]
+fn rods(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
     let (mut angle, mut rate) = (0.0, 0.0);
     // Velocity of the joint, and its depth.
     let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0);
@@ -95,6 +95,12 @@ pub(crate) fn arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64) ->
         depth += l[i] * cos;
     }
     sum
+}
+
+/// The rods.
+#[lagrangian(with(rods))]
+pub(crate) fn arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
+    rods(q, v, m, l, g)
 }
 
 /// Herglotz' principle with an action that changes the mass.
@@ -135,44 +141,16 @@ pub(crate) fn catenary(y: f64, slope: f64) -> f64 {
 }
 
 /// The arm with an action that it does not read: turned into an energy.
-#[lagrangian]
+#[lagrangian(with(rods))]
 pub(crate) fn arm_by_energy(q: [f64; 3], v: [f64; 3], _s: f64, m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
-    let (mut angle, mut rate) = (0.0, 0.0);
-    let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0);
-    let mut sum = 0.0;
-    for i in 0..3 {
-        angle += q[i];
-        rate += v[i];
-        let (sin, cos) = angle.sin_cos();
-        let half = 0.5 * l[i];
-        let (u, w) = (x + half * rate * cos, y + half * rate * sin);
-        sum += 0.5 * m[i] * (u * u + w * w) + m[i] * l[i] * l[i] / 24.0 * rate * rate + m[i] * g * (depth + half * cos);
-        x += l[i] * rate * cos;
-        y += l[i] * rate * sin;
-        depth += l[i] * cos;
-    }
-    sum
+    rods(q, v, m, l, g)
 }
 
 /// The arm with joints that rub.
-#[lagrangian(rayleigh = 0.5 * c * (1.0 + q[1] * q[1])
+#[lagrangian(with(rods), rayleigh = 0.5 * c * (1.0 + q[1] * q[1])
     * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]))]
 pub(crate) fn rubbed_arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64, c: f64) -> f64 {
-    let (mut angle, mut rate) = (0.0, 0.0);
-    let (mut x, mut y, mut depth) = (0.0, 0.0, 0.0);
-    let mut sum = 0.0;
-    for i in 0..3 {
-        angle += q[i];
-        rate += v[i];
-        let (sin, cos) = angle.sin_cos();
-        let half = 0.5 * l[i];
-        let (u, w) = (x + half * rate * cos, y + half * rate * sin);
-        sum += 0.5 * m[i] * (u * u + w * w) + m[i] * l[i] * l[i] / 24.0 * rate * rate + m[i] * g * (depth + half * cos);
-        x += l[i] * rate * cos;
-        y += l[i] * rate * sin;
-        depth += l[i] * cos;
-    }
-    sum
+    rods(q, v, m, l, g)
 }
 
 /// Three rods of length 1 without weight, by differences of angles: the first angle is not read.

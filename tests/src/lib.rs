@@ -4,3 +4,4 @@ pub mod scalars;
 pub mod problems;
 pub mod methods;
 pub mod measure;
+pub mod outer_planets;

@@ -7,6 +7,7 @@ pub mod contact;
 pub mod corrected;
 pub mod discrete_gradient;
 pub mod explicit;
+mod form;
 pub mod gauss;
 pub mod kahan;
 mod name;
@@ -19,6 +20,7 @@ pub mod tables;
 pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;
+pub use form::StepsOf;
 pub use name::Name;
 pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, start};
 pub use probe::{Probe, Unwatched};
@@ -27,7 +29,8 @@ pub use splitting::{gradient_kick, modified_verlet};
 pub use crate::solving::Refusal;
 
 use crate::scalar::Real;
-use crate::space::{Array, Plain, Point, Summation};
+use crate::space::vector::difference;
+use crate::space::{Plain, Point, Summation};
 use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
@@ -137,8 +140,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 
     /// Whether a step does not end in a finite state where the energy is not defined.
     #[inline(always)]
-    fn shows(prepared: &Self::Prepared) -> bool {
-        let _ = prepared;
+    fn shows(_prepared: &Self::Prepared) -> bool {
         false
     }
 
@@ -190,10 +192,9 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     M::enter(prepared, system, t, &mut inner.z);
     M::step(prepared, memory, Step { system, t, x: &mut inner, probe: step.probe })?;
     M::leave(prepared, system, t + h, &mut inner.z);
-    let mut moved = inner.z;
-    moved.add_scaled(R::from_f64(-1.0), &step.x.z);
-    step.x.add(&moved);
+    step.x.add(&difference(&inner.z, &step.x.z));
     step.x.s = inner.s;
+    step.x.doubtful |= inner.doubtful;
     Ok(())
 }
 

@@ -1,5 +1,6 @@
 //! What an implicit step solves.
 
+use crate::space::vector::difference;
 use crate::space::{Array, Square};
 
 /// An equation x = g(x) for the increment of a step. `W` watches where g is evaluated.
@@ -26,6 +27,6 @@ pub(crate) trait StepEquation<A: Array, W>: Copy {
     /// x − g(x), and 1 − g'(x) in `matrix`.
     #[inline(always)]
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A {
-        crate::space::vector::difference(x, &self.evaluate(watch, x, matrix))
+        difference(x, &self.evaluate(watch, x, matrix))
     }
 }

@@ -9,8 +9,9 @@ const SMALL: f64 = 1.0 / 8.0;
 
 /// Solves `matrix·x = rhs` in place of `rhs` by elimination with partial pivoting; destroys `matrix`.
 ///
-/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Where entries of a column are compared, then in units of
-/// `sizes`, those of the unknowns: which of them is the pivot does not depend on units. Returns whether the determinant is positive; `None` if a pivot vanishes or is not a finite number.
+/// Row i has the unit of unknown i: the matrix is 1 − g' for x = g(x). Where entries of a column are compared, then in units of `sizes`,
+/// those of the unknowns: which of them is the pivot does not depend on units. Returns whether the determinant is positive; `None` if a
+/// pivot vanishes or is not a finite number.
 #[inline(always)]
 pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
     let n = A::LEN;

@@ -32,8 +32,8 @@ pub(crate) struct Pole {
     pub(crate) reads_state: bool,
 }
 
-/// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which a step cannot cross without ending
-/// outside the domain of the energy, as that of ln q.
+/// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which
+/// a step cannot cross without ending outside the domain of the energy, as that of ln q.
 pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> Vec<Pole> {
     let mut all = vec![];
     for Partial { node, condition } in partial {

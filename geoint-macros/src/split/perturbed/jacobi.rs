@@ -1,8 +1,9 @@
 //! Jacobi's coordinates: each body as seen from the centre of mass of those before it.
 //!
-//! Momenta are velocities here: V_i is made of p_j/m_j as Q_i is of q_j. With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i: q_i = q₀ + Q_i + R_{i−1}, Q₀ and P₀ those of all together. Sums
-//! stay nested as written here, so that they, and the reverse sweep through them, cost as much for each body, not for each pair.
-//! J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
+//! Momenta are velocities here: V_i is made of p_j/m_j as Q_i is of q_j. With η_i the mass of bodies 0…i and R_i = R_{i−1} + (m_i/η_i) Q_i:
+//! q_i = q₀ + Q_i + R_{i−1}, Q₀ and P₀ those of all together. Sums stay nested as written here, so that they, and the reverse sweep through
+//! them, cost as much for each body, not for each pair. J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo, Mon. Not.
+//! R. Astron. Soc. 452 (2015) 376.
 
 use super::super::flow::Flow;
 use super::super::time::Clock;

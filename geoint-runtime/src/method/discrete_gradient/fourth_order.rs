@@ -17,7 +17,8 @@ use crate::system::{Conservative, DiscreteField};
 /// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
 /// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
 ///
-/// With another mean g of gradients, as in `FourthOrder(Gonzalez)`, x₁ = x₀ + h S̃ g(x₀, x₁) and S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B = ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.
+/// With another mean g of gradients, as in `FourthOrder(Gonzalez)`, x₁ = x₀ + h S̃ g(x₀, x₁) and S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B =
+/// ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.
 ///
 /// Order 4, symmetric, for every H; S̃ is skew, so that the energy is kept where g keeps it, to rounding for every h. If H depends on time, terms of Magnus' series, with differences of ∇H over the step, keep the order.
 /// At the same h, [`Suzuki4`](crate::Suzuki4) of the same map costs about as much as this second form, and has a tenth of its error.

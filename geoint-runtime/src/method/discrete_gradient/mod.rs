@@ -45,4 +45,4 @@ pub use itoh_abe::{ItohAbe, ItohAbeAdjoint, ItohAbePair, SymmetrisedItohAbe};
 pub use matrix::Matrix;
 pub use mean::MeanGradient;
 pub use mean_value::MeanValue;
-pub use tree::{DiscreteGradient, GradientSteps};
+pub use tree::DiscreteGradient;

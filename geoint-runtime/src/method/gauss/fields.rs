@@ -1,8 +1,8 @@
 //! Stages of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): solved for the values of f.
 
 use super::stages::Stages;
-use super::{Gauss, GaussTableau, StageForm};
-use crate::method::{Probe, Refusal, Step, check_end, start};
+use super::{Gauss, GaussTableau};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Snapshot, Summation};
@@ -24,14 +24,14 @@ pub struct Prepared<P, R, const S: usize> {
     pub(super) increments: [R; S],
 }
 
-impl<Y: Collocation<R>, R: Real> StageForm<Y, R> for ByField {
-    type Prepared<const S: usize> = Prepared<Y::Constants, R, S>;
-    type Memory<const S: usize> = Newton<[Y::Unknown; S]>;
+impl<Y: Collocation<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByField
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Prepared = Prepared<Y::Constants, R, S>;
+    type Memory = Newton<[Y::Unknown; S]>;
 
-    fn prepare<const S: usize>(system: &Y, h: R) -> Self::Prepared<S>
-    where
-        Gauss<S>: GaussTableau<S>,
-    {
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
         let tableau = Gauss::<S>::TABLEAU;
         let first_order = Y::DERIVATIVE == 1;
         let coupling = |i: usize, j: usize| {
@@ -53,14 +53,14 @@ impl<Y: Collocation<R>, R: Real> StageForm<Y, R> for ByField {
         }
     }
 
-    fn memory<const S: usize>() -> Self::Memory<S> {
+    fn memory() -> Self::Memory {
         Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
     }
 
     #[inline(always)]
-    fn step<const S: usize, C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared<S>,
-        newton: &mut Self::Memory<S>,
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        newton: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let zero = Y::Unknown::zero();

@@ -29,10 +29,10 @@ mod velocities;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
-use crate::system::{Collocated, PhaseSpace};
+use crate::system::Collocated;
 
 /// Gauss collocation with `S` stages, 1 to 6. Order 2S, symmetric, symplectic, for every H; keeps quadratic invariants.
 ///
@@ -50,40 +50,14 @@ pub struct Gauss<const S: usize>;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ImplicitMidpoint;
 
-/// How the stages of a step are found: of [`ByField`](crate::system::ByField) or [`ByVelocities`](crate::system::ByVelocities).
-pub trait StageForm<Y: PhaseSpace<R>, R: Real> {
-    /// Coefficients of one step.
-    type Prepared<const S: usize>: Clone;
-    /// What a step hands on to the next one.
-    type Memory<const S: usize>: Clone;
-
-    /// Coefficients for steps of length `h`.
-    fn prepare<const S: usize>(system: &Y, h: R) -> Self::Prepared<S>
-    where
-        Gauss<S>: GaussTableau<S>;
-
-    /// The memory before the first step.
-    fn memory<const S: usize>() -> Self::Memory<S>;
-
-    /// One step, in place.
-    ///
-    /// # Errors
-    /// Where the step has no result.
-    fn step<const S: usize, C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared<S>,
-        memory: &mut Self::Memory<S>,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal>;
-}
-
 impl<Y: Collocated<R>, R: Real, const S: usize> Method<Y, R> for Gauss<S>
 where
-    Y::Stages: StageForm<Y, R>,
+    Y::Stages: StepsOf<Gauss<S>, Y, R>,
     Gauss<S>: GaussTableau<S>,
 {
     type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as Collocated<R>>::Proof>>::Both;
-    type Prepared = <Y::Stages as StageForm<Y, R>>::Prepared<S>;
-    type Memory = <Y::Stages as StageForm<Y, R>>::Memory<S>;
+    type Prepared = <Y::Stages as StepsOf<Self, Y, R>>::Prepared;
+    type Memory = <Y::Stages as StepsOf<Self, Y, R>>::Memory;
 
     fn claims(&self) -> Claims {
         Claims {
@@ -101,11 +75,11 @@ where
     }
 
     fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        <Y::Stages as StageForm<Y, R>>::prepare::<S>(system, h)
+        <Y::Stages as StepsOf<Self, Y, R>>::prepare(system, h)
     }
 
     fn memory() -> Self::Memory {
-        <Y::Stages as StageForm<Y, R>>::memory::<S>()
+        <Y::Stages as StepsOf<Self, Y, R>>::memory()
     }
 
     #[inline(always)]
@@ -114,13 +88,13 @@ where
         memory: &mut Self::Memory,
         step: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
-        <Y::Stages as StageForm<Y, R>>::step::<S, C, P>(prepared, memory, step)
+        <Y::Stages as StepsOf<Self, Y, R>>::step(prepared, memory, step)
     }
 }
 
 impl<Y: Collocated<R>, R: Real> Method<Y, R> for ImplicitMidpoint
 where
-    Y::Stages: StageForm<Y, R>,
+    Y::Stages: StepsOf<Gauss<1>, Y, R>,
 {
     type Proof = <Y as Collocated<R>>::Proof;
     type Prepared = <Gauss<1> as Method<Y, R>>::Prepared;

@@ -2,9 +2,9 @@
 //!
 //! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
 
-use super::{Gauss, GaussTableau, StageForm};
+use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::{Probe, Refusal, Step, check_end, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -33,14 +33,14 @@ pub struct Memory<A, const S: usize> {
     orientation: Orientation,
 }
 
-impl<Y: VelocityForm<R>, R: Real> StageForm<Y, R> for ByVelocities {
-    type Prepared<const S: usize> = Prepared<Y::Constants, R, S>;
-    type Memory<const S: usize> = Memory<Y::Array, S>;
+impl<Y: VelocityForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByVelocities
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Prepared = Prepared<Y::Constants, R, S>;
+    type Memory = Memory<Y::Array, S>;
 
-    fn prepare<const S: usize>(system: &Y, h: R) -> Self::Prepared<S>
-    where
-        Gauss<S>: GaussTableau<S>,
-    {
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
         let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
         Prepared {
             poles: Poles::of(system),
@@ -52,14 +52,14 @@ impl<Y: VelocityForm<R>, R: Real> StageForm<Y, R> for ByVelocities {
         }
     }
 
-    fn memory<const S: usize>() -> Self::Memory<S> {
+    fn memory() -> Self::Memory {
         Memory { newton: Newton::new(Y::Array::LEN, 1), orientation: Orientation::unknown() }
     }
 
     #[inline(always)]
-    fn step<const S: usize, C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared<S>,
-        Memory { newton, orientation }: &mut Self::Memory<S>,
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        Memory { newton, orientation }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z) = (Y::Array::zero(), x.z);

@@ -50,9 +50,10 @@ pub struct PoissonSplitting;
 /// every pair with S_ij ≠ 0. Order 2, symmetric; keeps I to rounding, other integrals to the order.
 ///
 /// Flows are exact, and the method explicit, where I is of degree 2 in both coordinates and S_ij reads neither (rotations, hyperbolic
-/// rotations, shears), where I is linear in both and S_ij is of degree 2 at most (logistic flows), and where one coordinate rests. Up to
-/// 12 other planes are steps of a discrete gradient in two unknowns; more of them are a type error. Of a field S is searched for, among
-/// matrices made of quotients of the terms of f and ∇I; where there are many, one next to the diagonal is taken. Where all flows are exact neighbouring coordinates come first, else planes come in the order of the entries of S.
+/// rotations, shears), where I is linear in both and S_ij is of degree 2 at most (logistic flows), and where one coordinate rests. Up to 12
+/// other planes are steps of a discrete gradient in two unknowns; more of them are a type error. Of a field S is searched for, among
+/// matrices made of quotients of the terms of f and ∇I; where there are many, one next to the diagonal is taken. Where all flows are exact
+/// neighbouring coordinates come first, else planes come in the order of the entries of S.
 ///
 /// G. R. W. Quispel & H. W. Capel, Phys. Lett. A 218 (1996) 223.
 ///

@@ -180,7 +180,7 @@ pub const Saba5Gradient: Perturbation<Splitting<5, DriftFirst<WithGradient>>> = 
 
 /// [`WisdomHolman`] with a processor of 4 nodes. Orders (10, 2), 1 force: for planets to 10⁻⁶.
 pub const WisdomHolmanProcessed: Processed<Splitting<1, DriftFirst>> =
-    Processed::new("WisdomHolmanProcessed", &[10, 2], Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]));
+    Processed::new("WisdomHolmanProcessed", &[10, 2], WisdomHolman.0);
 
 /// The same with a force gradient in the kick. Orders (10, 4), 1 force: for planets to 10⁻⁹ and better.
 pub const WisdomHolmanGradient: Processed<Splitting<1, DriftFirst<WithGradient>>> = Processed::new(

@@ -80,8 +80,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         // In place: one copy, for steps that are refused, in place of two.
         let (t, memory, start) = (self.time(), self.kept(), self.x);
-        if M::INNER && !self.inside {
-            M::enter(&self.prepared, &self.system, t, &mut self.x.z);
+        if M::INNER {
+            let mut x = start;
+            self.enter(&mut x);
+            self.x = x;
         }
         let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()

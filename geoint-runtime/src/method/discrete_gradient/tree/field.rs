@@ -1,8 +1,8 @@
 //! Steps of the tree discrete gradient of an energy, or of what a field keeps.
 
-use super::GradientSteps;
+use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::method::{Deciding, Probe, Refusal, Step, check_conditions, check_poles, start};
+use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::Newton;
@@ -26,7 +26,7 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
     sums: Compensated<S::Phase>,
 }
 
-impl<S: DiscreteField<R>, R: Real> GradientSteps<S, R> for ByTree {
+impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S, R>;
 

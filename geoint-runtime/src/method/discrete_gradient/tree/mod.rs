@@ -7,10 +7,10 @@ mod polarised;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
-use crate::system::{Conservative, DiscreteField, Graded, PhaseSpace};
+use crate::system::{Conservative, DiscreteField, Graded};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
@@ -23,37 +23,13 @@ use crate::system::{Conservative, DiscreteField, Graded, PhaseSpace};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DiscreteGradient;
 
-/// How a step is found: of [`ByTree`](crate::system::ByTree) or [`ByPolarisation`](crate::system::ByPolarisation).
-pub trait GradientSteps<S: PhaseSpace<R>, R: Real> {
-    /// Coefficients of a step.
-    type Prepared: Clone;
-    /// What a step hands on to the next one.
-    type Memory: Clone;
-
-    /// Coefficients for steps of length `h`.
-    fn prepare(system: &S, h: R) -> Self::Prepared;
-
-    /// The memory before the first step.
-    fn memory() -> Self::Memory;
-
-    /// One step, in place.
-    ///
-    /// # Errors
-    /// Where the step has no result.
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal>;
-}
-
 impl<S: Graded<R>, R: Real> Method<S, R> for DiscreteGradient
 where
-    S::Gradient: GradientSteps<S, R>,
+    S::Gradient: StepsOf<DiscreteGradient, S, R>,
 {
     type Proof = <S as Graded<R>>::Proof;
-    type Prepared = <S::Gradient as GradientSteps<S, R>>::Prepared;
-    type Memory = <S::Gradient as GradientSteps<S, R>>::Memory;
+    type Prepared = <S::Gradient as StepsOf<Self, S, R>>::Prepared;
+    type Memory = <S::Gradient as StepsOf<Self, S, R>>::Memory;
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
@@ -64,11 +40,11 @@ where
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        <S::Gradient as GradientSteps<S, R>>::prepare(system, h)
+        <S::Gradient as StepsOf<Self, S, R>>::prepare(system, h)
     }
 
     fn memory() -> Self::Memory {
-        <S::Gradient as GradientSteps<S, R>>::memory()
+        <S::Gradient as StepsOf<Self, S, R>>::memory()
     }
 
     #[inline(always)]
@@ -77,7 +53,7 @@ where
         memory: &mut Self::Memory,
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        <S::Gradient as GradientSteps<S, R>>::step(prepared, memory, step)
+        <S::Gradient as StepsOf<Self, S, R>>::step(prepared, memory, step)
     }
 }
 

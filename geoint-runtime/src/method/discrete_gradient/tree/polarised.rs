@@ -1,7 +1,7 @@
 //! Steps of the polarised discrete gradient of a Lagrangian that is quadratic in v: see [`PolarisedForm`].
 
-use super::GradientSteps;
-use crate::method::{Deciding, Probe, Refusal, Step, check_conditions, check_poles, start};
+use super::DiscreteGradient;
+use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -25,7 +25,7 @@ pub struct Memory<S: PolarisedForm<R>, R: Real> {
     sums: Compensated<S::Phase>,
 }
 
-impl<S: PolarisedForm<R>, R: Real> GradientSteps<S, R> for ByPolarisation {
+impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolarisation {
     type Prepared = Prepared<S::Parameters, R>;
     type Memory = Memory<S, R>;
 

@@ -1,0 +1,31 @@
+//! Methods whose equation is posed in one way or another, as the system has it.
+
+use crate::method::{Probe, Refusal, Step};
+use crate::scalar::Real;
+use crate::space::Summation;
+use crate::system::PhaseSpace;
+
+/// How the method `M` finds a step of a system whose equations have this form: one of those in [`system`](crate::system), such as
+/// [`ByField`](crate::system::ByField).
+pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
+    /// Coefficients of a step.
+    type Prepared: Clone;
+    /// What a step hands on to the next one.
+    type Memory: Clone;
+
+    /// Coefficients for steps of length `h`.
+    fn prepare(system: &S, h: R) -> Self::Prepared;
+
+    /// The memory before the first step.
+    fn memory() -> Self::Memory;
+
+    /// One step, in place.
+    ///
+    /// # Errors
+    /// Where the step has no result.
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal>;
+}
