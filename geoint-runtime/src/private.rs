@@ -3,7 +3,7 @@
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
 pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+pub use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};

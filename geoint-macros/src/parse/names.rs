@@ -22,6 +22,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactMidpoint",
     "FlowPiece",
     "FlowPieces",
+    "PieceSplitting",
     "PlanarSplitting",
     "PolarisedForm",
     "PoissonSplitting",

@@ -4,6 +4,14 @@ use super::time::Clock;
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::schedule::Levels;
 
+/// Which coordinates there are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Space {
+    pub(crate) degrees: u32,
+    /// Whether s is among them: then its flow has to be known, too.
+    pub(crate) action: bool,
+}
+
 /// Terms that are to be one piece.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Group {
@@ -11,6 +19,9 @@ pub(super) struct Group {
     pub(super) degrees: u32,
     pub(super) clock: Clock,
 }
+
+/// The flow of a group, if it belongs to a family.
+pub(super) type Solve = fn(&mut Graph, &Group) -> Option<Flow>;
 
 /// A family of energies whose flow is known.
 pub(crate) struct Family {
@@ -20,8 +31,10 @@ pub(crate) struct Family {
     pub(crate) energies: &'static str,
     /// Where such energies, or what their flow follows from, can be read about.
     pub(crate) source: &'static str,
+    /// Whether the flow of s is known, so that it serves contact systems.
+    pub(super) action: bool,
     /// The flow, if an energy belongs to the family.
-    pub(super) solve: fn(&mut Graph, &Group) -> Option<Flow>,
+    pub(super) solve: Solve,
 }
 
 impl std::fmt::Debug for Family {
@@ -30,7 +43,7 @@ impl std::fmt::Debug for Family {
     }
 }
 
-/// q, p and s at the end of a flow of length h, in terms of those at its start.
+/// q, p and s at the end of a flow of length h, in terms of those at its start; s stays where its flow is not asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Flow {
     pub(crate) q: Vec<Id>,

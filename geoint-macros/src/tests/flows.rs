@@ -259,7 +259,8 @@ proptest! {
         let (mut graph, root) = (lowered.graph, lowered.energy);
         let [q0, q1, p0, p1, s] = x;
         let x = [q0, q1, p0, p1, s, 0.6];
-        if let Ok(pieces) = split::pieces(&mut graph, root, 2, None) {
+        if let Ok(found) = split::pieces(&mut graph, root, split::Space { degrees: 2, action: true }, None) {
+            let pieces = found.pieces;
             let whole: f64 = pieces.iter().map(|piece| value(&graph, piece.energy, &x, 0.0)).sum();
             prop_assert!((whole - value(&graph, root, &x, 0.0)).abs() < 1e-12, "{}", sum);
             for piece in &pieces {

@@ -45,7 +45,7 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
@@ -174,6 +174,12 @@ pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl 
 pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
+}
+
+/// Methods for every H(q, p, t) whose pieces have flows in closed form, beside T(p) + V(q).
+pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
+    compositions!(visitor: PieceSplitting);
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

@@ -84,7 +84,7 @@ pub struct Piece {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no pieces for `{M}`",
     label = "this method is for systems that were split into such",
-    note = "`ContactSplitting` is for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
+    note = "`PieceSplitting` is for `#[hamiltonian]` where positions and momenta are coupled; `ContactSplitting` for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
             that and for `#[vector_field(keeps(…))]`",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
