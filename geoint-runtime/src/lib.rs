@@ -167,7 +167,9 @@ pub use method::kahan::Kahan;
 #[doc(inline)]
 pub use method::perturbed::Perturbation;
 #[doc(inline)]
-pub use method::pieces::{ContactSplitting, PieceComposition, PieceSplitting, PlanarSplitting, PoissonSplitting};
+pub use method::pieces::{
+    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarSplitting, PoissonSplitting,
+};
 #[doc(inline)]
 pub use method::splitting::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,

@@ -48,6 +48,7 @@ pub(crate) fn canonical(
         (structure.damping.is_none(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
+        (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),

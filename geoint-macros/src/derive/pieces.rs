@@ -16,8 +16,8 @@ pub(super) fn kernels(
         Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, rest)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
     };
-    let rejected = found.as_ref().map(|found| found.rejected.clone()).unwrap_or_default();
-    PiecesOf { splitting, pieces, rejected, symplectic: true, conserves_energy: false }
+    let (cost, rejected) = found.as_ref().map(|found| (found.cost, found.rejected.clone())).unwrap_or_default();
+    PiecesOf { splitting, pieces, cost, rejected, symplectic: true, conserves_energy: false }
 }
 
 fn kernel(graph: &mut Graph, piece: &split::Piece, rest: bool) -> PieceKernel<Kernel> {

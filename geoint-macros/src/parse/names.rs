@@ -51,6 +51,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "MechanicalContact",
     "Method",
     "ModifiedEnergy",
+    "NystromPieces",
     "PerCoordinate",
     "PerturbedGradient",
     "PerturbedSystem",

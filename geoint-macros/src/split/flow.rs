@@ -1,7 +1,7 @@
 //! What families of energies, pieces and their flows are.
 
 use super::time::Clock;
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Symbol};
 use crate::schedule::Levels;
 
 /// Which coordinates there are.
@@ -68,6 +68,17 @@ impl Flow {
             _ => None,
         };
         ends.filter(|(end, start)| end != start).filter_map(|(end, start)| Some((symbol(start)?, end))).collect()
+    }
+
+    /// Whether it may end before its time, by functions that are not numbers then.
+    pub(super) fn ends_early(&self, graph: &Graph) -> bool {
+        let stops = |id: &Id| {
+            matches!(
+                graph.node(*id),
+                Node::Call(Function::NotNegative | Function::RecipPositive | Function::AtMost | Function::Powf, _)
+            )
+        };
+        graph.reachable(&self.all()).iter().any(stops)
     }
 
     pub(super) fn all(&self) -> Vec<Id> {

@@ -10,6 +10,7 @@ mod scalar;
 mod families;
 mod atoms;
 mod powers;
+mod nystrom;
 mod partition;
 mod mechanics;
 mod increment;

@@ -3,12 +3,16 @@
 use super::atoms::atoms;
 use super::families::{FAMILIES, piece};
 use super::flow::{Piece, Space};
+use super::nystrom::{in_order_of_nystrom, is_nystrom};
 use super::powers::powers_of_forms;
 use crate::analyze::{self, Split, Structure};
 use crate::ir::{Graph, Id};
 use crate::lower::Place;
 use crate::schedule::Kernel;
 use std::collections::BTreeMap;
+
+/// A flow waits for the one before it: some sums long.
+const WAIT: usize = 4;
 
 /// The pieces; or a term that is in no piece.
 pub(crate) type Pieces = Result<Partition, Id>;
@@ -18,8 +22,12 @@ pub(crate) type Pieces = Result<Partition, Id>;
 pub(crate) struct Partition {
     /// In the order in which a step goes through them and back.
     pub(crate) pieces: Vec<Piece>,
-    /// What their flows cost, in units of one sum.
+    /// What their flows cost a step, in units of one sum.
     pub(crate) cost: usize,
+    /// Whether some flow is not defined for every length.
+    ends_early: bool,
+    /// Whether these are two, A and B, with {B, {B, {B, A}}} = 0.
+    pub(crate) nystrom: bool,
     /// What else was found.
     pub(crate) rejected: Vec<Rejected>,
 }
@@ -33,14 +41,17 @@ pub(crate) struct Rejected {
 
 /// Splits H; into the groups that the user wants, if there are any.
 ///
-/// With an action into the fewest pieces. Without one into those whose flows cost least: the flows of powers of linear forms cost so
-/// little that more of them are better than few with functions.
+/// With an action into the fewest pieces. Without one into those whose flows never end, as shears, rather than such as qᵏpⁿ have; then into
+/// those whose flows cost least, which need not be the fewest.
 pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option<&[(Id, Place)]>) -> Pieces {
     if let Some(groups) = groups {
         // In the order given: who groups by hand knows what is to be in the middle.
         let pieces: Result<Vec<Piece>, Id> =
             groups.iter().map(|(group, _)| piece(graph, *group, space).ok_or(*group)).collect();
-        return Ok(Partition::of(graph, pieces?));
+        let mut given = Partition::of(graph, pieces?);
+        // Who groups by hand says what is to be in the middle.
+        given.nystrom = !space.action && is_nystrom(graph, &given.pieces, space.degrees);
+        return Ok(given);
     }
     let whole = atoms(graph, energy, space);
     let mut search = Search::new(&whole, space);
@@ -54,10 +65,11 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
         found.extend(powers.map(|pieces| ordered(graph, pieces, Middle::Mixed)));
     }
     let mut found: Vec<Partition> = found.into_iter().map(|pieces| Partition::of(graph, pieces)).collect();
-    found.sort_by_key(|partition| (partition.cost, partition.pieces.len()));
+    found.sort_by_key(|partition| (partition.ends_early, partition.cost, partition.pieces.len()));
     found.dedup_by_key(|partition| partition.energies());
     let mut best = found.remove(0);
     best.rejected = found.iter().map(|other| Rejected { energies: other.energies(), cost: other.cost }).collect();
+    best.nystrom = !space.action && in_order_of_nystrom(graph, &mut best.pieces, space.degrees);
     Ok(best)
 }
 
@@ -75,8 +87,12 @@ pub(crate) fn coupled_pieces(
 
 impl Partition {
     fn of(graph: &mut Graph, pieces: Vec<Piece>) -> Partition {
-        let cost = pieces.iter().map(|piece| cost(graph, piece)).sum();
-        Partition { pieces, cost, rejected: vec![] }
+        let costs: Vec<usize> = pieces.iter().map(|piece| WAIT + cost(graph, piece)).collect();
+        // Twice a step, but the last one; the first one is merged with that of the step before.
+        let ends = [costs.first(), costs.last()].into_iter().flatten().sum::<usize>();
+        let cost = if costs.len() > 1 { 2 * costs.iter().sum::<usize>() - ends } else { ends / 2 };
+        let ends_early = pieces.iter().any(|piece| piece.flow.ends_early(graph));
+        Partition { pieces, cost, ends_early, nystrom: false, rejected: vec![] }
     }
 
     fn energies(&self) -> Vec<Id> {

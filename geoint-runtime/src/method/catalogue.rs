@@ -50,8 +50,8 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, NystromPieces,
+    Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -180,6 +180,11 @@ pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl
 pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
     compositions!(visitor: PieceSplitting);
+}
+
+/// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
+pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

@@ -89,6 +89,12 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     for found in &system.pieces {
         writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
         pieces::of_energy(text, printer, found)?;
+        if system.proven.contains(&"NystromPieces") {
+            writeln!(
+                text,
+                "- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`"
+            )?;
+        }
     }
     if let Some(Ok(parts)) = &system.perturbed {
         perturbed(text, printer, parts)?;

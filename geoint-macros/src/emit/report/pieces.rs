@@ -22,8 +22,12 @@ pub(super) fn of_energy<F: Fn(Symbol) -> String>(
     pieces.iter().try_for_each(|each| piece(text, printer, each))?;
     for Rejected { energies, cost } in &found.rejected {
         let energies: Vec<String> = energies.iter().map(|energy| printer.excerpt(*energy)).collect();
-        let own: usize = pieces.iter().map(|piece| piece.flow.kernel.operations().weight()).sum();
-        writeln!(text, "- rejected, of cost {cost} where these have {own}: {}", energies.join(" | "))?;
+        writeln!(
+            text,
+            "- rejected, at a cost of {cost} a step where these have {}: {}",
+            found.cost,
+            energies.join(" | ")
+        )?;
     }
     Ok(())
 }

@@ -6,4 +6,4 @@ mod table;
 
 pub use driver::Splitting;
 pub use splittings::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
-pub use table::PieceComposition;
+pub use table::{PieceComposition, PieceNystrom};

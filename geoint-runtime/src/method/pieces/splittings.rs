@@ -1,7 +1,8 @@
 //! The splittings, by what their pieces are.
 
 use super::driver::{self, Splitting, splitting};
-use crate::method::composition::substeps;
+use super::table::PieceComposition;
+use crate::method::composition::{Composition, SymmetricMap, substeps};
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
@@ -105,3 +106,29 @@ pub struct PoissonSplitting;
 pub struct PlanarSplitting;
 
 splitting!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting);
+substeps!([] ContactSplitting; [] PoissonSplitting; [] PlanarSplitting);
+
+/// Names of splittings.
+macro_rules! named {
+    ($($name:ident $merges:literal;)*) => { $(
+        impl Splitting for $name {
+            const NAME: &'static str = stringify!($name);
+            const MERGES: bool = $merges;
+        }
+    )* };
+}
+
+named! {
+    PieceSplitting true;
+    ContactSplitting false;
+    PoissonSplitting false;
+    PlanarSplitting false;
+}
+
+impl SymmetricMap for PieceSplitting {
+    type Composed<const K: usize> = PieceComposition<K, PieceSplitting>;
+
+    fn compose<const K: usize>(self, composition: Composition<K>) -> PieceComposition<K, PieceSplitting> {
+        PieceComposition::of_steps(&composition)
+    }
+}
