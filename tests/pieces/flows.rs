@@ -64,13 +64,13 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
     // Eigenvalues that are equal, complex, and far apart.
     Equal, "coupled oscillators" => (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + 0.5 * q[0] * p[1];
     Focus, "coupled oscillators" => q[0] * p[1] - q[1] * p[0] + 0.5 * (q[0] * p[0] + q[1] * p[1]) + 0.25 * p[0] * p[0];
-    Apart, "coupled oscillators" => (p[0] + 15.0 * q[1]).powi(2) / 2.0 + (p[1] - 15.0 * q[0]).powi(2) / 2.0 + 0.0625 * q[0] * q[0];
+    Apart, "coupled oscillators" => (p[0] + 5.0 * q[1]).powi(2) / 2.0 + (p[1] - 5.0 * q[0]).powi(2) / 2.0 + 0.0625 * q[0] * q[0];
     // Fields that are not uniform, direction by direction.
     Sheet, "forms in involution" => (p[1] - (q[0] + 0.25 * q[0] * q[0])).powi(2) / 2.0;
     SheetWithPotential, "forms in involution" => (p[1] - q[0].sin()).powi(2) / 2.0 + q[0].cos();
     Relativistic, "forms in involution" => (1.0 + (p[1] - q[0].sin()).powi(2)).sqrt();
     SheetInTime, "forms in involution" => (p[1] - q[0] * q[0]).powi(2) * (1.0 + 0.5 * t);
-    Apart2, "forms in involution" => q[0].sin() * p[1].cos();
+    PositionAndOtherMomentum, "forms in involution" => q[0].sin() * p[1].cos();
     TwoForms, "forms in involution" => ((q[0] + p[1]) * (q[1] + p[0])).sin();
     Waves, "forms in involution" => (2.0 * q[0] - p[1] + 0.5 * q[1]).cos();
     MonomialOfTwo, "monomial" => 0.5 * q[0].powi(2) * p[0].powi(3) * q[1];
