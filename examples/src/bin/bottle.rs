@@ -92,7 +92,6 @@ fn main() -> Result<(), Box<dyn Error>> {
         row("Gauss::<6>", 0.1, run(Gauss::<6>, 0.1, duration)?),
         row("BlanesMoan6X", 0.0125, run(BlanesMoan6X.of(PieceSplitting), 0.0125, duration)?),
         row("KahanLi8_17a", 0.02, run(KahanLi8_17a.of(PieceSplitting), 0.02, duration)?),
-        row("SofroniouSpaletta10_35", 0.05, run(SofroniouSpaletta10_35.of(PieceSplitting), 0.05, duration)?),
     ];
     println!("{duration} s, against the finest steps\n");
     println!(

@@ -227,6 +227,10 @@ impl Function {
     pub(crate) const KEPLER: [Function; 4] =
         [Function::KeplerF, Function::KeplerG, Function::KeplerFRate, Function::KeplerGRate];
 
+    /// Those of linear flows in two degrees of freedom.
+    pub(crate) const LINEAR_FLOW: [Function; 4] =
+        [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
+
     /// The function that shares the work of this one.
     pub(crate) fn partner(self) -> Option<Function> {
         PARTNERS.iter().find_map(|[a, b]| match self {

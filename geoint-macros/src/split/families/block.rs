@@ -125,8 +125,7 @@ fn exponential(graph: &mut Graph, m: &Matrix) -> (Matrix, Matrix) {
     let c = determinant(graph, m);
     let h4 = graph.pow(h, Ratio::integer(4));
     let scaled_c = graph.mul(h4, c);
-    let [s0, s2, d0, d2] = [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope]
-        .map(|function| graph.call(function, &[scaled_b, scaled_c]));
+    let [s0, s2, d0, d2] = Function::LINEAR_FLOW.map(|function| graph.call(function, &[scaled_b, scaled_c]));
     let cube = product(graph, m, &n);
     let h3 = graph.pow(h, Ratio::integer(3));
     let mean = {
