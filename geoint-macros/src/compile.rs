@@ -71,11 +71,16 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let structure = structure.damped(graph, lowered.damping);
     let groups = lowered.groups.as_deref();
     let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
-    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
+    let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
+    let (derived, gradient) =
+        derive::canonical(graph, &structure, (&division, pieces.as_ref()), &lowered.partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
-    check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
-        context.user_name(symbol)
-    })?;
+    check::division(energy, &division, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    if let Some(pieces) = &pieces {
+        check::pieces(energy, (structure.energy, groups), pieces, graph, &lowered.places, |symbol| {
+            context.user_name(symbol)
+        })?;
+    }
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
@@ -89,7 +94,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
-    let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
+    let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
     let (derived, gradient) =
         derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));

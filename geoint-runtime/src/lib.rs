@@ -167,7 +167,9 @@ pub use method::kahan::Kahan;
 #[doc(inline)]
 pub use method::perturbed::Perturbation;
 #[doc(inline)]
-pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
+pub use method::pieces::{
+    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarSplitting, PoissonSplitting,
+};
 #[doc(inline)]
 pub use method::splitting::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
@@ -196,10 +198,10 @@ pub mod prelude {
         Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
-        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
-        vector_field,
+        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting, PlanarSplitting, PoissonSplitting,
+        PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian,
+        lagrangian, vector_field,
     };
 }
 

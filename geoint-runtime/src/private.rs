@@ -3,7 +3,7 @@
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
 pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+pub use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator};
@@ -17,7 +17,7 @@ pub use crate::system::{
     Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
     Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
     FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
-    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
     PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,

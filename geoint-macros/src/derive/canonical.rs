@@ -2,15 +2,15 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
-use super::perturbed;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
+use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
 use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
-use crate::split::Division;
+use crate::split::{Division, Pieces};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
 /// more than the one direction that is needed of it: users do not pay for compiling another one.
@@ -20,7 +20,7 @@ const FEW: u32 = 3;
 pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
-    division: &Division,
+    (division, pieces): (&Division, Option<&Pieces>),
     partial: &[Partial],
     degrees: u32,
 ) -> (System, Gradient) {
@@ -48,6 +48,7 @@ pub(crate) fn canonical(
         (structure.damping.is_none(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
+        (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
@@ -57,7 +58,10 @@ pub(crate) fn canonical(
         splitting: Some(splitting),
         perturbed: Some(perturbed),
         modified,
-        pieces: vec![],
+        pieces: pieces
+            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, COUPLED), false))
+            .into_iter()
+            .collect(),
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         lagrangian: None,

@@ -9,6 +9,7 @@ mod system;
 mod implicit;
 mod canonical;
 mod perturbed;
+mod pieces;
 mod contact;
 mod bodies;
 mod flow;

@@ -6,7 +6,7 @@ use crate::analyze::MeanValue;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{self, Clock};
+use crate::split::{self, Clock, Rejected};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -112,6 +112,10 @@ pub(crate) struct PiecesOf<K> {
     /// Its name.
     pub(crate) splitting: &'static str,
     pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
+    /// What flows cost a step, in units of one sum.
+    pub(crate) cost: usize,
+    /// What else was found, and not taken.
+    pub(crate) rejected: Vec<Rejected>,
     /// Whether every flow keeps the structure of phase space.
     pub(crate) symplectic: bool,
     /// Whether every flow keeps H, or the first integral.
@@ -300,9 +304,9 @@ impl<K> PieceKernel<K> {
 
 impl<K> PiecesOf<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, symplectic, conserves_energy } = self;
+        let PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy } = self;
         let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, symplectic, conserves_energy }
+        PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy }
     }
 }
 

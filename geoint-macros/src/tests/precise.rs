@@ -164,6 +164,10 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::StumpffC1Derivative
         | Function::AtMost
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

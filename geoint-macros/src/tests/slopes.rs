@@ -119,6 +119,10 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC1Derivative
         | Function::AtMost
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

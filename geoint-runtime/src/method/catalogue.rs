@@ -45,13 +45,13 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, NystromPieces,
+    Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -174,6 +174,17 @@ pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl 
 pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
+}
+
+/// Methods for every H(q, p, t) whose pieces have flows in closed form, beside T(p) + V(q).
+pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
+    compositions!(visitor: PieceSplitting);
+}
+
+/// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
+pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

@@ -17,7 +17,7 @@ mod rates;
 mod velocities;
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
 pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};

@@ -122,6 +122,10 @@ impl Slopes {
             | Function::NotNegative
             | Function::AtMost
             | Function::DecayMean
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate
