@@ -15,7 +15,7 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     match energy.form {
         Form::Hamiltonian => hamiltonian(energy, lower::body(energy)?, None),
         Form::Contact => contact_hamiltonian(energy, lower::body(energy)?, None),
-        Form::Lagrangian | Form::Herglotz => lagrangian(energy),
+        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => lagrangian(energy),
         Form::Bodies => bodies(energy),
         Form::Structured => structured_hamiltonian(energy),
         Form::Field => vector_field(energy),
@@ -29,6 +29,9 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let graph = &mut lowered.graph;
     let found =
         legendre::transform(graph, lowered.energy, (energy.degrees(), energy.form.has_action()), &lowered.partial); // H, or why not
+    if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
+        return first_order(energy, lowered, momenta);
+    }
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
     let (legendre, damping) =
         check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
@@ -60,6 +63,23 @@ fn velocities(
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
         + &emit::report::velocities(&context, graph, (legendre, long), (&system, damping.as_ref()));
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// L(q, v, t) = ϑ(q)·v − H(q, t): x' = S ∇H for x = q, with the S that follows from the momenta ϑ.
+fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<TokenStream> {
+    let energy = &Energy { form: Form::FirstOrder, ..energy.clone() };
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found = legendre::first_order(graph, lowered.energy, momenta, &lowered.partial);
+    let found = check::first_order(energy, found, graph, |symbol| context.user_name(symbol))?;
+    let flow = Flow::structured(graph, found.energy, &found.structure, None);
+    let parted = Parted::of_structure(found.energy, &found.structure, true);
+    let pieces = derive::parts(graph, &flow, Some(&parted), false); // by terms of H, and by planes
+    let system = derive::flow(graph, &flow, &found.partial, None).of_first_order(graph, &found);
+    let system = System { pieces, ..system }.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Lagrangian(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -114,12 +134,7 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
-    let parted = Parted {
-        integral: lowered.energy,
-        matrix: structure.matrix.clone(),
-        poisson: structure.poisson.is_ok(),
-        unique: None,
-    };
+    let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
     let system = System { pieces, ..system }.scheduled(graph);

@@ -494,6 +494,32 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// # Ok::<(), StepError>(())
 /// ```
 ///
+/// # Linear in velocities
+///
+/// L = ϑ(q)·v − H(q, t) has equations of first order, Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. Ω is derived, and inverted in closed form; states
+/// are `FlowState { t, x }` with x = q alone, `system.at(q)`. Everything is there that
+/// `#[hamiltonian(structure = Ω⁻¹)]` has, such as `DiscreteGradient`, which keeps H to rounding. Where Ω vanishes on half of the
+/// coordinates, as it does where half of ϑ is zero, `Gauss` and `ImplicitMidpoint` move the others with their momenta, and are
+/// symplectic: C. L. Ellison et al., Phys. Plasmas 25 (2018) 052502. `REPORT` names the canonical coordinates, or says that there are none.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Prey and predators.
+/// #[lagrangian]
+/// fn animals(q: [f64; 2], v: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
+///     let [x, y] = q;
+///     y.ln() / x * v[0] + b * x - c * x.ln() + b * y - a * y.ln()
+/// }
+///
+/// let system = Animals { a: 1.0, b: 0.7, c: 0.5 };
+/// let mut sim = system.integrator(Gauss::<2>, 0.1, system.at([1.0, 1.5]));
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-8);
+/// # Ok::<(), StepError>(())
+/// ```
+///
 /// # Friction
 ///
 /// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the

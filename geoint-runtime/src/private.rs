@@ -14,10 +14,10 @@ pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
 };
 pub use crate::system::{
-    Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
-    Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
-    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    Autonomous, ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Clock as PieceClock,
+    Collocated, Collocation, Conformal as ConformalContact, Conservative, Contact as ContactSystem,
+    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian,
+    ImplicitStep, KeepsEnergy, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
     PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,

@@ -2,11 +2,13 @@
 
 mod blame;
 mod damping;
+mod first_order;
 mod lagrangian;
 mod pieces;
 mod proofs;
 pub(crate) mod wording;
 
+pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};

@@ -51,6 +51,7 @@ impl Fields {
             },
             discrete: Some(Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] }),
             nothing_kept: None,
+            canonical: None,
             fourth: None,
             momenta: momenta(graph, structure, degrees),
             coordinates: field.unknowns,

@@ -3,8 +3,9 @@
 use super::domain::Domain;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
+use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
-use crate::legendre::{Legendre, Route};
+use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
 use crate::split::{self, Clock};
 
@@ -185,6 +186,8 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) discrete: Option<K>,
     /// Why there is no such thing, if there is more to say of it than that nothing is kept.
     pub(crate) nothing_kept: Option<Missing>,
+    /// Canonical coordinates and their rates, with the derivatives of both: what collocation moves if there are such.
+    pub(crate) canonical: Option<K>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
     /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
@@ -233,6 +236,20 @@ impl System {
             },
         };
         System { lagrangian: Some(lagrangian), ..self }
+    }
+
+    /// The same with what a Lagrangian that is linear in velocities adds.
+    pub(crate) fn of_first_order(mut self, graph: &mut Graph, found: &FirstOrder) -> System {
+        if let (Implicit::Field(field), Some(Canonical { values, rates, .. })) = (&mut self.implicit, &found.canonical)
+        {
+            let [values_by, rates_by] =
+                [values, rates].map(|of| diff::jacobian(graph, of, &field.coordinates).concat());
+            let stage = [values.clone(), rates.clone(), values_by, rates_by].concat();
+            field.canonical = Some(Kernel { levels: Levels::Prepared, routines: vec![stage] });
+        }
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let (value, momenta) = (kernel(&[found.lagrangian]), kernel(&found.momenta));
+        System { lagrangian: Some(Lagrangian { value, momenta, velocities: None }), ..self }
     }
 
     /// The statements of all kernels. After that nothing is added to the graph.
@@ -330,6 +347,7 @@ impl<K> Implicit<K> {
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
                 nothing_kept: field.nothing_kept,
+                canonical: field.canonical.map(&mut *of),
                 fourth: field.fourth.map(&mut *of),
                 momenta: of(field.momenta),
                 folded: field.folded,

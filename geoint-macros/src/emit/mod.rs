@@ -5,6 +5,7 @@
 
 mod attributes;
 mod bodies;
+mod canonical;
 mod damping;
 mod domain;
 mod flow;
@@ -23,7 +24,7 @@ mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, IMPORTED};
+use crate::parse::{Energy, Form, IMPORTED};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -66,7 +67,10 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
     let parted = system.perturbed.as_ref().map(|found| perturbed::perturbed(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
-    let lagrangian = system.lagrangian.as_ref().map(|found| lagrangian::lagrangian(context, found));
+    let lagrangian = system.lagrangian.as_ref().map(|found| match form {
+        Form::FirstOrder => lagrangian::first_order(context, found),
+        _ => lagrangian::lagrangian(context, found),
+    });
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
         Implicit::Field(field) => {
@@ -79,7 +83,8 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
                 }),
             };
             let collocation = implicit::collocation(context, field);
-            quote!(#discrete #nothing_kept #fourth #collocation)
+            let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
+            quote!(#discrete #nothing_kept #fourth #collocation #canonical)
         }
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),

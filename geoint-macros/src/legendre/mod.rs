@@ -4,6 +4,7 @@
 //! term of a known conjugate with terms that are linear. What is made is one more energy: everything else follows from that.
 
 mod conjugate;
+mod first_order;
 mod friction;
 mod invariant;
 mod quadratic;
@@ -12,6 +13,7 @@ use crate::analyze;
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
+pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
 pub(crate) use friction::{NoFriction, friction};
 
 /// What belongs to a Lagrangian.

@@ -9,7 +9,9 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
     "Autonomous",
+    "ByCanonical",
     "ByField",
+    "CanonicalForm",
     "ByPolarisation",
     "ByTree",
     "ByVelocities",
@@ -77,7 +79,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["NamedFunctions"];
+const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

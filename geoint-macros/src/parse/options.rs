@@ -19,6 +19,7 @@ pub(super) struct Options {
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
     pub(super) rayleigh: Option<syn::Expr>,
+    pub(super) force: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
@@ -112,6 +113,10 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.rayleigh = Some(input.parse()?);
                 }
+                "force" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    options.force = Some(input.parse()?);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
@@ -146,7 +151,7 @@ impl Options {
                         Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         Some(Form::Field) => FIELD,
-                        Some(Form::Lagrangian | Form::Herglotz) => LAGRANGIAN,
+                        Some(Form::Lagrangian | Form::Herglotz | Form::FirstOrder) => LAGRANGIAN,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));

@@ -50,8 +50,8 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByField, Collocated, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
+    Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -73,7 +73,7 @@ macro_rules! compositions {
 }
 
 /// Methods for every H(q, p, t).
-pub fn general<S: Collocation<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ExplicitEuler, RK4, DOP853, ImplicitMidpoint);
     show!(visitor: Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
     compositions!(visitor: ImplicitMidpoint);

@@ -12,7 +12,7 @@ use crate::scalar::Real;
 pub trait Collocated<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// [`ByField`] or [`ByVelocities`].
+    /// [`ByField`], [`ByVelocities`] or [`ByCanonical`].
     type Stages;
 }
 
@@ -23,6 +23,10 @@ pub struct ByField;
 /// Stages are solved for velocities: see [`VelocityForm`](super::VelocityForm).
 #[derive(Clone, Copy, Debug)]
 pub struct ByVelocities;
+
+/// Stages are solved for points, moved by their canonical coordinates: see [`CanonicalForm`](super::CanonicalForm).
+#[derive(Clone, Copy, Debug)]
+pub struct ByCanonical;
 
 /// A system whose energy, or what it keeps, has a discrete gradient.
 #[diagnostic::on_unimplemented(

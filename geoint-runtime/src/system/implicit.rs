@@ -1,6 +1,6 @@
 //! The differential equation as implicit methods solve it.
 
-use super::{ByField, ByTree, Collocated, Graded, VectorField};
+use super::{ByTree, Collocated, Graded, VectorField};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
@@ -23,7 +23,7 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
     label = "this method is for those",
     note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
-pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R, Stages = ByField> {
+pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// y: all coordinates, or q alone. f has the same shape.
