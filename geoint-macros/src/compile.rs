@@ -4,7 +4,8 @@ use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::{OfField, Source};
 use crate::ir::Id;
-use crate::legendre::{self, Legendre, Route};
+use crate::analyze::Forces;
+use crate::legendre::{self, Friction, Legendre, Route};
 use crate::lower::{self, Lowered};
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, split};
@@ -33,15 +34,19 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
         return first_order(energy, lowered, momenta);
     }
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
-    let (legendre, damping) =
+    let (legendre, friction) =
         check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    match friction {
+        Some(Friction::Damping(matrix)) => lowered.damping = Some(matrix),
+        Some(Friction::Slopes(slopes)) => lowered.friction = Some(slopes),
+        None => {}
+    }
     let root = match legendre.route {
         Route::Energy(root, _) => root,
-        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long), damping),
+        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long)),
     };
     lowered.energy = root;
     lowered.partial.clone_from(&legendre.partial);
-    lowered.damping = damping;
     match energy.form {
         Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
         _ => hamiltonian(energy, lowered, Some(&legendre)),
@@ -53,16 +58,17 @@ fn velocities(
     energy: &Energy,
     mut lowered: Lowered,
     (legendre, long): (&Legendre, Id),
-    damping: Option<Vec<Vec<Id>>>,
 ) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let damping = analyze::damping(graph, damping);
-    check::velocities(energy, (long, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let system = derive::velocities(graph, legendre, long, damping.as_ref()).of_lagrangian(legendre).scheduled(graph);
+    let damping = analyze::damping(graph, lowered.damping);
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let friction = (damping.as_ref(), forces.as_ref());
+    check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::velocities(graph, legendre, long, friction).of_lagrangian(legendre).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
-        + &emit::report::velocities(&context, graph, (legendre, long), (&system, damping.as_ref()));
+        + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -88,10 +94,12 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
-    let structure = structure.damped(graph, lowered.damping);
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let structure = structure.damped(graph, lowered.damping).forced(graph, forces);
+    let partial = legendre::at_points(graph, &lowered.partial);
     let groups = lowered.groups.as_deref();
     let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
-    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
+    let (derived, gradient) = derive::canonical(graph, &structure, &division, &partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
     check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
         context.user_name(symbol)

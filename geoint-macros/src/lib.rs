@@ -522,8 +522,12 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// # Friction
 ///
-/// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the
-/// energy falls at the rate 2R, in a step of `DiscreteGradient` by what the mean velocity says, exactly.
+/// `rayleigh = R` adds −∂R/∂v to the force, for a function R(q, v, t) that is least at rest. Where R is a quadratic form in v, the energy
+/// falls at the rate 2R, else at v·∂R/∂v, as for drag `c * v.abs().powi(3) / 3.0` or dry friction `c * (v * v + e * e).sqrt()`; in a step of
+/// `DiscreteGradient` by what the mean velocity says, exactly. A step in which R would feed energy is refused.
+///
+/// `force = F` adds F(q, v, t), a number, or an array like q: torques of motors, or what else has no potential. A step of
+/// `DiscreteGradient` adds h v̄·F at the middle of the step to the energy, exactly.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -566,8 +570,8 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
-/// - `rayleigh = R`: see above.
-/// - `require(separable, quadratic_kinetic)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
+/// - `rayleigh = R`, `force = F`: see above.
+/// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {

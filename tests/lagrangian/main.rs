@@ -9,3 +9,4 @@ mod energies;
 mod laws;
 mod velocities;
 mod degenerate;
+mod forces;

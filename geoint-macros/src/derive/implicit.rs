@@ -63,7 +63,7 @@ impl Fields {
 /// The gradients of what is kept beside H, but for single coordinates, which are kept anyway.
 fn momenta(graph: &mut Graph, structure: &Structure, degrees: u32) -> Kernel {
     let mut slopes = vec![];
-    for momentum in structure.momenta.iter().filter(|_| structure.damping.is_none()) {
+    for momentum in structure.momenta.iter().filter(|_| structure.conservative()) {
         let gradient = diff::gradient(graph, momentum.value, degrees);
         slopes.extend([gradient.q, gradient.p].concat());
     }

@@ -24,7 +24,8 @@ mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, Form, IMPORTED};
+use crate::lower::VELOCITY;
+use crate::parse::{Energy, Form, IMPORTED, Role};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -51,10 +52,21 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
         }
         _ => quote!(let _ = #expr;),
     });
+    let used = used.chain(energy.force.iter().map(|force| with_velocity(energy, force)));
     let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();
     let some = !statements.is_empty();
     item.block.stmts.splice(0..0, statements);
     some.then(|| quote!(#item))
+}
+
+/// A force, with the velocity that it may read.
+fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
+    let momenta = energy.arguments.iter().find(|(role, _)| *role == Role::Momentum).map(|(_, argument)| &argument.name);
+    let velocity = momenta.map(|momenta| {
+        let velocity = format_ident!("{VELOCITY}", span = proc_macro2::Span::call_site());
+        quote!(#[allow(unused_variables, reason = "generated code")] let #velocity = #momenta;)
+    });
+    quote!(#velocity let _ = #force;)
 }
 
 /// Everything that is emitted beside the user's function, of any form.

@@ -5,25 +5,27 @@ use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 
-/// Why a function is no quadratic form in the velocities.
+/// What a function is.
+#[derive(Debug)]
+pub(crate) enum Friction {
+    /// vᵀCv/2.
+    Damping(Vec<Vec<Id>>),
+    /// No quadratic form: ∂R/∂v.
+    Slopes(Vec<Id>),
+}
+
+/// Why a function is no friction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NoFriction {
-    /// It is not of degree 2 in them.
-    Degree,
+    /// It is a polynomial of an odd degree in them: it feeds one direction where it brakes the other.
+    Odd,
     /// At rest ∂R/∂v is this, not zero.
     AtRest(Id),
 }
 
-/// The matrix of damping.
-pub(crate) fn friction(
-    graph: &mut Graph,
-    rayleigh: Option<Id>,
-    degrees: u32,
-) -> Result<Option<Vec<Vec<Id>>>, NoFriction> {
+/// The force −∂R/∂v. Whether it takes energy at each velocity is found out at run time.
+pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) -> Result<Option<Friction>, NoFriction> {
     let Some(rayleigh) = rayleigh else { return Ok(None) };
-    if !analyze::is_polynomial_in(graph, &[rayleigh], 2, is_velocity) {
-        return Err(NoFriction::Degree);
-    }
     let slopes = diff::gradient(graph, rayleigh, degrees).v;
     for slope in &slopes {
         let rest = at_rest(graph, *slope, |_| true);
@@ -31,6 +33,12 @@ pub(crate) fn friction(
             return Err(NoFriction::AtRest(rest));
         }
     }
-    let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
-    Ok(Some(masses(graph, &slopes, &symbols)))
+    if analyze::is_polynomial_in(graph, &[rayleigh], 2, is_velocity) {
+        let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+        return Ok(Some(Friction::Damping(masses(graph, &slopes, &symbols))));
+    }
+    match analyze::degree_in(graph, rayleigh, is_velocity) {
+        Some(degree) if degree % 2 == 1 => Err(NoFriction::Odd),
+        _ => Ok(Some(Friction::Slopes(slopes))),
+    }
 }

@@ -14,7 +14,7 @@ use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
-pub(crate) use friction::{NoFriction, friction};
+pub(crate) use friction::{Friction, NoFriction, friction};
 
 /// What belongs to a Lagrangian.
 #[derive(Debug)]
@@ -211,8 +211,8 @@ fn moves(graph: &Graph, id: Id) -> bool {
     reads.state() || reads.t
 }
 
-/// What of L is not defined everywhere and can be looked at without velocities.
-fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
+/// What of L, or of a force, is not defined everywhere and can be looked at without velocities.
+pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
     let still = |id: &Id| !analyze::reads(graph, *id).v;
     let mut partial = written.to_vec();
     partial.retain(|Partial { node, condition }| still(node) && condition.iter().all(still));

@@ -160,7 +160,7 @@ impl Energy {
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(&self.rayleigh).chain(&self.force).chain(structure).chain(kept)
+        self.damping.iter().chain(&self.rayleigh).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.

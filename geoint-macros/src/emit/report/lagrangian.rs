@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::counted;
-use crate::analyze::{self, Damping};
+use crate::analyze::{self, Damping, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -119,11 +119,11 @@ pub(crate) fn velocities(
     context: &Context<'_>,
     graph: &Graph,
     (legendre, long): (&Legendre, Id),
-    (system, damping): (&System<Plan>, Option<&Damping>),
+    (system, friction): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    let _ = steps(&mut text, context, &printer, (legendre, long), (system, damping));
+    let _ = steps(&mut text, context, &printer, (legendre, long), (system, friction));
     text
 }
 
@@ -132,7 +132,7 @@ fn steps<F: Fn(Symbol) -> String>(
     context: &Context<'_>,
     printer: &Printer<'_, F>,
     (legendre, long): (&Legendre, Id),
-    (system, damping): (&System<Plan>, Option<&Damping>),
+    (system, (damping, others)): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> Written {
     let Implicit::Velocities(kernels) = &system.implicit else { return Ok(()) };
     let v = context.name_of(Role::Velocity);
@@ -148,16 +148,20 @@ fn steps<F: Fn(Symbol) -> String>(
     if let Some(damping) = damping {
         damping::section(text, printer, damping, autonomous)?;
     }
+    if let Some(others) = others {
+        damping::forces(text, printer, others, autonomous)?;
+    }
 
     writeln!(text, "\nConserved by the flow, at least")?;
     let read = analyze::symbols(printer.graph(), legendre.lagrangian);
     let spared = |i: u32| {
         let row = damping.map(|damping| &damping.matrix[i as usize]);
         row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))
+            && others.is_none_or(|others| others.spared[i as usize])
     };
     let cyclic: Vec<u32> =
         (0..context.energy.degrees()).filter(|i| !read.contains(&Symbol::Q(*i)) && spared(*i)).collect();
-    let energy = autonomous && damping.is_none();
+    let energy = autonomous && damping.is_none() && others.is_none();
     if energy {
         writeln!(text, "- the energy")?;
     }
