@@ -15,7 +15,7 @@ pub use crate::space::{
 };
 pub use crate::system::{
     Autonomous, ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Clock as PieceClock,
-    Collocated, Collocation, Conformal as ConformalContact, Conservative, Contact as ContactSystem,
+    Collocated, Collocation, Conformal as ConformalContact, Conservative, Contact as ContactSystem, ContactStages,
     Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian,
     ImplicitStep, KeepsEnergy, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,

@@ -10,3 +10,4 @@ mod laws;
 mod velocities;
 mod degenerate;
 mod forces;
+mod herglotz;

@@ -3,7 +3,7 @@
 use super::domain::{Domain, Roots};
 use super::implicit;
 use super::system::{
-    FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
+    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
 };
 use crate::analyze;
 use crate::diff::{self, Gradient};
@@ -47,7 +47,14 @@ pub(crate) fn contact(
         perturbed: None,
         modified,
         pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
-        implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+        implicit: Implicit::Contact(if lift {
+            ContactKernels { steps: vec![], stages: None }
+        } else {
+            ContactKernels {
+                steps: implicit::steps(graph, energy, degrees),
+                stages: Some(implicit::stages(graph, energy, &gradient)),
+            }
+        }),
         integrals: None,
         lagrangian: None,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),

@@ -1,7 +1,7 @@
 //! The equations of implicit methods.
 
-use super::system::{FieldKernels, StepKernel};
-use crate::analyze::Structure;
+use super::system::{FieldKernels, StageKernel, StepKernel};
+use crate::analyze::{self, Structure};
 use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
@@ -136,6 +136,27 @@ pub(super) fn steps(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<(&'stati
         (method, step(graph, equation))
     };
     METHODS.into_iter().map(step).collect()
+}
+
+/// The field at a stage of collocation: without s where ∂H/∂s reads time alone, and positions and momenta do not read s.
+pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> StageKernel<Kernel> {
+    let degrees = gradient.q.len() as u32;
+    let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).collect();
+    let mut rates = gradient.p.clone();
+    rates.extend(gradient.q.iter().map(|slope| graph.neg(*slope)));
+    if analyze::reads(graph, gradient.s).state() {
+        moved.push(Symbol::S);
+        let mut terms = vec![graph.neg(energy)];
+        for (i, velocity) in (0..degrees).zip(&gradient.p) {
+            let p = graph.symbol(Symbol::P(i));
+            terms.push(graph.mul(p, *velocity));
+        }
+        rates.push(graph.sum(&terms));
+    }
+    rates.push(gradient.s);
+    let derivatives = diff::jacobian(graph, &rates, &moved).concat();
+    let kernel = Kernel { levels: Levels::Prepared, routines: vec![[rates, derivatives].concat()] };
+    StageKernel { moved, kernel }
 }
 
 /// Φ and 1 − ∂Φ/∂d, and what a solution adds.

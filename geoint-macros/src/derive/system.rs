@@ -136,8 +136,8 @@ pub(crate) struct PieceKernel<K> {
 pub(crate) enum Implicit<K> {
     /// Of a field.
     Field(FieldKernels<K>),
-    /// Of each method by name.
-    Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of contact systems.
+    Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
 }
@@ -197,6 +197,24 @@ pub(crate) struct FieldKernels<K> {
     /// Whether the equation of a step is linear.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
+}
+
+/// The implicit steps of a contact system.
+#[derive(Debug)]
+pub(crate) struct ContactKernels<K> {
+    /// Of each method by name.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
+    /// Of collocation; nothing if momenta are not followed.
+    pub(crate) stages: Option<StageKernel<K>>,
+}
+
+/// The field of a contact system at a stage.
+#[derive(Debug)]
+pub(crate) struct StageKernel<K> {
+    /// What is solved for: q and p, and s if they read it.
+    pub(crate) moved: Vec<Symbol>,
+    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that.
+    pub(crate) kernel: K,
 }
 
 /// The equation of an implicit step in (q, p, s).
@@ -358,11 +376,13 @@ impl<K> Implicit<K> {
                 let (mass, stage) = (of(mass), of(stage));
                 Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
             }
-            Implicit::Contact(steps) => {
+            Implicit::Contact(ContactKernels { steps, stages }) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
                 };
-                Implicit::Contact(steps.into_iter().map(step).collect())
+                let steps = steps.into_iter().map(step).collect();
+                let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
+                Implicit::Contact(ContactKernels { steps, stages })
             }
         }
     }

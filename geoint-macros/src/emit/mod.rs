@@ -99,7 +99,11 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             quote!(#discrete #nothing_kept #fourth #collocation #canonical)
         }
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
-        Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
+        Implicit::Contact(kernels) => {
+            let steps = kernels.steps.iter().map(|(method, step)| steps::step(context, method, step));
+            let stages = kernels.stages.as_ref().map(|stages| steps::stages(context, stages));
+            quote!(#(#steps)* #stages)
+        }
     };
     let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);
     around(context, report, &around_it)

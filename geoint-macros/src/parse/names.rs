@@ -28,6 +28,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "PolarisedForm",
     "PoissonSplitting",
     "ContactSplitting",
+    "ContactStages",
     "ContactState",
     "ContactSystem",
     "Coordinates",

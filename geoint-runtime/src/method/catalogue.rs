@@ -35,7 +35,7 @@
 //! ```
 
 use crate::method::Method;
-use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -50,7 +50,7 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByField, Collocated, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
+    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
     Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
@@ -203,8 +203,9 @@ pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
 /// Methods for every contact system.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R>,
+    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>,
 {
+    show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);
     compositions!(visitor: ContactMidpoint, ContactDiscreteGradient);
 }

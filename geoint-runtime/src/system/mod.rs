@@ -19,7 +19,7 @@ mod velocities;
 
 pub use bodies::PrincipalAxes;
 pub use canonical::CanonicalForm;
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
+pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, Piece, Pieces};
 pub use forms::{ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};

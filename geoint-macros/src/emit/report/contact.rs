@@ -77,13 +77,16 @@ fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, 
 
 fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {
     writeln!(text, "\nImplicit steps, for the increments of all positions, momenta and the action")?;
-    let Implicit::Contact(steps) = &system.implicit else { return Ok(()) };
-    for (method, step) in steps {
+    let Implicit::Contact(kernels) = &system.implicit else { return Ok(()) };
+    for (method, step) in &kernels.steps {
         let cost = counted(step.kernel.operations());
         writeln!(text, "- `{method}`, unknowns {}: {cost} an iteration", 2 * degrees + 1)?;
     }
-    if steps.is_empty() {
-        writeln!(text, "- none: the momenta of a lift are not followed")?;
-    }
-    Ok(())
+    let Some(stages) = &kernels.stages else {
+        return writeln!(text, "- none: the momenta of a lift are not followed");
+    };
+    let cost = counted(stages.kernel.operations());
+    let unknowns = stages.moved.len() as u32;
+    let beside = if unknowns == 2 * degrees { ": s follows, and friction costs nothing beside `Gauss`" } else { "" };
+    writeln!(text, "- `ContactGauss`, unknowns {unknowns} a stage: {cost} a stage of an iteration{beside}")
 }
