@@ -1,10 +1,10 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
+use crate::analyze::Forces;
 use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::{OfField, Source};
 use crate::ir::Id;
-use crate::analyze::Forces;
 use crate::legendre::{self, Friction, Legendre, Route};
 use crate::lower::{self, Lowered};
 use crate::parse::{Energy, Form};
@@ -54,11 +54,7 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
 }
 
 /// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
-fn velocities(
-    energy: &Energy,
-    mut lowered: Lowered,
-    (legendre, long): (&Legendre, Id),
-) -> Result<TokenStream> {
+fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let damping = analyze::damping(graph, lowered.damping);
@@ -117,6 +113,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
+    let dissipated = analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.lift.is_none());
     let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
     let (derived, gradient) =
@@ -125,7 +122,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::contact(&context, graph, (root, &gradient), &system);
+    let report = emit::report::contact(&context, graph, (root, &gradient, dissipated.as_ref()), &system);
     let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }

@@ -389,7 +389,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 /// H is taken apart into the fewest pieces whose flows are known in closed form; `REPORT` lists them, with the rule behind each
 /// and their order in a step. Steps go through the flows and back, the most expensive one in the middle. A coefficient that
 /// depends on time is integrated exactly where its antiderivative is elementary, otherwise frozen in the middle of a step.
-/// Where a term is in no such piece, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
+/// Where a term is in no such piece, `ContactGauss`, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
 ///
 /// # Arguments of the attribute
 ///

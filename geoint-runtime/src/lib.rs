@@ -193,13 +193,13 @@ pub use system::{
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
-        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
-        vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
+        ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState,
+        FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint,
+        ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting,
+        PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe,
+        SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian,
+        lagrangian, vector_field,
     };
 }
 

@@ -1,7 +1,7 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};

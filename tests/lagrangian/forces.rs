@@ -117,8 +117,8 @@ fn an_arm_is_driven_by_its_torques() -> Result<(), StepError> {
         let after = sim.state();
         let (t, q, v) = middle(&before, &after, h);
         let torque = [t.sin(), 0.5 * (3.0 * t).cos(), q[0]];
-        let friction = (1.0 + q[1] * q[1])
-            * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]);
+        let friction =
+            (1.0 + q[1] * q[1]) * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]);
         let power = (0..3).map(|i| torque[i] * v[i]).sum::<f64>() - friction;
         assert!((sim.energy() - energy - h * power).abs() < 1e-13, "{:e}", sim.energy() - energy - h * power);
     }

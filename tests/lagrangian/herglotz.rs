@@ -2,10 +2,10 @@
 
 use crate::references::BRAKED;
 use crate::systems::*;
-use geoint_runtime::prelude::*;
-use geoint_runtime::system::ContactStages;
-use geoint_runtime::space::{Array, Snapshot};
 use geoint_runtime::Contact;
+use geoint_runtime::prelude::*;
+use geoint_runtime::space::{Array, Snapshot};
+use geoint_runtime::system::ContactStages;
 
 /// The talk's damped oscillator.
 #[lagrangian]
@@ -192,4 +192,17 @@ fn long_steps_are_refused() {
     let mut sim = system.integrator(ContactGauss::<1>, 1.0, start);
     assert!(sim.step().is_err());
     assert_eq!(sim.state(), start);
+}
+
+#[test]
+fn reports_name_what_decays() {
+    let report = Central::<f64>::REPORT;
+    let decaying = report.split("\nDecaying by the factor ").nth(1).expect("a section");
+    assert!(decaying.starts_with("exp(−∫ a + s/10 dt)"), "{report}");
+    assert_eq!(decaying.lines().filter(|line| line.contains("angular momentum")).count(), 3, "{report}");
+    assert!(decaying.contains("- H: it does not read time"), "{report}");
+    assert!(!Braked::<f64>::REPORT.contains("angular momentum"));
+    assert!(Braked::<f64>::REPORT.contains("Decaying by the factor e^(−(gamma)·t)"), "{}", Braked::<f64>::REPORT);
+    // Time in H, and a position everywhere.
+    assert!(!Driven::<f64>::REPORT.contains("Decaying by the factor"), "{}", Driven::<f64>::REPORT);
 }

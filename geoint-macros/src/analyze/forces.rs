@@ -2,8 +2,8 @@
 
 use super::dependence::{Reads, symbols};
 use super::{identity, liouville, reads};
-use crate::ir::{Function, Graph, Id, Symbol};
 use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Symbol};
 
 /// What is added to p' = −∂H/∂q, or to ∂L/∂q.
 #[derive(Debug)]

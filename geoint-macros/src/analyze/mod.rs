@@ -13,6 +13,7 @@ mod forces;
 mod generators;
 mod weights;
 mod momenta;
+mod dissipated;
 mod mean_value;
 mod enclosable;
 mod poles;
@@ -24,8 +25,9 @@ use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
-pub(crate) use forces::Forces;
 pub(crate) use dependence::{Dependence, Reads, symbols};
+pub(crate) use dissipated::{Dissipated, dissipated};
+pub(crate) use forces::Forces;
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
@@ -129,7 +131,8 @@ impl Structure {
 
     /// Whether no right-hand side reads t.
     pub(crate) fn timeless(&self) -> bool {
-        let mut others = self.damping.iter().map(|damping| damping.reads).chain(self.forces.iter().map(|forces| forces.reads));
+        let mut others =
+            self.damping.iter().map(|damping| damping.reads).chain(self.forces.iter().map(|forces| forces.reads));
         self.autonomous && others.all(|reads| !reads.t)
     }
 

@@ -14,7 +14,10 @@ use std::collections::HashMap;
 /// Reports a Lagrangian that has no energy here, and friction that is none.
 pub(crate) fn lagrangian(
     energy: &Energy,
-    (found, friction): (std::result::Result<Legendre, legendre::Flaw>, std::result::Result<Option<Friction>, NoFriction>),
+    (found, friction): (
+        std::result::Result<Legendre, legendre::Flaw>,
+        std::result::Result<Option<Friction>, NoFriction>,
+    ),
     graph: &Graph,
     places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
@@ -123,9 +126,11 @@ pub(crate) fn velocities(
 const FRICTION_OF_ACTION: &str =
     "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
 
-const FORCE_WITH_ACTION: &str = "with an action a force would leave no contact map: add its potential to the Lagrangian, such as `+ f(t) * q`";
+const FORCE_WITH_ACTION: &str =
+    "with an action a force would leave no contact map: add its potential to the Lagrangian, such as `+ f(t) * q`";
 
 const NOT_RAYLEIGH: &str = "Rayleigh's function has its least value at rest, but this is a polynomial of odd degree in the velocities, which \
                             feeds one direction where it brakes the other: write `c * v * v / 2.0`, or `c * v.abs().powi(3) / 3.0`";
 
-const NO_REST: &str = "Rayleigh's function has its least value at rest, so that friction vanishes there, but there ∂R/∂v is";
+const NO_REST: &str =
+    "Rayleigh's function has its least value at rest, so that friction vanishes there, but there ∂R/∂v is";

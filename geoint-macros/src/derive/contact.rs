@@ -3,7 +3,8 @@
 use super::domain::{Domain, Roots};
 use super::implicit;
 use super::system::{
-    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
+    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System,
+    Undamped,
 };
 use crate::analyze;
 use crate::diff::{self, Gradient};

@@ -144,18 +144,22 @@ pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Stag
     let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).collect();
     let mut rates = gradient.p.clone();
     rates.extend(gradient.q.iter().map(|slope| graph.neg(*slope)));
-    if analyze::reads(graph, gradient.s).state() {
-        moved.push(Symbol::S);
-        let mut terms = vec![graph.neg(energy)];
-        for (i, velocity) in (0..degrees).zip(&gradient.p) {
-            let p = graph.symbol(Symbol::P(i));
-            terms.push(graph.mul(p, *velocity));
-        }
-        rates.push(graph.sum(&terms));
+    let mut terms = vec![graph.neg(energy)];
+    for (i, velocity) in (0..degrees).zip(&gradient.p) {
+        let p = graph.symbol(Symbol::P(i));
+        terms.push(graph.mul(p, *velocity));
     }
+    let action = graph.sum(&terms);
+    let varying = analyze::reads(graph, gradient.s).state();
+    if varying {
+        moved.push(Symbol::S);
+        rates.push(action);
+    }
+    let decay = if varying { vec![] } else { vec![gradient.s] };
     rates.push(gradient.s);
     let derivatives = diff::jacobian(graph, &rates, &moved).concat();
-    let kernel = Kernel { levels: Levels::Prepared, routines: vec![[rates, derivatives].concat()] };
+    let kernel =
+        Kernel { levels: Levels::Prepared, routines: vec![[rates, derivatives].concat(), decay, vec![action]] };
     StageKernel { moved, kernel }
 }
 

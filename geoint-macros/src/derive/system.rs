@@ -151,6 +151,8 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) mass: K,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
+    /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
+    pub(crate) keeps: bool,
     /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
     pub(crate) polarised: Result<K, Missing>,
 }
@@ -213,7 +215,7 @@ pub(crate) struct ContactKernels<K> {
 pub(crate) struct StageKernel<K> {
     /// What is solved for: q and p, and s if they read it.
     pub(crate) moved: Vec<Symbol>,
-    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that.
+    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone, if time alone decides it. s'.
     pub(crate) kernel: K,
 }
 
@@ -372,9 +374,9 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
-                let (mass, stage) = (of(mass), of(stage));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised }) => {
+                let (mass, stage, polarised) = (of(mass), of(stage), polarised.map(&mut *of));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
                 let step = |(name, step): (_, StepKernel<K>)| {

@@ -2,7 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::system::{Implicit, Missing, System, VelocityKernels};
-use crate::analyze::{Damping, Forces};
+use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
@@ -45,6 +45,7 @@ pub(crate) fn velocities(
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: Kernel::new(Levels::One, known),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
         }),
         integrals: None,

@@ -71,7 +71,10 @@ pub(super) fn forces<F: Fn(Symbol) -> String>(
     let power = power.join(" ");
     writeln!(text, "- they add {power} to dH/dt, with v = ∂H/∂p")?;
     if autonomous {
-        writeln!(text, "- in a step of `DiscreteGradient` they add exactly h times that at the mean velocity, for every h")?;
+        writeln!(
+            text,
+            "- in a step of `DiscreteGradient` they add exactly h times that at the mean velocity, for every h"
+        )?;
     }
     if forces.friction.is_some() {
         writeln!(text, "- a step in which friction would feed energy is refused")?;

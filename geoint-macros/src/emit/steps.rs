@@ -72,6 +72,12 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
         let (f, decay) = (write("f", &places, &values[..n]), &values[n]);
         quote!(#f *decay = #decay; #field #by)
     });
+    let decay = context.planned(&plan.last[1], (&[], ""), |values| match &values[..] {
+        [decay] => decay.clone(),
+        _ => quote!(R::from_f64(f64::NAN)),
+    });
+    let action = context.planned(&plan.last[2], (&[], ""), |mut values| values.remove(0));
+    let (phase, parts) = (context.phase(), context.parts());
     quote! {
         impl<R: Real> ContactStages<R> for #name {
             type Proof = ();
@@ -92,6 +98,15 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
                 (f_by, decay_by): (&mut Square<#unknown>, &mut #unknown),
             ) {
                 #body
+            }
+            #[inline]
+            fn decay(&self, prepared: &[R; #prepared], t: R) -> R {
+                #decay
+            }
+            #[inline(always)]
+            fn action(&self, prepared: &[R; #prepared], t: R, z: &#phase, s: &R) -> R {
+                #parts
+                #action
             }
         }
     }

@@ -29,7 +29,8 @@ impl Lowering {
         if self.errors.len() > said {
             return vec![];
         }
-        let fits = extents.is_some_and(|extents| extents == [n] || extents == shape.extents || extents.is_empty() && n == 1);
+        let fits =
+            extents.is_some_and(|extents| extents == [n] || extents == shape.extents || extents.is_empty() && n == 1);
         if !fits {
             let of = energy.arguments.iter().find(|(role, _)| *role == Role::Position);
             let name = of.map(|(_, argument)| argument.name.to_string()).unwrap_or_default();

@@ -66,6 +66,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Snapshot",
     "Square",
     "State",
+    "VelocityEnergy",
     "VelocityForm",
     "canonical_rate",
     "energy_of",

@@ -217,7 +217,8 @@ const BODY_WITH_STRUCTURE: &str =
 const WITHOUT_ATTITUDE: &str =
     "`m = …` names the angular momentum of a rigid body: say which argument is its attitude, `attitude = …`";
 
-const DAMPED_BODY: &str = "rigid bodies are moved by their energy alone: `damping` and `force` are for energies of `q` and `p`";
+const DAMPED_BODY: &str =
+    "rigid bodies are moved by their energy alone: `damping` and `force` are for energies of `q` and `p`";
 
 const ALWAYS_SEPARABLE: &str =
     "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";

@@ -50,8 +50,9 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient, ImplicitStep, Mechanical,
-    Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient,
+    ImplicitStep, Mechanical, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField,
+    QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.

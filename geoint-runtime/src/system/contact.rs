@@ -86,7 +86,7 @@ pub struct Piece {
     label = "this method is for systems that were split into such",
     note = "`ContactSplitting` is for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
             that and for `#[vector_field(keeps(…))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
@@ -186,4 +186,8 @@ pub trait ContactStages<R: Real = f64>: Contact<R> {
         values: (&mut Self::Moved, &mut R),
         derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
     );
+    /// ∂H/∂s where it depends on time alone; else not a number.
+    fn decay(&self, constants: &Self::StageConstants, t: R) -> R;
+    /// s' = p·∂H/∂p − H.
+    fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

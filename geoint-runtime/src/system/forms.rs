@@ -7,7 +7,7 @@ use crate::scalar::Real;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`",
     label = "this method is for those",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Collocated<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
@@ -33,7 +33,7 @@ pub struct ByCanonical;
     message = "`{Self}` has no discrete gradient",
     label = "this method is for systems of `#[hamiltonian]`, and for Lagrangians that are quadratic in the velocities or of a known conjugate",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait Graded<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -107,8 +107,9 @@ fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
         Kinetic::Conjugate { .. } | Kinetic::Open(_) => false,
     };
     match legendre.parts.iter().all(quadratic) {
-        true => {
-            "T + V, with V = −L at rest: what a moving frame adds to L is in V, and H is then not the mechanical energy"
+        true => "T₂ − T₀ + V, with −T₀ + V = −L at rest: T + V, unless a frame that moves has put a T₀ into L",
+        false if legendre.shift.iter().any(|a| !graph.is_zero(*a)) => {
+            "T₂ − T₀ + V; T₁ has the terms that are linear in velocities: where a frame that moves has put them into L, H is not T + V"
         }
         false => "not T + V: L is not T − V with a T that is a quadratic form in the velocities",
     }

@@ -5,10 +5,10 @@ use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
+use crate::solving::linear;
 use crate::solving::newton::Newton;
 use crate::solving::size::Sizes;
-use crate::solving::linear;
-use crate::space::vector::{difference, scaled, sum};
+use crate::space::vector::{difference, scaled, sum, sum_of_products};
 use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ContactStages, Poles};
 
@@ -37,6 +37,8 @@ pub struct Prepared<P, R, const S: usize> {
     nodes: [R; S],
     /// h·b.
     weights: [R; S],
+    /// bᵀA⁻¹: what increments of the stages add up to in the end.
+    shares: [R; S],
 }
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Method<Y, R> for ContactGauss<S>
@@ -59,8 +61,14 @@ where
     }
 
     fn name(&self) -> Name {
-        let names =
-            ["ContactGauss<1>", "ContactGauss<2>", "ContactGauss<3>", "ContactGauss<4>", "ContactGauss<5>", "ContactGauss<6>"];
+        let names = [
+            "ContactGauss<1>",
+            "ContactGauss<2>",
+            "ContactGauss<3>",
+            "ContactGauss<4>",
+            "ContactGauss<5>",
+            "ContactGauss<6>",
+        ];
         Name::new(names[S - 1])
     }
 
@@ -73,6 +81,7 @@ where
             coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
             nodes: c.map(|c| R::from_f64(c) * h),
             weights: b.map(|b| R::from_f64(b) * h),
+            shares: shares(a, b).map(R::from_f64),
         }
     }
 
@@ -93,12 +102,9 @@ where
             *s = x.s;
         }
         probe.visit(t, &x.z, &x.s);
-        let equation = StagePoints { system, prepared, t, origin };
+        let equation = StagePoints { system, prepared, t, origin, known: Factors::known(system, prepared, t)? };
         let (d, _) = newton.solve(&equation, probe)?;
-
-        let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| equation.at(i, &d));
-        let factors = Factors::new(&prepared.coupling, &stages.map(|stage| stage.decay)).ok_or(Refusal::Singular)?;
-        let end = equation.end(&stages, &factors.r, (&d, x.s)).ok_or(Refusal::Singular)?;
+        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
         x.add_everywhere(&end);
         check_end(&prepared.poles, [t, t + prepared.h], &before, Step { system, t, x, probe })
@@ -114,16 +120,42 @@ struct At<A: Array> {
     decay_by: A,
 }
 
+/// bᵀA⁻¹.
+fn shares<const S: usize>(a: [[f64; S]; S], b: [f64; S]) -> [f64; S] {
+    let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
+    let mut shares = b;
+    // The matrix of a Gauss method is regular.
+    linear::solve::<[f64; S]>(&mut transposed, &mut shares, &Sizes::equal());
+    shares
+}
+
 /// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
+#[derive(Clone, Copy)]
 struct Factors<R, const S: usize> {
+    decay: [R; S],
     r: [R; S],
     by_decay: [[R; S]; S],
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
     /// `None` where there are none.
+    /// Those that time alone decides.
     #[inline(always)]
-    fn new(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
+    fn known<Y: ContactStages<R>>(
+        system: &Y,
+        prepared: &Prepared<Y::StageConstants, R, S>,
+        t: R,
+    ) -> Result<Option<Self>, Refusal> {
+        if varying::<Y, R>() {
+            return Ok(None);
+        }
+        let decay = prepared.nodes.map(|node| system.decay(&prepared.constants, t + node));
+        Self::new::<false>(&prepared.coupling, &decay).map(Some).ok_or(Refusal::Singular)
+    }
+
+    /// Derivatives are wanted where they are not known beforehand. `None` where there are no factors.
+    #[inline(always)]
+    fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
         let one = R::from_f64(1.0);
         let matrix: [[R; S]; S] = core::array::from_fn(|i| {
             core::array::from_fn(|j| (if i == j { one } else { zero() }) - coupling[i][j] * decay[j])
@@ -134,13 +166,13 @@ impl<R: Real, const S: usize> Factors<R, S> {
         };
         let r = solve([one; S])?;
         let mut by_decay = [[zero(); S]; S];
-        for j in 0..S {
+        for j in 0..if DERIVED { S } else { 0 } {
             let column = solve(core::array::from_fn(|i| coupling[i][j] * r[j]))?;
             for i in 0..S {
                 by_decay[i][j] = column[i];
             }
         }
-        Some(Factors { r, by_decay })
+        Some(Factors { decay: *decay, r, by_decay })
     }
 }
 
@@ -150,6 +182,8 @@ struct StagePoints<'a, Y: ContactStages<R>, R: Real, const S: usize> {
     prepared: &'a Prepared<Y::StageConstants, R, S>,
     t: R,
     origin: Y::Moved,
+    /// The factors, where they do not depend on what is solved for.
+    known: Option<Factors<R, S>>,
 }
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, R, S> {
@@ -177,64 +211,63 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
 
     /// What the step adds; `None` where the form would not be multiplied by a positive number.
     #[inline(always)]
-    fn end(
-        &self,
-        stages: &[At<Y::Moved>; S],
-        r: &[R; S],
-        (d, s): (&[Y::Moved; S], R),
-    ) -> Option<PerCoordinate<Y::Phase, R>> {
-        let (n, weights) = (Y::Array::LEN, &self.prepared.weights);
-        let (mut grown, mut end) = (zero::<R>(), PerCoordinate { z: Y::Phase::zero(), s: zero() });
-        for i in 0..S {
-            grown = (weights[i] * r[i]).multiply_add(stages[i].decay, grown);
-        }
-        let factor = R::from_f64(1.0) + grown;
+    fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
+        let Prepared { coupling, weights, shares, .. } = self.prepared;
+        let (n, one, origin) = (Y::Array::LEN, R::from_f64(1.0), self.origin.as_slice());
+        let stages = match self.known {
+            Some(_) => None,
+            None => Some(core::array::from_fn::<_, S, _>(|i| self.at(i, d))),
+        };
+        let factors = match stages {
+            None => self.known?,
+            Some(stages) => Factors::new::<false>(coupling, &stages.map(|stage| stage.decay))?,
+        };
+        let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| factors.r[i] * factors.decay[i]));
+        let factor = one + grown;
         if !(factor.magnitude() > 0.0) || factor.any_below(0.0) {
             return None;
         }
+        let mut end = PerCoordinate { z: Y::Phase::zero(), s: zero() };
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
-            let mut impulse = zero::<R>();
-            for i in 0..S {
-                z[k] = weights[i].multiply_add(stages[i].f.as_slice()[k], z[k]);
-                impulse = (weights[i] * r[i]).multiply_add(stages[i].f.as_slice()[n + k], impulse);
-            }
-            z[n + k] = (impulse - grown * self.origin.as_slice()[n + k]) / factor;
+            z[k] = sum_of_products(shares, &d.map(|d| d.as_slice()[k]));
+            // What h Σ aᵢⱼ rⱼ ∂H/∂q has taken of p₀ at each stage.
+            let impulse = |i: usize| {
+                let p = d[i].as_slice()[n + k];
+                (factors.r[i] - one).multiply_add(origin[n + k] + p, p)
+            };
+            let impulse = sum_of_products(shares, &core::array::from_fn::<_, S, _>(impulse));
+            z[n + k] = (impulse - grown * origin[n + k]) / factor;
         }
-        let rates = match Y::Moved::LEN > Y::Phase::LEN {
-            true => core::array::from_fn(|i| stages[i].f.as_slice()[2 * n]),
-            false => self.actions(stages, d, s)?,
+        end.s = match stages {
+            Some(_) => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
+            None => sum_of_products(weights, &self.actions(&factors, d, s)?),
         };
-        for i in 0..S {
-            end.s = weights[i].multiply_add(rates[i], end.s);
-        }
         Some(end)
     }
 
     /// s' at the stages where it is not solved for: aᵢ − σᵢsᵢ with a = p·∂H/∂p − H at s = 0.
     #[inline(always)]
-    fn actions(&self, stages: &[At<Y::Moved>; S], d: &[Y::Moved; S], s: R) -> Option<[R; S]> {
-        let n = Y::Array::LEN;
+    fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S], s: R) -> Option<[R; S]> {
         let one = R::from_f64(1.0);
+        let Prepared { coupling, constants, nodes, .. } = self.prepared;
         let mut rates: [R; S] = core::array::from_fn(|i| {
             let x = sum(&self.origin, &d[i]);
-            let (x, f) = (x.as_slice(), stages[i].f.as_slice());
             let mut z = Y::Phase::zero();
-            Array::as_mut_slice(&mut z).copy_from_slice(&x[..2 * n]);
-            let mut rate = -self.system.hamiltonian(self.t + self.prepared.nodes[i], &z, &s);
-            for k in 0..n {
-                rate = x[n + k].multiply_add(f[k], rate);
-            }
-            rate
+            Array::as_mut_slice(&mut z).copy_from_slice(x.as_slice());
+            self.system.action(constants, self.t + nodes[i], &z, &s)
         });
         // aᵢ − σᵢs₀ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
         let mut matrix: [[R; S]; S] = core::array::from_fn(|i| {
-            core::array::from_fn(|j| {
-                (if i == j { one } else { zero() }) + stages[i].decay * self.prepared.coupling[i][j]
-            })
+            core::array::from_fn(|j| (if i == j { one } else { zero() }) + factors.decay[i] * coupling[i][j])
         });
         linear::solve::<[R; S]>(&mut matrix, &mut rates, &Sizes::equal()).map(|_| rates)
     }
+}
+
+/// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
+const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
+    Y::Moved::LEN > <Y::Phase as Array>::LEN
 }
 
 impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Moved; S], P>
@@ -276,12 +309,17 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
             self.evaluated(t, &x)
         });
         let unknown = R::from_f64(f64::NAN);
-        let Factors { r, by_decay } = Factors::new(coupling, &stages.map(|stage| stage.decay))
-            .unwrap_or(Factors { r: [unknown; S], by_decay: [[unknown; S]; S] });
+        let Factors { r, by_decay, .. } = match self.known {
+            Some(known) => known,
+            None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or(Factors {
+                decay: [unknown; S],
+                r: [unknown; S],
+                by_decay: [[unknown; S]; S],
+            }),
+        };
         let one = R::from_f64(1.0);
         let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
-        // Whether the factors depend on what is solved for: that of H = g(t)·s + H₀ does not.
-        let varying = length > 2 * n;
+        let varying = varying::<Y, R>();
         core::array::from_fn(|i| {
             let mut residual = d[i];
             for row in 0..length {
