@@ -198,7 +198,7 @@ fn long_steps_are_refused() {
 fn reports_name_what_decays() {
     let report = Central::<f64>::REPORT;
     let decaying = report.split("\nDecaying by the factor ").nth(1).expect("a section");
-    assert!(decaying.starts_with("exp(−∫ a + s/10 dt)"), "{report}");
+    assert!(decaying.starts_with("exp(−∫ (s/10 + a) dt)"), "{report}");
     assert_eq!(decaying.lines().filter(|line| line.contains("angular momentum")).count(), 3, "{report}");
     assert!(decaying.contains("- H: it does not read time"), "{report}");
     assert!(!Braked::<f64>::REPORT.contains("angular momentum"));

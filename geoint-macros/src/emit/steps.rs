@@ -72,10 +72,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
         let (f, decay) = (write("f", &places, &values[..n]), &values[n]);
         quote!(#f *decay = #decay; #field #by)
     });
-    let decay = context.planned(&plan.last[1], (&[], ""), |values| match &values[..] {
-        [decay] => decay.clone(),
-        _ => quote!(R::from_f64(f64::NAN)),
-    });
+    let decay = context.planned(&plan.last[1], (moved, "x"), |mut values| values.remove(0));
     let action = context.planned(&plan.last[2], (&[], ""), |mut values| values.remove(0));
     let (phase, parts) = (context.phase(), context.parts());
     quote! {
@@ -100,7 +97,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
                 #body
             }
             #[inline]
-            fn decay(&self, prepared: &[R; #prepared], t: R) -> R {
+            fn decay(&self, prepared: &[R; #prepared], t: R, x: &#unknown) -> R {
                 #decay
             }
             #[inline(always)]

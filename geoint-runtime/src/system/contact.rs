@@ -186,8 +186,8 @@ pub trait ContactStages<R: Real = f64>: Contact<R> {
         values: (&mut Self::Moved, &mut R),
         derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
     );
-    /// ∂H/∂s where it depends on time alone; else not a number.
-    fn decay(&self, constants: &Self::StageConstants, t: R) -> R;
+    /// ∂H/∂s alone.
+    fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
     /// s' = p·∂H/∂p − H.
     fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

@@ -83,7 +83,7 @@ fn decaying<F: Fn(Symbol) -> String>(
     let rate = printer.excerpt(rate);
     let factor = match (reads.state(), reads.t) {
         (false, false) => format!("e^(−({rate})·t)"),
-        _ => format!("exp(−∫ {rate} dt)"),
+        _ => format!("exp(−∫ ({rate}) dt)"),
     };
     writeln!(text, "\nDecaying by the factor {factor}, all alike, so that quotients are constant")?;
     for i in cyclic {

@@ -149,7 +149,7 @@ impl<R: Real, const S: usize> Factors<R, S> {
         if varying::<Y, R>() {
             return Ok(None);
         }
-        let decay = prepared.nodes.map(|node| system.decay(&prepared.constants, t + node));
+        let decay = prepared.nodes.map(|node| system.decay(&prepared.constants, t + node, &Y::Moved::zero()));
         Self::new::<false>(&prepared.coupling, &decay).map(Some).ok_or(Refusal::Singular)
     }
 
@@ -196,11 +196,6 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Copy for StagePoints<'_, Y, R
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     #[inline(always)]
-    fn at(&self, i: usize, d: &[Y::Moved; S]) -> At<Y::Moved> {
-        self.evaluated(self.t + self.prepared.nodes[i], &sum(&self.origin, &d[i]))
-    }
-
-    #[inline(always)]
     fn evaluated(&self, t: R, x: &Y::Moved) -> At<Y::Moved> {
         let none = Y::Moved::zero();
         let mut at = At { f: none, decay: zero(), f_by: Y::Moved::fill(none), decay_by: none };
@@ -212,15 +207,12 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     /// What the step adds; `None` where the form would not be multiplied by a positive number.
     #[inline(always)]
     fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
-        let Prepared { coupling, weights, shares, .. } = self.prepared;
+        let Prepared { constants, coupling, nodes, weights, shares, .. } = self.prepared;
         let (n, one, origin) = (Y::Array::LEN, R::from_f64(1.0), self.origin.as_slice());
-        let stages = match self.known {
-            Some(_) => None,
-            None => Some(core::array::from_fn::<_, S, _>(|i| self.at(i, d))),
-        };
-        let factors = match stages {
-            None => self.known?,
-            Some(stages) => Factors::new::<false>(coupling, &stages.map(|stage| stage.decay))?,
+        let decay = |i: usize| self.system.decay(constants, self.t + nodes[i], &sum(&self.origin, &d[i]));
+        let factors = match self.known {
+            Some(known) => known,
+            None => Factors::new::<false>(coupling, &core::array::from_fn(decay))?,
         };
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| factors.r[i] * factors.decay[i]));
         let factor = one + grown;
@@ -239,9 +231,9 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
             let impulse = sum_of_products(shares, &core::array::from_fn::<_, S, _>(impulse));
             z[n + k] = (impulse - grown * origin[n + k]) / factor;
         }
-        end.s = match stages {
-            Some(_) => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
-            None => sum_of_products(weights, &self.actions(&factors, d, s)?),
+        end.s = match varying::<Y, R>() {
+            true => sum_of_products(shares, &d.map(|d| d.as_slice()[2 * n])),
+            false => sum_of_products(weights, &self.actions(&factors, d, s)?),
         };
         Some(end)
     }
