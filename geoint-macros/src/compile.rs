@@ -34,10 +34,13 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
         return first_order(energy, lowered, momenta);
     }
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
-    let (legendre, friction) =
+    let (mut legendre, friction) =
         check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
     match friction {
-        Some(Friction::Damping(matrix)) => lowered.damping = Some(matrix),
+        Some(Friction::Damping(matrix)) => {
+            legendre.friction = legendre::rate(graph, &matrix, &legendre);
+            lowered.damping = Some(matrix);
+        }
         Some(Friction::Slopes(slopes)) => lowered.friction = Some(slopes),
         None => {}
     }

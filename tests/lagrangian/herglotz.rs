@@ -206,3 +206,23 @@ fn reports_name_what_decays() {
     // Time in H, and a position everywhere.
     assert!(!Driven::<f64>::REPORT.contains("Decaying by the factor"), "{}", Driven::<f64>::REPORT);
 }
+
+/// −½v²: what is wrong with its sign is said, and nothing else is.
+#[lagrangian]
+fn concave(q: f64, v: f64) -> f64 {
+    0.5 * q * q - 0.5 * v * v
+}
+
+#[test]
+fn reports_say_what_is_unusual() -> Result<(), StepError> {
+    assert!(Concave::REPORT.contains("negative definite: −L has the same equations"), "{}", Concave::REPORT);
+    assert!(!Oscillator::<f64>::REPORT.contains("negative definite"));
+    assert!(Growing::<f64>::REPORT.contains("momenta read the action"), "{}", Growing::<f64>::REPORT);
+    assert!(!Fading::<f64>::REPORT.contains("momenta read the action"));
+    assert!(Rubbed::<f64>::REPORT.contains("with γ = gamma"), "{}", Rubbed::<f64>::REPORT);
+    assert!(!RubbedArm::<f64>::REPORT.contains("with γ = "));
+    let mut sim = Concave.integrator(Gauss::<3>, 0.05, Concave.at(1.0, 0.0));
+    sim.advance(40)?;
+    assert!((sim.state().q - 2_f64.cos()).abs() < 1e-10);
+    Ok(())
+}

@@ -125,7 +125,7 @@ fn draw(runs: &[(&str, Ink, Vec<(f64, f64)>)], orbit: &[[f64; 3]]) -> Result<(),
     let portrait = Panel::new(
         "Orbits of animals",
         "Gauss, 2 stages, h = 0.05",
-        [Axis::linear("prey", 0.0..3.5), Axis::linear("predators", 0.0..4.5)],
+        [Axis::linear("prey", 0.0..2.4), Axis::linear("predators", 0.0..3.4)],
         orbits,
     );
     let curves =
@@ -140,7 +140,7 @@ fn draw(runs: &[(&str, Ink, Vec<(f64, f64)>)], orbit: &[[f64; 3]]) -> Result<(),
     let banana = Panel::new(
         "A guiding centre in a torus",
         "discrete gradient, h = 100",
-        [Axis::linear("r", 1.01..1.07), Axis::linear("z", -0.06..0.06)],
+        [Axis::linear("r", 0.98..1.06), Axis::linear("z", -0.04..0.04)],
         vec![Curve::line("banana orbit", palette::GREEN, way).solid().width(1.2)],
     );
     figure("degenerate.svg", (300, 300), &[portrait.named_above(), energy.named_above(), banana.named_above()])

@@ -1,6 +1,6 @@
 //! Rayleigh's dissipation function R(q, v, t): the force −∂R/∂v, which is damping −Cv with C = ∂²R/∂v² where R is a quadratic form.
 
-use super::{at_rest, is_velocity, masses};
+use super::{Legendre, at_rest, is_velocity, masses};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
@@ -41,4 +41,25 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
         Some(degree) if degree % 2 == 1 => Err(NoFriction::Odd),
         _ => Ok(Some(Friction::Slopes(slopes))),
     }
+}
+
+/// γ with C = γM, where it reads no state and L has no terms that are linear in v: the force is −γp.
+pub(crate) fn rate(graph: &mut Graph, damping: &[Vec<Id>], Legendre { mass, shift, .. }: &Legendre) -> Option<Id> {
+    let n = mass.len();
+    if !shift.iter().all(|a| graph.is_zero(*a)) {
+        return None;
+    }
+    let (i, j) = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).find(|(i, j)| !graph.is_zero(mass[*i][*j]))?;
+    let rate = graph.div(damping[i][j], mass[i][j]);
+    let rate = super::invariant::simplified(graph, rate);
+    if graph.is_zero(rate) || analyze::reads(graph, rate).state() {
+        return None;
+    }
+    let entries = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+    let same = entries().all(|(i, j)| {
+        let expected = graph.mul(rate, mass[i][j]);
+        let rest = graph.sub(damping[i][j], expected);
+        graph.is_zero(rest) || analyze::identity(graph, rest).is_zero()
+    });
+    same.then_some(rate)
 }

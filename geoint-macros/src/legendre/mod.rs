@@ -14,7 +14,7 @@ use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
-pub(crate) use friction::{Friction, NoFriction, friction};
+pub(crate) use friction::{Friction, NoFriction, friction, rate};
 
 /// What belongs to a Lagrangian.
 #[derive(Debug)]
@@ -34,6 +34,10 @@ pub(crate) struct Legendre {
     pub(crate) route: Route,
     /// What of L and H is not defined everywhere.
     pub(crate) partial: Vec<Partial>,
+    /// Whether M is negative definite, whatever the parameters are.
+    pub(crate) concave: bool,
+    /// γ of friction γMv.
+    pub(crate) friction: Option<Id>,
 }
 
 /// What steps are derived from.
@@ -125,7 +129,16 @@ pub(crate) fn transform(
             (Route::Energy(energy, velocities), partial)
         }
     };
-    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial })
+    let concave = is_negative(graph, &mass);
+    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial, concave, friction: None })
+}
+
+/// Whether a diagonal matrix is known to be negative definite.
+fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
+    (0..mass.len()).all(|i| {
+        let opposite = graph.neg(mass[i][i]);
+        (0..mass.len()).all(|j| i == j || graph.is_zero(mass[i][j])) && analyze::is_positive(graph, opposite)
+    })
 }
 
 /// M without coordinates on which its entries do not depend.

@@ -47,7 +47,22 @@ fn sections<F: Fn(Symbol) -> String>(
     if !graph.is_zero(legendre.potential) {
         writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
     }
-    writeln!(text, "- H is {}\n", mechanical(graph, legendre))
+    writeln!(text, "- H is {}", mechanical(graph, legendre))?;
+    if legendre.concave {
+        writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
+    }
+    if legendre.momenta.iter().any(|momentum| analyze::reads(graph, *momentum).s) {
+        writeln!(text, "- momenta read the action: kick and drift do not exist, contact Gauss methods do")?;
+    }
+    if let Some(rate) = legendre.friction {
+        let rate = printer.excerpt(rate);
+        writeln!(
+            text,
+            "- friction is γ ∂²L/∂v² v with γ = {rate}, so that momenta of coordinates that are not read decay by one factor: with `- ({rate}) * s` \
+             in L in its place, contact methods keep that to rounding"
+        )?;
+    }
+    writeln!(text)
 }
 
 /// What the mass matrix of a part is, entry by entry, or what rule there is.
