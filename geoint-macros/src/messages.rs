@@ -37,6 +37,9 @@ pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities,
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FORCED: &str =
+    "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
                                         order; use a table for every separable energy, such as `BlanesMoan6`";

@@ -73,6 +73,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     if let Some(damping) = &structure.damping {
         damping::section(text, printer, damping, structure.autonomous)?;
     }
+    if let Some(forces) = &structure.forces {
+        damping::forces(text, printer, forces, structure.autonomous)?;
+    }
 
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
@@ -127,7 +130,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
     match structure.split {
-        _ if structure.damping.is_some() => {}
+        _ if !structure.conservative() => {}
         Split::Coupled(_) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
@@ -214,7 +217,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 
     let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        let fourth = if structure.damping.is_none() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
+        let fourth = if structure.conservative() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
         discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
     }
     if structure.switches {
@@ -224,7 +227,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         );
     }
     // It is for systems that keep their energy.
-    if structure.damping.is_none() {
+    if structure.conservative() {
         discrete.push(match structure.mean_value {
             MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
             MeanValue::Parts(parts) => {
