@@ -150,6 +150,8 @@ pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagra
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
+pub use method::constrained::Rattle;
+#[doc(inline)]
 pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
@@ -184,9 +186,9 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
-    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
+    KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -197,7 +199,7 @@ pub mod prelude {
         CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
         Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
-        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
+        Projection, RK4, Rattle, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
         SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
         vector_field,
     };

@@ -1,12 +1,14 @@
 //! What the user asked for against what was proven.
 
 mod blame;
+mod constraints;
 mod damping;
 mod lagrangian;
 mod pieces;
 mod proofs;
 pub(crate) mod wording;
 
+pub(crate) use constraints::constraints;
 pub(crate) use lagrangian::{lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};

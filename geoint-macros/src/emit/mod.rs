@@ -5,6 +5,7 @@
 
 mod attributes;
 mod bodies;
+mod constraints;
 mod damping;
 mod domain;
 mod flow;
@@ -60,7 +61,8 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), flow), report);
+    let constrained = matches!(system.implicit, Implicit::Constrained(_));
+    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
@@ -81,6 +83,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let collocation = implicit::collocation(context, field);
             quote!(#discrete #nothing_kept #fourth #collocation)
         }
+        Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
@@ -90,7 +93,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, (true, None), report);
+    let inherent = system::inherent(context, (true, true, None), report);
     let bodies = bodies::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }

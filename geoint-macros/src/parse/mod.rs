@@ -93,6 +93,8 @@ pub(crate) struct Energy {
     pub(crate) damping: Option<syn::Expr>,
     /// Rayleigh's dissipation function R of a Lagrangian, in terms of the arguments.
     pub(crate) rayleigh: Option<syn::Expr>,
+    /// The functions of positions that are kept at zero, in terms of the arguments.
+    pub(crate) constraint: Option<syn::Expr>,
     /// The coordinates in which methods move bodies.
     pub(crate) inner: Option<(Coordinates, Span)>,
     /// How an energy is to be split into pieces, in terms of the arguments.
@@ -155,7 +157,7 @@ impl Energy {
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(&self.rayleigh).chain(structure).chain(kept)
+        self.damping.iter().chain(&self.rayleigh).chain(&self.constraint).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -237,6 +239,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 requirements,
                 damping,
                 rayleigh,
+                constraint,
                 structure,
                 keeps,
                 split,
@@ -256,6 +259,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 requirements,
                 damping,
                 rayleigh,
+                constraint,
                 structure,
                 keeps,
                 inner,

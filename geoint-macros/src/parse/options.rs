@@ -19,6 +19,7 @@ pub(super) struct Options {
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
     pub(super) rayleigh: Option<syn::Expr>,
+    pub(super) constraint: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
@@ -29,7 +30,7 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `constraint = [g]`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -39,7 +40,7 @@ const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = arg
                      `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
 const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
-                          `rayleigh = R`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                          `rayleigh = R`, `constraint = [g]`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                           `require(separable, quadratic_kinetic)`";
 
 const FUNCTION: &str =
@@ -112,6 +113,10 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.rayleigh = Some(input.parse()?);
                 }
+                "constraint" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    options.constraint = Some(input.parse()?);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
@@ -167,6 +172,12 @@ impl Options {
         let damped = self.damping.as_ref().map(Spanned::span);
         let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
         let parted = self.coordinates.map(|(_, span)| span).or(split);
+        let constrained = self.constraint.as_ref().map(Spanned::span);
+        if let Some(span) = constrained
+            && (self.structure.is_some() || role(Role::Attitude).is_some() || parted.is_some())
+        {
+            return Err(syn::Error::new(span, CONSTRAINED));
+        }
         let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
         let wrong = match (&self.structure, attitude) {
             (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
@@ -200,6 +211,9 @@ fn takes(form: Option<Form>, name: &str) -> bool {
         _ => true,
     }
 }
+
+const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
+                           `split` and `coordinates`";
 
 const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
 

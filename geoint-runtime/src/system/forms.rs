@@ -34,13 +34,17 @@ pub struct ByVelocities;
 pub trait Graded<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// [`ByTree`] or [`ByPolarisation`].
+    /// [`ByTree`], [`ByPolarisation`] or [`ByConstraint`].
     type Gradient;
 }
 
 /// The tree discrete gradient: see [`DiscreteField`](super::DiscreteField).
 #[derive(Clone, Copy, Debug)]
 pub struct ByTree;
+
+/// With constraints: see [`ConstrainedStep`](super::ConstrainedStep).
+#[derive(Clone, Copy, Debug)]
+pub struct ByConstraint;
 
 /// The polarised one: see [`PolarisedForm`](super::PolarisedForm).
 #[derive(Clone, Copy, Debug)]

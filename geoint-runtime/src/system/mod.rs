@@ -4,6 +4,7 @@
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
 mod bodies;
+mod constraints;
 mod contact;
 mod forms;
 mod implicit;
@@ -17,8 +18,10 @@ mod rates;
 mod velocities;
 
 pub use bodies::PrincipalAxes;
+pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
+pub(crate) use constraints::{on_one_side, projected, tangent};
 pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
+pub use forms::{ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use lagrangian::Lagrangian;
@@ -100,6 +103,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// Whether the end of every single step has to be examined by [`outside_domain`](PhaseSpace::outside_domain): a step may end outside
     /// the domain without a trace in the next.
     const EXAMINED: bool = false;
+
+    /// What the state of a system with constraints lacks at the start of a run.
+    #[inline(always)]
+    fn unmet(&self, _t: R, _z: &Self::Phase) -> Option<Unmet> {
+        None
+    }
 
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
