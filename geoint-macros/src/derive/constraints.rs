@@ -1,11 +1,12 @@
 //! What is derived from H(q, p, t) with constraints g(q) = 0.
 
 use super::domain::{Domain, Roots};
-use super::system::{ConstraintKernels, Implicit, StepKernel, System};
+use super::system::{ConstraintKernels, Implicit, Missing, StepKernel, System};
 use crate::analyze::{self, Structure};
 use crate::diff::constraint::{self, Equation, Given};
 use crate::diff::{self, Gradient, field, jacobian};
 use crate::ir::{Function, Graph, Id, Partial, Symbol};
+use crate::messages::CONSTRAINED;
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
@@ -48,7 +49,7 @@ pub(crate) fn constrained(
         value: Some(one(vec![structure.energy])),
         slopes: None,
         rate: None,
-        splitting: None,
+        splitting: Some(Err(Missing { marker: "Unconstrained", term: constraints[0], why: CONSTRAINED, pair: None })),
         perturbed: None,
         modified: None,
         pieces: vec![],

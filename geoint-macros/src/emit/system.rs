@@ -144,8 +144,8 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     let kept = system.proven.contains(&"Autonomous").then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
     let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
         quote! {
-            fn unmet(&self, t: R, z: &#phase) -> ::core::option::Option<Unmet> {
-                unmet(self, t, z)
+            fn unmet(&self, t: R, h: R, z: &#phase) -> ::core::option::Option<Unmet> {
+                unmet(self, t, h, z)
             }
         }
     });

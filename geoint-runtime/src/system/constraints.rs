@@ -77,18 +77,23 @@ pub enum Unmet {
     Dependent(&'static str),
 }
 
-/// What a state lacks, if anything.
+/// What a state lacks at the start of steps of length `h`, if anything.
+///
+/// Rounding is no departure: that of coordinates and parameters, and of a velocity that moves nothing in a step but by rounding.
 #[cold]
 #[inline(never)]
-pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Option<Unmet> {
-    let departures = system.departure(t, z);
-    for (kind, [values, sizes]) in departures.iter().enumerate() {
-        for (k, (value, size)) in values.as_slice().iter().zip(sizes.as_slice()).enumerate() {
-            // What is not a number is off as well.
-            let on = value.magnitude() <= ROUNDINGS * R::epsilon() * size.magnitude();
-            if !on {
-                return Some(Unmet::Off(S::CONSTRAINTS[k][kind]));
-            }
+pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -> Option<Unmet> {
+    let rounding = ROUNDINGS * R::epsilon();
+    let [[values, sizes], [rates, sizes_of_rates]] = system.departure(t, z);
+    let numbers = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
+    for (k, [formula, rate]) in S::CONSTRAINTS.iter().enumerate() {
+        let reach = rounding * numbers(&sizes, k);
+        // What is not a number is off as well.
+        let on = numbers(&values, k) <= reach;
+        let moves = numbers(&rates, k);
+        let stays = moves <= rounding * numbers(&sizes_of_rates, k) || moves * h.magnitude() <= reach;
+        if !on || !stays {
+            return Some(Unmet::Off(if on { rate } else { formula }));
         }
     }
     let dependent = on_one_side(system, (t, z), [&z[0], &z[0]]).err()?;

@@ -5,9 +5,10 @@ use crate::scalar::Real;
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this method is for those",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait Collocated<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -156,7 +156,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if let Some(what) = self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
             return Err(StepError::OutsideDomain { t, what });
         }
-        match self.system.unmet(self.time(), &self.x.z) {
+        match self.system.unmet(self.time(), self.clock.step_size(), &self.x.z) {
             Some(Unmet::Off(what)) => Err(StepError::OffConstraint { t, what }),
             Some(Unmet::Dependent(what)) => Err(StepError::DependentConstraints { t, what }),
             None => Ok(()),
