@@ -5,6 +5,7 @@ use crate::analyze::{self, Damping, claims};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
+use crate::messages::NO_CONSTRAINT;
 use crate::parse::{Energy, Form};
 
 /// Reports constraints that are none, and damping that is none.
@@ -16,12 +17,8 @@ pub(crate) fn constraints(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let degrees = energy.degrees();
-    if energy.form.has_action() {
-        errors.at(&energy.constraint, OF_ACTION);
-        return Err(errors);
-    }
     if constraints.is_empty() {
-        errors.at(&energy.constraint, NONE);
+        errors.at(&energy.constraint, NO_CONSTRAINT);
     }
     for (constraint, place) in constraints {
         let printer = Printer::new(graph, &name);
@@ -59,10 +56,6 @@ pub(crate) fn constraints(
     }
     errors.or(())
 }
-
-const NONE: &str = "no constraint is given: leave this out, or name functions of positions that stay zero";
-
-const OF_ACTION: &str = "with an action there are no constraints: leave out this, or the argument `s`";
 
 const NOT_OF_VELOCITIES: &str =
     "a constraint is a function of positions; one that reads velocities is nonholonomic, and not supported";

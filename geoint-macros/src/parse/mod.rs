@@ -218,6 +218,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let herglotz = form == Form::Lagrangian && arguments.iter().any(|(role, _)| *role == Role::Action);
     let form = if herglotz { Form::Herglotz } else { form };
+    if herglotz && options.constraint.is_some() {
+        errors.at(&options.constraint, "with an action there are no constraints: leave out this, or the argument `s`");
+    }
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }

@@ -3,6 +3,7 @@
 use super::flow::{self, Kept, StructureForm};
 use super::outside::Outside;
 use super::{Form, Role};
+use crate::messages::NO_CONSTRAINT;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
@@ -115,7 +116,11 @@ impl Options {
                 }
                 "constraint" if energy && !contact => {
                     input.parse::<Token![=]>()?;
-                    options.constraint = Some(input.parse()?);
+                    let constraints: syn::Expr = input.parse()?;
+                    if matches!(&constraints, syn::Expr::Array(array) if array.elems.is_empty()) {
+                        return Err(syn::Error::new_spanned(constraints, NO_CONSTRAINT));
+                    }
+                    options.constraint = Some(constraints);
                 }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;

@@ -35,6 +35,7 @@
 //! ```
 
 use crate::method::Method;
+use crate::method::constrained::Rattle;
 use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
@@ -50,8 +51,9 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, Collocation, Conservative, ConstrainedStep, DiscreteField, ForceGradient, Graded,
+    ImplicitStep, Mechanical, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField,
+    QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -174,6 +176,15 @@ pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl 
 pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
+}
+
+/// Methods for systems with constraints.
+pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>,
+{
+    show!(visitor: Rattle, DiscreteGradient);
+    compositions!(visitor: Rattle, DiscreteGradient);
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

@@ -12,8 +12,7 @@ use crate::space::{Array, Square, State};
 /// A system with constraints.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no constraints",
-    label = "this is for systems with `constraint = [g]`",
-    note = "without constraints it is `StormerVerlet`, if the energy is T(p) + V(q)"
+    label = "this is for systems with `constraint = [g]`"
 )]
 pub trait Constrained<R: Real = f64>:
     Cotangent<R> + PhaseSpace<R, Action = (), State = State<<Self as Cotangent<R>>::Coordinates>>
@@ -39,6 +38,11 @@ pub trait Constrained<R: Real = f64>:
 pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S as Cotangent<R>>::Array>;
 
 /// The equation of a step of the method `M` from z, for its increments and multipliers in a row.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no constraints",
+    label = "`{M}` is for systems with `constraint = [g]`",
+    note = "without constraints `Rattle` is `StormerVerlet`, if the energy is T(p) + V(q)"
+)]
 pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
