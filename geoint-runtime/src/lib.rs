@@ -149,6 +149,7 @@ pub mod private;
 pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
+pub use method::constrained::Rattle;
 #[doc(inline)]
 pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
@@ -186,9 +187,9 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
-    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
+    KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 /// Everything that a program needs.
@@ -199,7 +200,7 @@ pub mod prelude {
         ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState,
         FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint,
         ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting, PlanarSplitting,
-        PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError, StormerVerlet,
         SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
         hamiltonian, lagrangian, vector_field,
     };

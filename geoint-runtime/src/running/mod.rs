@@ -1,6 +1,7 @@
 //! A system under a method: fixed steps, steps that adapt, what they return, and why they stop.
 
 mod adaptive;
+mod constraints;
 mod error;
 mod integrator;
 #[cfg(feature = "alloc")]
@@ -13,6 +14,7 @@ mod trajectory;
 mod watch;
 
 pub use adaptive::Adaptive;
+pub use constraints::state_on_constraint;
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;
 #[cfg(feature = "alloc")]
