@@ -141,6 +141,7 @@ pub mod space;
 pub mod slope;
 mod solving;
 pub mod system;
+pub mod taylor;
 pub mod method;
 pub mod running;
 #[doc(hidden)]
@@ -177,7 +178,7 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
+pub use running::{Adaptive, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
@@ -189,6 +190,9 @@ pub use system::{
     QuadraticKinetic, Rates, Separable, VectorField,
 };
 
+#[doc(inline)]
+pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
+
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
@@ -198,8 +202,8 @@ pub mod prelude {
         Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
         Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
         Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
-        vector_field,
+        SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory, contact_hamiltonian, energy_function,
+        hamiltonian, lagrangian, vector_field,
     };
 }
 

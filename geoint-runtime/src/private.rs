@@ -6,7 +6,7 @@ pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
-pub use crate::running::{Adaptive, Integrator};
+pub use crate::running::{Adaptive, Integrator, TaylorIntegrator};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
@@ -16,10 +16,11 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
     Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
+    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, Jets, KeepsEnergy,
     Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
     Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
     PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
 };
+pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

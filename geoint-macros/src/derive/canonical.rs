@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::jet::JetKernel;
 use super::perturbed;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use crate::analyze::{Parts, Split, Structure, reads};
@@ -49,6 +50,11 @@ pub(crate) fn canonical(
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
     ];
+    let force: Vec<Id> = match &structure.damping {
+        Some(_) => fields.field.f[degrees as usize..].to_vec(),
+        None => gradient.q.iter().map(|slope| graph.neg(*slope)).collect(),
+    };
+    let jet = JetKernel::canonical(graph, &gradient, &force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
@@ -61,6 +67,7 @@ pub(crate) fn canonical(
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),

@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::jet::JetKernel;
 use super::system::{
     FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
 };
@@ -23,7 +24,12 @@ pub(crate) fn contact(
     (degrees, lift): (u32, bool),
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
-    let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
+    let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
+    let jet = match &rates {
+        Some(rates) => JetKernel::of_lift(graph, rates),
+        None => JetKernel::contact(graph, energy, &gradient),
+    };
+    let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
     let pieces = match found {
         Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES, pair: None }),
@@ -50,6 +56,7 @@ pub(crate) fn contact(
         implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)

@@ -51,5 +51,6 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
             damping,
         ),
         lagrangian: None,
+        jet: None,
     }
 }

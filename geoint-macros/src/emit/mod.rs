@@ -10,6 +10,7 @@ mod domain;
 mod flow;
 mod flows;
 mod implicit;
+mod jet;
 mod kernel;
 mod lagrangian;
 mod perturbed;
@@ -84,7 +85,9 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
     };
-    let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);
+    let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
+    let around_it =
+        quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
     around(context, report, &around_it)
 }
 

@@ -72,6 +72,11 @@ pub enum StepError {
         /// The tolerance as given.
         tolerance: f64,
     },
+    /// A Taylor series of so low an order has no estimate of its error.
+    InvalidOrder {
+        /// The order as given.
+        order: usize,
+    },
     /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
     TooManySteps {
         /// Time of the last good state.
@@ -117,6 +122,10 @@ pub enum Reason {
     },
     /// Its implicit equation was not solved to rounding.
     NotConverged,
+    /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
+    Diverges,
+    /// A condition of the energy changes sides at both its ends: the solution does not leave the place where it does.
+    Sliding,
 }
 
 impl From<Refusal> for Reason {
@@ -140,6 +149,8 @@ impl fmt::Display for Reason {
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
+            Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
+            Reason::Sliding => write!(f, "a condition of the energy changes sides at both its ends"),
         }
     }
 }
@@ -182,6 +193,9 @@ impl fmt::Display for StepError {
             ),
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a positive number")
+            }
+            StepError::InvalidOrder { order } => {
+                write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
             }
             StepError::TooManySteps { t, steps } => {
                 write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")

@@ -1,0 +1,3 @@
+//! Taylor series of solutions: coefficients, steps, what is between them.
+
+mod solutions;
