@@ -277,10 +277,9 @@ impl Writer<'_> {
             }
             Rule::Power(u, exponent) => {
                 let next = self.number(Prepared::Next(exponent));
-                let over = self.number(Prepared::Reciprocal(self.value(u)));
                 let last = self.number(Prepared::Ratio(exponent, self.value(own), self.value(u)));
                 let (c, u, y) = (coefficient(u), kept(u), kept(own));
-                quote!(recurrence::power([#u, #y], #c, [#next, #over, #last], n))
+                quote!(recurrence::power([#u, #y], #c, [#next, #last], n))
             }
             Rule::Integral { factor, by, of } => {
                 let (ju, d, c) = (weighted(of), kept(by), coefficient(of));

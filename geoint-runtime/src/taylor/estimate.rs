@@ -91,6 +91,12 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
         terms.zip(1..).find(|(term, _)| *term > 0.0).unwrap_or((1.0, usize::MAX))
     }
 
+    /// In how long, roughly, the state changes at these rates.
+    pub(crate) fn time(&self, rates: &PerCoordinate<Z, S>) -> f64 {
+        let times = self.sizes().zip(Self::magnitudes(self.alike, rates)).filter(|(size, _)| *size > 0.0);
+        times.map(|(size, rate)| size / rate).fold(f64::INFINITY, f64::min)
+    }
+
     /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding.
     #[inline(always)]
     pub(crate) fn agree(&self, h: f64, rates: [&PerCoordinate<Z, S>; 2], before: &PerCoordinate<Z, S>) -> bool {

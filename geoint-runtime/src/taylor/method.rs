@@ -14,7 +14,8 @@ const LARGE: usize = 12;
 /// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
 /// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
 /// Tolerances below the accuracy of the scalar count as that. Nothing is kept exactly, everything to the tolerance: at the default the
-/// energy of a Kepler orbit walks 5·10⁻¹⁴ in 10⁴ periods, by rounding. Order 20, or 24 below 10⁻¹³; 12, 16 or 20 for large systems.
+/// energy of a Kepler orbit walks 4·10⁻¹⁴ in 10⁴ periods, by rounding. The order is 20; of large systems 12 or 16 where the tolerance is
+/// above 10⁻⁸ or 10⁻¹².
 ///
 /// À. Jorba & M. Zou, Exp. Math. 14 (2005) 99.
 ///
@@ -102,44 +103,34 @@ impl<const P: usize> Sealed for TaylorOrder<P> {}
 impl<const P: usize> Sealed for TaylorFixed<P> {}
 
 impl TaylorMethod for Taylor {
-    type Orders<X: Copy + Debug> = [X; 24];
+    type Orders<X: Copy + Debug> = [X; 20];
 
     fn steps(&self) -> Steps {
         Steps::Tolerance(self.tolerance)
     }
     fn order<S: Jets<R>, R: Real>(&self) -> usize {
-        let loose = |tolerance: f64| self.tolerance >= tolerance;
         match S::CONVOLUTIONS {
-            LARGE.. if loose(1e-8) => 12,
-            LARGE.. if loose(1e-12) => 16,
-            LARGE.. => 20,
-            _ if loose(1e-13) => 20,
-            _ => 24,
+            LARGE.. if self.tolerance >= 1e-8 => 12,
+            LARGE.. if self.tolerance >= 1e-12 => 16,
+            _ => 20,
         }
     }
-    fn fill<X: Copy + Debug>(x: X) -> [X; 24] {
-        [x; 24]
+    fn fill<X: Copy + Debug>(x: X) -> [X; 20] {
+        [x; 20]
     }
     #[inline]
     fn jet<S: Jets<R>, R: Real>(
         order: usize,
         system: &S,
         start: (R, &S::Phase, &S::Action),
-        jet: &mut [PerCoordinate<S::Phase, S::Action>; 24],
-        switches: &mut [S::Switches; 24],
+        jet: &mut [PerCoordinate<S::Phase, S::Action>; 20],
+        switches: &mut [S::Switches; 20],
     ) {
-        // One arm alone is compiled for a system that is large, and one for a system that is not.
-        if S::CONVOLUTIONS >= LARGE {
-            match order {
-                12 => part::<12, S, R>(system, start, jet, switches),
-                16 => part::<16, S, R>(system, start, jet, switches),
-                _ => part::<20, S, R>(system, start, jet, switches),
-            }
-        } else {
-            match order {
-                20 => part::<20, S, R>(system, start, jet, switches),
-                _ => part::<24, S, R>(system, start, jet, switches),
-            }
+        // Lower orders are not compiled for a system that has no use for them.
+        match order {
+            12 if S::CONVOLUTIONS >= LARGE => part::<12, S, R>(system, start, jet, switches),
+            16 if S::CONVOLUTIONS >= LARGE => part::<16, S, R>(system, start, jet, switches),
+            _ => part::<20, S, R>(system, start, jet, switches),
         }
     }
 }

@@ -4,6 +4,9 @@
 //! and those of order n come last: then each operation adds one multiplication to what a next coefficient waits for. With j from 0 on
 //! the double pendulum takes four times as long.
 //!
+//! What is divided by at every order is divided by: the rounding of a reciprocal, made once, would count n times. It may be multiplied with
+//! the coefficient of order n, which is smaller and must not wait.
+//!
 //! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
 //! SIAM Rev. 52 (2010) 545.
 
@@ -63,26 +66,26 @@ pub fn square<R: Real, const P: usize>(u: &[R; P], un: R, n: usize) -> R {
 /// y with y·w = u, from 1/w₀.
 #[inline(always)]
 pub fn quotient<R: Real, const P: usize>([w, y]: [&[R; P]; 2], [un, wn]: [R; 2], over: R, n: usize) -> R {
-    let rest = inner(w, y, n);
-    (-(y[0] * over)).multiply_add(wn, (un - rest) * over)
+    let rest = inner(w, y, n) / w[0];
+    un.multiply_add(over, (-(y[0] * over)).multiply_add(wn, -rest))
 }
 
 /// y with y·w = 1.
 #[inline(always)]
 pub fn reciprocal<R: Real, const P: usize>([w, y]: [&[R; P]; 2], wn: R, n: usize) -> R {
-    let rest = inner(w, y, n);
-    (-(y[0] * y[0])).multiply_add(wn, -y[0] * rest)
+    let rest = inner(w, y, n) / w[0];
+    (-(y[0] * y[0])).multiply_add(wn, -rest)
 }
 
 /// y with y² = u, from 1/(2y₀).
 #[inline(always)]
 pub fn root<R: Real, const P: usize>(y: &[R; P], un: R, over: R, n: usize) -> R {
-    un.multiply_add(over, -(inner_square(y, n) * over))
+    un.multiply_add(over, -(inner_square(y, n) / (y[0] + y[0])))
 }
 
-/// y with y'·u = α·y·u', from α + 1, 1/u₀ and α·y₀/u₀.
+/// y with y'·u = α·y·u', from α + 1 and α·y₀/u₀.
 #[inline(always)]
-pub fn power<R: Real, const P: usize>([u, y]: [&[R; P]; 2], un: R, [next, over_u, ratio]: [R; 3], n: usize) -> R {
+pub fn power<R: Real, const P: usize>([u, y]: [&[R; P]; 2], un: R, [next, ratio]: [R; 2], n: usize) -> R {
     let (u, y) = (&u[..n], &y[..n]);
     let whole = R::from_f64(n as f64);
     let factor = |j: usize| R::from_f64(j as f64).multiply_add(next, -whole);
@@ -94,7 +97,7 @@ pub fn power<R: Real, const P: usize>([u, y]: [&[R; P]; 2], un: R, [next, over_u
         first = (factor(j) * u[j]).multiply_add(y[n - j], first);
         second = (factor(n - j) * u[n - j]).multiply_add(y[j], second);
     }
-    un.multiply_add(ratio, (first + second) * (over_u * over(n)))
+    un.multiply_add(ratio, (first + second) / (whole * u[0]))
 }
 
 /// y with y' = d·u', from j·uⱼ.
@@ -106,7 +109,7 @@ pub fn integral<R: Real, const P: usize>([ju, d]: [&[R; P]; 2], un: R, n: usize)
 /// y with y'·d = u', from j·yⱼ and 1/d₀.
 #[inline(always)]
 pub fn quadrature<R: Real, const P: usize>([jy, d]: [&[R; P]; 2], un: R, inverse: R, n: usize) -> R {
-    un.multiply_add(inverse, -(inner(jy, d, n) * (over::<R>(n) * inverse)))
+    un.multiply_add(inverse, -(inner(jy, d, n) / (R::from_f64(n as f64) * d[0])))
 }
 
 /// The angle a of the point (x, y), with (x² + y²)a' = x·y' − y·x', from j·yⱼ, j·xⱼ, j·aⱼ and 1/(x₀² + y₀²).
@@ -120,5 +123,5 @@ pub fn angle<R: Real, const P: usize>(
 ) -> R {
     let rest = inner(jy, x, n) - inner(jx, y, n) - inner(ja, square, n);
     let last = yn.multiply_add(x[0], -(xn * y[0]));
-    last.multiply_add(inverse, rest * (over::<R>(n) * inverse))
+    last.multiply_add(inverse, rest / (R::from_f64(n as f64) * square[0]))
 }

@@ -119,21 +119,14 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if let taylor::Steps::Length(h) = self.method.steps() {
             return h.abs();
         }
-        let h = self.estimate.length(self.jet());
-        // A polynomial: no end of the step follows from its coefficients.
-        let h = if h == f64::INFINITY { self.guess() } else { h };
-        h.min(bounds.longest)
+        self.estimate.length(self.jet()).min(bounds.longest)
     }
 
-    /// In how long, roughly, the state changes by itself; twice the step before, if that is more.
+    /// In how long, roughly, the state changes by itself; twice the step before, if that is more. For a polynomial, whose coefficients set
+    /// no end to a step.
     #[cold]
     fn guess(&self) -> f64 {
-        let rates = &self.jet()[0];
-        let time = |(x, rate): (R, R)| {
-            if x.magnitude() > 0.0 { x.magnitude() / rate.magnitude() } else { f64::INFINITY }
-        };
-        let time =
-            self.expansions[self.present].x.numbers().zip(rates.numbers()).map(time).fold(f64::INFINITY, f64::min);
+        let time = self.estimate.time(&self.jet()[0]);
         let time = if time > 0.0 && time < f64::INFINITY { time } else { 1.0 };
         time.max(2.0 * self.last.1.abs())
     }
@@ -152,9 +145,9 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, Reason::Diverges));
         }
-        let mut h = self.towards(wish.min(left));
+        let mut h = self.towards(if wish.min(left) < f64::INFINITY { wish.min(left) } else { self.guess() });
         let mut switch = self.switch(h);
-        let mut beyond = R::epsilon() * h.abs().max(t.abs());
+        let mut beyond = 0.25 * R::epsilon() * h.abs();
         if let Some(switch) = switch {
             h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
         }
@@ -204,7 +197,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         let (increment, rate) = taylor::increment_and_rate(self.jet(), h);
         x.add_everywhere(&increment);
         if !x.is_finite() {
-            return Err(Reason::NonFinite);
+            return Err(Reason::Diverges);
         }
         clock.pass_step(R::from_f64(h), DoubleWord::new(zero()));
         let t = clock.now(zero());
@@ -217,7 +210,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         let rates = [&rate, &self.expansions[1 - self.present].jet.as_ref()[0]];
         if !rates[1].is_finite() {
             let what = self.system.outside_domain(t, &x.z, &x.s);
-            return Err(what.map_or(Reason::NonFinite, |what| Reason::OutsideDomain { what }));
+            return Err(what.map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
         if compared && !self.is_fixed() && !self.estimate.agree(h, rates, &self.jet()[0]) {
             return Err(Reason::Diverges);
@@ -271,6 +264,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         match reason {
             _ if !self.is_fixed() => StepError::StepTooSmall { t, h, reason },
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
+            // Nothing else is wrong with a step that is not compared.
             _ => StepError::NonFinite { t },
         }
     }
