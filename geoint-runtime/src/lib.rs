@@ -178,7 +178,9 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory};
+pub use running::{
+    Adaptive, Crossing, Dense, Direction, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory,
+};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
@@ -198,12 +200,12 @@ pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
         Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
-        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory, contact_hamiltonian, energy_function,
-        hamiltonian, lagrangian, vector_field,
+        CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler, FiveRotations,
+        FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe,
+        ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting,
+        PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory,
+        contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

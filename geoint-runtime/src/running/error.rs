@@ -77,6 +77,16 @@ pub enum StepError {
         /// The order as given.
         order: usize,
     },
+    /// A state was asked for at a time before the last step.
+    TimePassed {
+        /// The time as given.
+        t: f64,
+    },
+    /// A function whose changes of sign are events is not a number, or is zero all along.
+    NoEvent {
+        /// Time of the state at which that is so.
+        t: f64,
+    },
     /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
     TooManySteps {
         /// Time of the last good state.
@@ -196,6 +206,15 @@ impl fmt::Display for StepError {
             }
             StepError::InvalidOrder { order } => {
                 write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
+            }
+            StepError::TimePassed { t } => {
+                write!(f, "the time {t} is before the last step: states are known within it, and beyond")
+            }
+            StepError::NoEvent { t } => {
+                write!(
+                    f,
+                    "the function whose changes of sign are events is zero all along, or not a number, at t = {t}"
+                )
             }
             StepError::TooManySteps { t, steps } => {
                 write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")

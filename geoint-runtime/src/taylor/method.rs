@@ -1,6 +1,6 @@
 //! Which order, and which steps?
 
-use crate::scalar::Real;
+use crate::scalar::{Real, Series};
 use crate::sealed::Sealed;
 use crate::space::PerCoordinate;
 use crate::system::Jets;
@@ -81,11 +81,17 @@ pub enum Steps {
 pub trait TaylorMethod: Sealed + Copy + Debug {
     /// A value for each order, from 1 on or from 0 on.
     type Orders<X: Copy + Debug>: Copy + Debug + AsRef<[X]> + AsMut<[X]>;
+    /// A series of as many coefficients, as a scalar.
+    type Series<R: Real>: Real;
 
     /// How steps are chosen.
     fn steps(&self) -> Steps;
     /// The order for a system.
     fn order<S: Jets<R>, R: Real>(&self) -> usize;
+    /// A series from its coefficients, that of order 0 first.
+    fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Self::Series<R>;
+    /// The coefficients of a series.
+    fn coefficients<R: Real>(series: &Self::Series<R>) -> &[R];
     /// The same value for each order.
     fn fill<X: Copy + Debug>(x: X) -> Self::Orders<X>;
     /// The coefficients of [`Jets::jet`] up to `order`.
@@ -104,6 +110,7 @@ impl<const P: usize> Sealed for TaylorFixed<P> {}
 
 impl TaylorMethod for Taylor {
     type Orders<X: Copy + Debug> = [X; 20];
+    type Series<R: Real> = Series<R, 20>;
 
     fn steps(&self) -> Steps {
         Steps::Tolerance(self.tolerance)
@@ -114,6 +121,12 @@ impl TaylorMethod for Taylor {
             LARGE.. if self.tolerance >= 1e-12 => 16,
             _ => 20,
         }
+    }
+    fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Series<R, 20> {
+        Series(core::array::from_fn(coefficient))
+    }
+    fn coefficients<R: Real>(series: &Series<R, 20>) -> &[R] {
+        &series.0
     }
     fn fill<X: Copy + Debug>(x: X) -> [X; 20] {
         [x; 20]
@@ -153,6 +166,7 @@ macro_rules! of_one_order {
     ($($method:ident, $steps:expr;)*) => { $(
         impl<const P: usize> TaylorMethod for $method<P> {
             type Orders<X: Copy + Debug> = [X; P];
+            type Series<R: Real> = Series<R, P>;
 
             fn steps(&self) -> Steps {
                 let steps: fn(&Self) -> Steps = $steps;
@@ -160,6 +174,12 @@ macro_rules! of_one_order {
             }
             fn order<S: Jets<R>, R: Real>(&self) -> usize {
                 P
+            }
+            fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Series<R, P> {
+                Series(core::array::from_fn(coefficient))
+            }
+            fn coefficients<R: Real>(series: &Series<R, P>) -> &[R] {
+                &series.0
             }
             fn fill<X: Copy + Debug>(x: X) -> [X; P] {
                 [x; P]

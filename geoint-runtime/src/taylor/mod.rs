@@ -9,4 +9,4 @@ mod roots;
 pub(crate) use estimate::Estimate;
 pub use method::{Steps, Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
 pub(crate) use polynomial::{increment, increment_and_rate};
-pub(crate) use roots::{MOST, roots};
+pub(crate) use roots::{MOST, Roots, roots};

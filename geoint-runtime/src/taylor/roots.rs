@@ -255,6 +255,11 @@ mod tests {
         assert_eq!(roots(&[1.0, -0.999]).as_slice(), []);
         assert_eq!(roots(&[0.0, 0.0, 0.0]).sign, 0.0);
         assert_eq!(roots(&[f64::NAN, 1.0]).as_slice(), []);
+        let mut fall = [0.0; 20];
+        (fall[1], fall[2]) = (357.0, -48612.0);
+        let found = roots(&fall);
+        assert_eq!((found.as_slice().len(), found.sign), (1, 1.0));
+        assert!((found.as_slice()[0] - 357.0 / 48612.0).abs() < 1e-17);
         // A double root is no change of sign.
         assert_eq!(roots(&[0.25, -1.0, 1.0]).as_slice(), []);
     }

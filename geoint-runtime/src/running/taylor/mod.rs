@@ -3,13 +3,14 @@
 //! Nothing is kept exactly, and everything to the tolerance. The coefficients at the end of a step are computed with the step: they are
 //! those of the next one, and their first order tells whether the polynomial led to a solution.
 
-mod steps;
+pub(in crate::running) mod steps;
 
+use crate::running::dense::{Crossing, Direction, TaylorCrossings};
 use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::Trajectory;
 use crate::scalar::{Real, signed};
-use crate::space::{Point, Snapshot};
+use crate::space::{Array, Point, Snapshot};
 use crate::system::{Jets, StateOf};
 use crate::taylor::TaylorMethod;
 use core::fmt::{self, Debug, Formatter};
@@ -41,7 +42,7 @@ use steps::Steps;
 /// ```
 #[derive(Clone, Copy)]
 pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod, R: Real = f64> {
-    steps: Steps<S, M, R>,
+    pub(in crate::running) steps: Steps<S, M, R>,
     /// Steps on the way to a time.
     most_steps: u64,
 }
@@ -120,7 +121,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
         }
         self.steps.backwards = left < 0.0;
         self.steps.take(left.abs())?;
-        if self.steps.clock.left(t).abs() <= R::epsilon() * signed(t).abs() {
+        if left.is_finite() && self.steps.clock.left(t).abs() <= R::epsilon() * signed(t).abs() {
             self.steps.clock.name(t);
         }
         Ok(true)
@@ -129,6 +130,64 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
     /// The state at a time within the last step, by its polynomial; `None` before and after, or if no step was taken.
     pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
         self.steps.at(t)
+    }
+
+    /// Goes on from this state.
+    pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
+        let (t, z, s) = state.parts();
+        self.steps.restart(t, Point::with_action(z, s));
+    }
+
+    /// Where `g` changes sign: a number, or an array of them, all in order of time, also twice within one step. Without end, unless
+    /// [`TaylorCrossings::until`] gives one. Forwards, or in the direction of the last step.
+    ///
+    /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which stand for the coordinates along a step: written as
+    /// it is for numbers. Its zeros are those of a polynomial, all of them.
+    ///
+    /// ```
+    /// use geoint_runtime::prelude::*;
+    ///
+    /// #[hamiltonian]
+    /// fn oscillator(q: f64, p: f64) -> f64 {
+    ///     p * p / 2.0 + q * q / 2.0
+    /// }
+    ///
+    /// let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.0, 1.0));
+    /// for (n, crossing) in sim.crossings(Direction::Any, |state| state.q * state.p).take(8).enumerate() {
+    ///     let t = crossing?.state.t;
+    ///     assert!((t - std::f64::consts::FRAC_PI_2 * (n + 1) as f64).abs() < 1e-14);
+    /// }
+    /// # Ok::<(), StepError>(())
+    /// ```
+    pub fn crossings<G, F>(&mut self, direction: Direction, g: F) -> TaylorCrossings<'_, S, M, R, F, G>
+    where
+        G: Array<Real = M::Series<R>>,
+        F: Fn(&S::Over<M::Series<R>>) -> G,
+    {
+        TaylorCrossings::new(self, direction, g)
+    }
+
+    /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
+    ///
+    /// `None` if that does not happen: the run is then at `t`.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn until_event<G, F>(
+        &mut self,
+        t: R,
+        direction: Direction,
+        g: F,
+    ) -> Result<Option<Crossing<StateOf<S, R>>>, StepError>
+    where
+        G: Array<Real = M::Series<R>>,
+        F: Fn(&S::Over<M::Series<R>>) -> G,
+    {
+        let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose()?;
+        if let Some(found) = found {
+            self.restart(found.state);
+        }
+        Ok(found)
     }
 
     /// Time now.

@@ -17,25 +17,25 @@ type Carried<S, R> = Point<
 
 /// The coefficients at a point.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
-    pub(super) x: PerCoordinate<S::Phase, S::Action>,
+pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
+    pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
     /// From order 1 on.
-    pub(super) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
+    pub(in crate::running) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
     /// From order 0 on.
-    pub(super) switches: M::Orders<S::Switches>,
+    pub(in crate::running) switches: M::Orders<S::Switches>,
 }
 
 /// A system, and all that decides on the next step.
 #[derive(Clone, Copy)]
-pub(super) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
-    pub(super) system: S,
-    pub(super) method: M,
-    pub(super) order: usize,
-    pub(super) bounds: Bounds,
-    pub(super) backwards: bool,
-    pub(super) clock: Clock<R>,
-    pub(super) x: Carried<S, R>,
-    pub(super) taken: u64,
+pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
+    pub(in crate::running) system: S,
+    pub(in crate::running) method: M,
+    pub(in crate::running) order: usize,
+    pub(in crate::running) bounds: Bounds,
+    pub(in crate::running) backwards: bool,
+    pub(in crate::running) clock: Clock<R>,
+    pub(in crate::running) x: Carried<S, R>,
+    pub(in crate::running) taken: u64,
     estimate: Estimate<S::Phase, S::Action>,
     /// At the start of the last step, and at the present: which of them that is changes with every step.
     expansions: [Expansion<S, M, R>; 2],
@@ -44,6 +44,8 @@ pub(super) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
     known: bool,
     /// When the last step started, and its length.
     last: (Clock<R>, f64),
+    /// Whether the present is the end of the last step.
+    within: bool,
     /// Steps in a row that a switch has ended where they began.
     stuck: u32,
 }
@@ -63,7 +65,7 @@ struct Switch {
 const STUCK: u32 = 16;
 
 impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
-    pub(super) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
+    pub(in crate::running) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
         let here = PerCoordinate::of(&x);
         let expansion =
             Expansion { x: here, jet: M::fill(PerCoordinate::zero()), switches: M::fill(S::Switches::zero()) };
@@ -88,15 +90,25 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             present: 0,
             known: false,
             last: (clock, 0.0),
+            within: false,
             stuck: 0,
         }
     }
 
-    pub(super) fn time(&self) -> R {
+    /// Goes on from another point.
+    pub(in crate::running) fn restart(&mut self, t: R, x: Carried<S, R>) {
+        let clock = Clock::new(t, zero());
+        (self.clock, self.x, self.known, self.last) = (clock, x, false, (clock, self.last.1));
+        self.estimate.include(&PerCoordinate::of(&x));
+        // There is no last step to look into.
+        self.within = false;
+    }
+
+    pub(in crate::running) fn time(&self) -> R {
         self.clock.now(zero())
     }
 
-    pub(super) fn last_step(&self) -> f64 {
+    pub(in crate::running) fn last_step(&self) -> f64 {
         self.last.1
     }
 
@@ -132,7 +144,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     }
 
     /// A step that is not longer than `left`.
-    pub(super) fn take(&mut self, left: f64) -> Result<(), StepError> {
+    pub(in crate::running) fn take(&mut self, left: f64) -> Result<(), StepError> {
         if !self.known {
             let (t, x) = (self.time(), PerCoordinate::of(&self.x));
             self.expand(self.present, t, x);
@@ -176,7 +188,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         (self.x, self.clock) = arrival;
         self.present = 1 - self.present;
         self.estimate.include(&PerCoordinate::of(&self.x));
-        self.taken += 1;
+        (self.taken, self.within) = (self.taken + 1, true);
         Ok(())
     }
 
@@ -269,7 +281,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         }
     }
 
-    pub(super) fn check_start(&self) -> Result<(), StepError> {
+    pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
         if self.taken > 0 {
             return Ok(());
         }
@@ -297,18 +309,26 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     }
 
     /// The state at a time within the last step.
-    pub(super) fn at(&self, t: R) -> Option<StateOf<S, R>> {
+    pub(in crate::running) fn at(&self, t: R) -> Option<StateOf<S, R>> {
         let (start, h) = &self.last;
         let (after, before) = (start.left(t), self.clock.left(t));
-        if t == self.time() && self.taken > 0 {
+        if !self.within {
+            return None;
+        }
+        if t == self.time() {
             return Some(S::State::of(t, self.x.z, self.x.s));
         }
         // Between the ends, in the direction of the step.
         (after * h >= 0.0 && before * h <= 0.0 && *h != 0.0).then(|| self.inside(after, t))
     }
 
+    /// The expansion of the last step, its start and its length.
+    pub(in crate::running) fn last_expansion(&self) -> (&Expansion<S, M, R>, R, f64) {
+        (&self.expansions[1 - self.present], self.last.0.now(zero()), self.last.1)
+    }
+
     /// The state so long after the start of the last step, which is at the time `t`.
-    pub(super) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
+    pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
         let expansion = &self.expansions[1 - self.present];
         let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after);
         x.add_scaled(R::from_f64(1.0), &expansion.x);
