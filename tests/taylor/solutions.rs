@@ -95,16 +95,18 @@ fn kepler_by_its_equation() {
     }
 }
 
+/// By rounding alone the energy walks √n steps; what is truncated would make it drift: ten times as much for a tolerance that is not 64 times
+/// below the accuracy of the scalar.
 #[test]
-fn ten_thousand_periods_of_kepler() {
+fn a_thousand_periods_of_kepler() {
     let mut sim = Kepler.taylor(Taylor::default(), State::new([1.0 - 0.6, 0.0], [0.0, 2.0]));
     let energy = sim.energy();
     let mut worst = 0.0_f64;
-    while sim.time() < 1e4 * 2.0 * std::f64::consts::PI {
-        sim.advance(100).unwrap();
+    while sim.time() < 1e3 * 2.0 * std::f64::consts::PI {
+        sim.advance(50).unwrap();
         worst = worst.max((sim.energy() / energy - 1.0).abs());
     }
-    assert!(worst <= 5e-14, "{worst:.1e}");
+    assert!(worst <= 3e-14, "{worst:.1e}");
 }
 
 #[test]
@@ -138,9 +140,10 @@ fn figure_eight() -> State<[[f64; 2]; 3]> {
     State::new([[x, y], [-x, -y], [0.0, 0.0]], [[u / 2.0, v / 2.0], [u / 2.0, v / 2.0], [-u, -v]])
 }
 
+/// What rounding leaves after 100 periods forth and back: 0.4 to 5·10⁻¹², by order and processor.
 #[test]
 fn a_figure_eight_forth_and_back() {
-    let mut sim = ThreeBodies.taylor(TaylorOrder::<14>::default(), figure_eight());
+    let mut sim = ThreeBodies.taylor(Taylor::default(), figure_eight());
     sim.advance_to(632.6).unwrap();
     let there = sim.steps();
     sim.advance_to(0.0).unwrap();
@@ -149,7 +152,7 @@ fn a_figure_eight_forth_and_back() {
     let (end, start) = (sim.state(), figure_eight());
     for (end, start) in [(end.q, start.q), (end.p, start.p)] {
         for (end, start) in end.as_flattened().iter().zip(start.as_flattened()) {
-            assert!((end - start).abs() < 1e-12, "{end} {start}");
+            assert!((end - start).abs() < 8e-12, "{end} {start}");
         }
     }
 }

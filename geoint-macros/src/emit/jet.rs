@@ -7,7 +7,7 @@
 use super::kernel::{Context, element};
 use super::system::{self_type, state};
 use crate::derive::JetKernel;
-use crate::diff::jet::{Factor, Jet, Rate, Rule, Source, Value};
+use crate::diff::jet::{Factor, Jet, LANES, Lanes, Operand, Rate, Rule, Source, Value, Weight, sums};
 use crate::ir::{Number, Symbol};
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -34,7 +34,7 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
     let given = if energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
     let switches = Literal::usize_unsuffixed(jet.switches.len());
     let convolutions = Literal::usize_unsuffixed(jet.convolutions());
-    let mut writer = Writer { context, jet, numbers: vec![] };
+    let mut writer = Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![] };
     let order = writer.order();
     let body = context.planned(&start.last[0], (&[], ""), |values| writer.start(&values));
     quote! {
@@ -69,18 +69,35 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
     }
 }
 
-/// How many orders are unrolled.
-fn unrolled(jet: &Jet) -> usize {
-    let code = |orders: usize| 6 * jet.convolutions() * orders * orders + 16 * jet.series.len() * orders;
-    let most = (1..MOST_ORDERS).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
-    if most < FEWEST { 0 } else { most }
-}
-
 struct Writer<'a> {
     context: &'a Context<'a>,
     jet: &'a Jet,
+    /// Sums side by side; one by one if there are few.
+    lanes: Option<Lanes>,
     /// What orders read of the start, by the values there.
     numbers: Vec<Prepared>,
+}
+
+/// An array of coefficients, an entry an order.
+struct Stored {
+    name: Ident,
+    /// Whether entries are coefficients side by side.
+    of_lanes: bool,
+    /// The entry of order 0, if it is not zero.
+    first: Option<TokenStream>,
+}
+
+impl Stored {
+    /// The type of an entry.
+    fn entry(&self) -> TokenStream {
+        let lanes = Literal::usize_unsuffixed(LANES);
+        if self.of_lanes { quote!([R; #lanes]) } else { quote!(R) }
+    }
+
+    fn zeros(&self) -> TokenStream {
+        let lanes = Literal::usize_unsuffixed(LANES);
+        if self.of_lanes { quote!([[R::from_f64(0.0); #lanes]; P]) } else { quote!([R::from_f64(0.0); P]) }
+    }
 }
 
 /// A number that is computed once a step.
@@ -107,6 +124,16 @@ fn weighted(source: Source) -> Ident {
     format_ident!("ju{source}")
 }
 
+/// The array of one operand.
+fn array_of(operand: Operand) -> Ident {
+    if operand.weighted { weighted(operand.source) } else { kept(operand.source) }
+}
+
+/// The array of operands side by side.
+fn side_by_side(array: usize) -> Ident {
+    format_ident!("lanes{array}")
+}
+
 fn coefficient(source: Source) -> Ident {
     format_ident!("c{source}")
 }
@@ -124,6 +151,14 @@ fn constant(number: Number) -> TokenStream {
 }
 
 impl Writer<'_> {
+    /// How many orders are unrolled.
+    fn unrolled(&self) -> usize {
+        let sums = self.lanes.as_ref().map_or(self.jet.convolutions(), |lanes| lanes.groups.len());
+        let code = |orders: usize| 6 * sums * orders * orders + 16 * self.jet.series.len() * orders;
+        let most = (1..MOST_ORDERS).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
+        if most < FEWEST { 0 } else { most }
+    }
+
     /// A number of the start, as orders read it.
     fn number(&mut self, number: Prepared) -> TokenStream {
         let place = self.numbers.iter().position(|other| *other == number).unwrap_or_else(|| {
@@ -138,30 +173,68 @@ impl Writer<'_> {
         self.jet.series[source].value
     }
 
-    /// The arrays, in order.
-    fn arrays(&self) -> Vec<Ident> {
-        let of = |(source, series): (Source, &crate::diff::jet::Series)| {
-            let (kept, weighted) = (series.kept.then(|| kept(source)), series.weighted.then(|| weighted(source)));
-            kept.into_iter().chain(weighted)
-        };
-        self.jet.series.iter().enumerate().flat_map(of).collect()
+    /// Whether the coefficients of a series have an array of their own.
+    fn has_array(&self, source: Source) -> bool {
+        let series = &self.jet.series[source];
+        let in_sums = self.lanes.is_none() && series.kept;
+        in_sums || series.before || matches!(series.rule, Rule::State(_))
+    }
+
+    fn has_weighted_array(&self, source: Source) -> bool {
+        self.lanes.is_none() && self.jet.series[source].weighted
+    }
+
+    /// The arrays, in order, as the body of an order and its calls name them.
+    fn arrays(&self, values: &[TokenStream]) -> Vec<Stored> {
+        let value = |source: Source| values.get(self.value(source)).cloned();
+        let mut arrays = vec![];
+        for source in 0..self.jet.series.len() {
+            if self.has_array(source) {
+                arrays.push(Stored { name: kept(source), of_lanes: false, first: value(source) });
+            }
+            if self.has_weighted_array(source) {
+                arrays.push(Stored { name: weighted(source), of_lanes: false, first: None });
+            }
+        }
+        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
+            let first = operands.map(|Operand { source, weighted }| {
+                value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)))
+            });
+            arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*])) });
+        }
+        arrays
     }
 
     /// The body of an order.
     fn order(&mut self) -> TokenStream {
         let mut body = TokenStream::new();
+        let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
+        for (i, group) in groups.iter().enumerate() {
+            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            body.extend(quote!(#name = #sum;));
+        }
         for source in &self.jet.order {
             let (name, value) = (coefficient(*source), self.coefficient(*source));
-            let series = &self.jet.series[*source];
-            let kept = (series.kept && !matches!(series.rule, Rule::State(_))).then(|| {
+            let state = matches!(self.jet.series[*source].rule, Rule::State(_));
+            let kept = (self.has_array(*source) && !state).then(|| {
                 let array = kept(*source);
                 quote!(#array[n] = #name;)
             });
-            let weighted = series.weighted.then(|| {
+            let weighted = self.has_weighted_array(*source).then(|| {
                 let array = weighted(*source);
                 quote!(#array[n] = whole * #name;)
             });
             body.extend(quote!(#name = #value; #kept #weighted));
+        }
+        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
+            let (name, entries) = (
+                side_by_side(i),
+                operands.map(|Operand { source, weighted }| {
+                    let c = coefficient(source);
+                    if weighted { quote!(whole * #c) } else { quote!(#c) }
+                }),
+            );
+            body.extend(quote!(#name[n] = [#(#entries),*];));
         }
         for rate in &self.jet.rates {
             body.extend(self.next(*rate));
@@ -170,8 +243,11 @@ impl Writer<'_> {
             let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
             body.extend(quote!(switches[n][#i] = #value;));
         }
-        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays());
-        let coefficients = self.jet.order.iter().map(|source| coefficient(*source));
+        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
+        let types = arrays.iter().map(Stored::entry);
+        let arrays = arrays.iter().map(|array| &array.name);
+        let names = self.jet.order.iter().map(|source| coefficient(*source));
+        let names = names.chain((0..groups.len()).map(|i| format_ident!("sums{i}")));
         let [numbers, masks, switches] =
             [self.numbers.len(), self.jet.conditions.len(), self.jet.switches.len()].map(Literal::usize_unsuffixed);
         quote! {
@@ -180,12 +256,12 @@ impl Writer<'_> {
                 n: usize,
                 k: &[R; #numbers],
                 masks: &[R::Mask; #masks],
-                #(#arrays: &mut [R; P],)*
+                #(#arrays: &mut [#types; P],)*
                 jet: &mut [PerCoordinate<#phase, #action>; P],
                 switches: &mut [[R; #switches]; P],
             ) {
                 let (whole, next) = (R::from_f64(n as f64), R::from_f64(1.0 / (n + 1) as f64));
-                let (#(#coefficients,)*);
+                let (#(#names,)*);
                 #body
             }
         }
@@ -249,58 +325,58 @@ impl Writer<'_> {
             }
             Rule::Linear(terms) => self.linear(&terms),
             Rule::Product(a, b) => {
-                let ([a, b], [ca, cb]) = ([a, b].map(kept), [a, b].map(coefficient));
-                quote!(recurrence::product([#a, #b], [#ca, #cb], n))
+                let (starts, c) = ([a, b].map(|of| self.start_of(of)), [a, b].map(coefficient));
+                let sum = self.sum(own, 0);
+                quote!(recurrence::product([#(#starts),*], [#(#c),*], #sum))
             }
             Rule::Shift { start, slope, of } => {
                 let [start, slope] = [start, slope].map(|value| self.number(Prepared::Value(value)));
-                let (array, c) = (kept(of), coefficient(of));
-                quote!(#start.multiply_add(#c, #slope * #array[n - 1]))
+                let (before, c) = (self.before(of), coefficient(of));
+                quote!(#start.multiply_add(#c, #slope * #before))
             }
             Rule::Square(a) => {
-                let (a, c) = (kept(a), coefficient(a));
-                quote!(recurrence::square(#a, #c, n))
+                let (start, c, sum) = (self.start_of(a), coefficient(a), self.sum(own, 0));
+                quote!(recurrence::square(#start, #c, #sum))
             }
             Rule::Quotient(a, w) => {
                 let over = self.number(Prepared::Reciprocal(self.value(w)));
-                let (w, y, [ca, cw]) = (kept(w), kept(own), [a, w].map(coefficient));
-                quote!(recurrence::quotient([#w, #y], [#ca, #cw], #over, n))
+                let (starts, c) = ([w, own].map(|of| self.start_of(of)), [a, w].map(coefficient));
+                let sum = self.sum(own, 0);
+                quote!(recurrence::quotient([#(#starts,)* #over], [#(#c),*], #sum))
             }
             Rule::Reciprocal(w) => {
-                let (c, w, y) = (coefficient(w), kept(w), kept(own));
-                quote!(recurrence::reciprocal([#w, #y], #c, n))
+                let (starts, c, sum) = ([w, own].map(|of| self.start_of(of)), coefficient(w), self.sum(own, 0));
+                quote!(recurrence::reciprocal([#(#starts),*], #c, #sum))
             }
             Rule::Root(u) => {
                 let over = self.number(Prepared::HalfReciprocal(self.value(own)));
-                let (c, y) = (coefficient(u), kept(own));
-                quote!(recurrence::root(#y, #c, #over, n))
+                let (start, c, sum) = (self.start_of(own), coefficient(u), self.sum(own, 0));
+                quote!(recurrence::root([#start, #over], #c, #sum))
             }
             Rule::Power(u, exponent) => {
-                let next = self.number(Prepared::Next(exponent));
-                let last = self.number(Prepared::Ratio(exponent, self.value(own), self.value(u)));
-                let (c, u, y) = (coefficient(u), kept(u), kept(own));
-                quote!(recurrence::power([#u, #y], #c, [#next, #last], n))
+                let ratio = self.number(Prepared::Ratio(exponent, self.value(own), self.value(u)));
+                let (start, c, sum) = (self.start_of(u), coefficient(u), self.sum(own, 0));
+                quote!(recurrence::power([#start, #ratio], #c, #sum, n))
             }
             Rule::Integral { factor, by, of } => {
-                let (ju, d, c) = (weighted(of), kept(by), coefficient(of));
-                let sum = quote!(recurrence::integral([#ju, #d], #c, n));
-                scaled(factor, sum)
+                let (start, c, sum) = (self.start_of(by), coefficient(of), self.sum(own, 0));
+                scaled(factor, quote!(recurrence::integral(#start, #c, #sum, n)))
             }
             Rule::Wave { factor, slope, by } => {
-                let (slope, d) = (self.number(Prepared::Scaled(factor, slope)), kept(by));
-                quote!(#slope * #d[n - 1] * R::from_f64(1.0 / n as f64))
+                let (slope, before) = (self.number(Prepared::Scaled(factor, slope)), self.before(by));
+                quote!(#slope * #before * R::from_f64(1.0 / n as f64))
             }
             Rule::Quadrature { factor, of, over } => {
                 let inverse = self.number(Prepared::Reciprocal(self.value(over)));
-                let (jy, d, c) = (weighted(own), kept(over), coefficient(of));
+                let (start, c, sum) = (self.start_of(over), coefficient(of), self.sum(own, 0));
                 let c = scaled(factor, quote!(#c));
-                quote!(recurrence::quadrature([#jy, #d], #c, #inverse, n))
+                quote!(recurrence::quadrature([#start, #inverse], #c, #sum, n))
             }
             Rule::Angle { y, x, square } => {
                 let inverse = self.number(Prepared::Reciprocal(self.value(square)));
-                let (ja, [jy, jx]) = (weighted(own), [y, x].map(weighted));
-                let ([uy, ux], square, [cy, cx]) = ([y, x].map(kept), kept(square), [y, x].map(coefficient));
-                quote!(recurrence::angle([#jy, #jx, #ja], [#uy, #ux, #square], [#cy, #cx], #inverse, n))
+                let (starts, c) = ([y, x, square].map(|of| self.start_of(of)), [y, x].map(coefficient));
+                let sums = [0, 1, 2].map(|i| self.sum(own, i));
+                quote!(recurrence::angle([#(#starts,)* #inverse], [#(#c),*], [#(#sums),*], n))
             }
             Rule::Select(condition, first, second) => {
                 let place = self.jet.conditions.iter().position(|other| *other == condition).unwrap_or(0);
@@ -310,6 +386,40 @@ impl Writer<'_> {
                     let [chosen] = R::choose(masks[#place], || [#first], || [#second]);
                     chosen
                 })
+            }
+        }
+    }
+
+    /// The coefficient of order 0.
+    fn start_of(&mut self, source: Source) -> TokenStream {
+        self.number(Prepared::Value(self.value(source)))
+    }
+
+    /// The coefficient of order n − 1.
+    fn before(&self, source: Source) -> TokenStream {
+        let array = kept(source);
+        quote!(#array[n - 1])
+    }
+
+    /// A sum in the coefficient of order n of a series.
+    fn sum(&mut self, own: Source, i: usize) -> TokenStream {
+        let sum = sums(&self.jet.series[own].rule, own)[i];
+        if let Some((group, lane)) = self.lanes.as_ref().and_then(|lanes| lanes.place(sum)) {
+            let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
+            return quote!(#group[#lane]);
+        }
+        let arrays = sum.operands.map(array_of);
+        self.sum_of(sum.weight, arrays)
+    }
+
+    /// One sum, or many side by side.
+    fn sum_of(&mut self, weight: Weight, [u, w]: [Ident; 2]) -> TokenStream {
+        match weight {
+            Weight::One => quote!(recurrence::sum(#u, #w, n)),
+            Weight::Square => quote!(recurrence::sum_of_square(#u, n)),
+            Weight::Power(exponent) => {
+                let next = self.number(Prepared::Next(exponent));
+                quote!(recurrence::sum_of_power(#u, #w, #next, n))
             }
         }
     }
@@ -345,9 +455,9 @@ impl Writer<'_> {
         let numbers = self.numbers.iter().map(|number| prepared(*number, values));
         let masks = self.jet.conditions.iter().map(|value| &values[*value]);
         let mut first = TokenStream::new();
-        for (source, series) in self.jet.series.iter().enumerate().filter(|(_, series)| series.kept) {
-            let (array, value) = (kept(source), &values[series.value]);
-            first.extend(quote!(#array[0] = #value;));
+        let arrays = self.arrays(values);
+        for Stored { name, first: start, .. } in &arrays {
+            first.extend(start.as_ref().map(|start| quote!(#name[0] = #start;)));
         }
         for rate in &self.jet.rates {
             let (place, value) = (self.place(rate.symbol), &values[rate.value]);
@@ -360,8 +470,9 @@ impl Writer<'_> {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
-        let (arrays, unrolled) = (self.arrays(), unrolled(self.jet));
-        let zeros = arrays.iter().map(|_| quote!([R::from_f64(0.0); P]));
+        let unrolled = self.unrolled();
+        let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
+        let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
         let literal = (1..=unrolled).map(Literal::usize_unsuffixed);
         let rest = Literal::usize_unsuffixed(unrolled + 1);
         let [numbers_len, masks_len] = [self.numbers.len(), self.jet.conditions.len()].map(Literal::usize_unsuffixed);

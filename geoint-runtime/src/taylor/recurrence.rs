@@ -11,38 +11,86 @@
 //! SIAM Rev. 52 (2010) 545.
 
 use crate::scalar::{Real, zero};
+use crate::space::Array;
 
-/// 1/n.
+/// a·b + c, entry by entry.
 #[inline(always)]
-fn over<R: Real>(n: usize) -> R {
-    R::from_f64(1.0 / n as f64)
+fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
+    for (c, (a, b)) in c.as_mut_slice().iter_mut().zip(a.as_slice().iter().zip(b.as_slice())) {
+        *c = a.multiply_add(*b, *c);
+    }
+    c
 }
 
-/// Σ uⱼwₙ₋ⱼ over 0 < j < n.
+/// x·y, entry by entry.
 #[inline(always)]
-fn inner<R: Real, const P: usize>(u: &[R; P], w: &[R; P], n: usize) -> R {
+fn times<A: Array>(mut x: A, y: A) -> A {
+    for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *x *= *y;
+    }
+    x
+}
+
+/// x + y.
+#[inline(always)]
+fn plus<A: Array>(mut x: A, y: A) -> A {
+    for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *x += *y;
+    }
+    x
+}
+
+/// c·x.
+#[inline(always)]
+fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
+    for x in x.as_mut_slice() {
+        *x *= c;
+    }
+    x
+}
+
+/// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
+#[inline(always)]
+pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
     let (u, w) = (&u[..n], &w[..n]);
-    let (mut first, mut second) = (zero::<R>(), zero::<R>());
+    let (mut first, mut second) = (A::zero(), A::zero());
     if n.is_multiple_of(2) {
-        first = u[n / 2] * w[n / 2];
+        first = times(u[n / 2], w[n / 2]);
     }
     for j in (1..n.div_ceil(2)).rev() {
-        first = u[j].multiply_add(w[n - j], first);
-        second = u[n - j].multiply_add(w[j], second);
+        first = fused(u[j], w[n - j], first);
+        second = fused(u[n - j], w[j], second);
     }
-    first + second
+    plus(first, second)
 }
 
 /// Σ uⱼuₙ₋ⱼ over 0 < j < n.
 #[inline(always)]
-fn inner_square<R: Real, const P: usize>(u: &[R; P], n: usize) -> R {
+pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
     let u = &u[..n];
-    let mut half = zero::<R>();
+    let mut half = A::zero();
     for j in (1..n.div_ceil(2)).rev() {
-        half = u[j].multiply_add(u[n - j], half);
+        half = fused(u[j], u[n - j], half);
     }
-    let double = half + half;
-    if n.is_multiple_of(2) { u[n / 2].multiply_add(u[n / 2], double) } else { double }
+    let double = plus(half, half);
+    if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
+}
+
+/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
+#[inline(always)]
+pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
+    let (u, y) = (&u[..n], &y[..n]);
+    let whole = A::Real::from_f64(n as f64);
+    let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n.is_multiple_of(2) {
+        first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
+    }
+    for j in (1..n.div_ceil(2)).rev() {
+        first = fused(scaled(factor(j), u[j]), y[n - j], first);
+        second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
+    }
+    plus(first, second)
 }
 
 /// Of a function a + b·t.
@@ -51,77 +99,58 @@ pub fn affine<R: Real>(slope: R, n: usize) -> R {
     if n == 1 { slope } else { zero() }
 }
 
-/// u·w.
+/// u·w, from u₀, w₀, uₙ, wₙ and the sum.
 #[inline(always)]
-pub fn product<R: Real, const P: usize>([u, w]: [&[R; P]; 2], [un, wn]: [R; 2], n: usize) -> R {
-    u[0].multiply_add(wn, un.multiply_add(w[0], inner(u, w, n)))
+pub fn product<R: Real>([u, w]: [R; 2], [un, wn]: [R; 2], sum: R) -> R {
+    u.multiply_add(wn, un.multiply_add(w, sum))
 }
 
-/// u².
+/// u², from u₀, uₙ and the sum.
 #[inline(always)]
-pub fn square<R: Real, const P: usize>(u: &[R; P], un: R, n: usize) -> R {
-    (u[0] + u[0]).multiply_add(un, inner_square(u, n))
+pub fn square<R: Real>(u: R, un: R, sum: R) -> R {
+    (u + u).multiply_add(un, sum)
 }
 
-/// y with y·w = u, from 1/w₀.
+/// y with y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
 #[inline(always)]
-pub fn quotient<R: Real, const P: usize>([w, y]: [&[R; P]; 2], [un, wn]: [R; 2], over: R, n: usize) -> R {
-    let rest = inner(w, y, n) / w[0];
-    un.multiply_add(over, (-(y[0] * over)).multiply_add(wn, -rest))
+pub fn quotient<R: Real>([w, y, over]: [R; 3], [un, wn]: [R; 2], sum: R) -> R {
+    un.multiply_add(over, (-(y * over)).multiply_add(wn, -(sum / w)))
 }
 
-/// y with y·w = 1.
+/// y with y·w = 1, from w₀, y₀, wₙ and the sum.
 #[inline(always)]
-pub fn reciprocal<R: Real, const P: usize>([w, y]: [&[R; P]; 2], wn: R, n: usize) -> R {
-    let rest = inner(w, y, n) / w[0];
-    (-(y[0] * y[0])).multiply_add(wn, -rest)
+pub fn reciprocal<R: Real>([w, y]: [R; 2], wn: R, sum: R) -> R {
+    (-(y * y)).multiply_add(wn, -(sum / w))
 }
 
-/// y with y² = u, from 1/(2y₀).
+/// y with y² = u, from y₀, 1/(2y₀), uₙ and the sum.
 #[inline(always)]
-pub fn root<R: Real, const P: usize>(y: &[R; P], un: R, over: R, n: usize) -> R {
-    un.multiply_add(over, -(inner_square(y, n) / (y[0] + y[0])))
+pub fn root<R: Real>([y, over]: [R; 2], un: R, sum: R) -> R {
+    un.multiply_add(over, -(sum / (y + y)))
 }
 
-/// y with y'·u = α·y·u', from α + 1 and α·y₀/u₀.
+/// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
 #[inline(always)]
-pub fn power<R: Real, const P: usize>([u, y]: [&[R; P]; 2], un: R, [next, ratio]: [R; 2], n: usize) -> R {
-    let (u, y) = (&u[..n], &y[..n]);
-    let whole = R::from_f64(n as f64);
-    let factor = |j: usize| R::from_f64(j as f64).multiply_add(next, -whole);
-    let (mut first, mut second) = (zero::<R>(), zero::<R>());
-    if n.is_multiple_of(2) {
-        first = factor(n / 2) * u[n / 2] * y[n / 2];
-    }
-    for j in (1..n.div_ceil(2)).rev() {
-        first = (factor(j) * u[j]).multiply_add(y[n - j], first);
-        second = (factor(n - j) * u[n - j]).multiply_add(y[j], second);
-    }
-    un.multiply_add(ratio, (first + second) / (whole * u[0]))
+pub fn power<R: Real>([u, ratio]: [R; 2], un: R, sum: R, n: usize) -> R {
+    un.multiply_add(ratio, sum / (R::from_f64(n as f64) * u))
 }
 
-/// y with y' = d·u', from j·uⱼ.
+/// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
 #[inline(always)]
-pub fn integral<R: Real, const P: usize>([ju, d]: [&[R; P]; 2], un: R, n: usize) -> R {
-    un.multiply_add(d[0], inner(ju, d, n) * over(n))
+pub fn integral<R: Real>(d: R, un: R, sum: R, n: usize) -> R {
+    un.multiply_add(d, sum * R::from_f64(1.0 / n as f64))
 }
 
-/// y with y'·d = u', from j·yⱼ and 1/d₀.
+/// y with y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
 #[inline(always)]
-pub fn quadrature<R: Real, const P: usize>([jy, d]: [&[R; P]; 2], un: R, inverse: R, n: usize) -> R {
-    un.multiply_add(inverse, -(inner(jy, d, n) / (R::from_f64(n as f64) * d[0])))
+pub fn quadrature<R: Real>([d, over]: [R; 2], un: R, sum: R, n: usize) -> R {
+    un.multiply_add(over, -(sum / (R::from_f64(n as f64) * d)))
 }
 
-/// The angle a of the point (x, y), with (x² + y²)a' = x·y' − y·x', from j·yⱼ, j·xⱼ, j·aⱼ and 1/(x₀² + y₀²).
+/// The angle a of the point (x, y), with r²a' = x·y' − y·x', from y₀, x₀, r₀², 1/r₀², yₙ, xₙ and the sums of j·yⱼ with x, of j·xⱼ with y and of
+/// j·aⱼ with r².
 #[inline(always)]
-pub fn angle<R: Real, const P: usize>(
-    [jy, jx, ja]: [&[R; P]; 3],
-    [y, x, square]: [&[R; P]; 3],
-    [yn, xn]: [R; 2],
-    inverse: R,
-    n: usize,
-) -> R {
-    let rest = inner(jy, x, n) - inner(jx, y, n) - inner(ja, square, n);
-    let last = yn.multiply_add(x[0], -(xn * y[0]));
-    last.multiply_add(inverse, rest / (R::from_f64(n as f64) * square[0]))
+pub fn angle<R: Real>([y, x, square, over]: [R; 4], [yn, xn]: [R; 2], [first, second, third]: [R; 3], n: usize) -> R {
+    let last = yn.multiply_add(x, -(xn * y));
+    last.multiply_add(over, (first - second - third) / (R::from_f64(n as f64) * square))
 }

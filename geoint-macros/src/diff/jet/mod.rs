@@ -6,7 +6,10 @@
 //!
 //! Coefficients are normalised: u⁽ⁿ⁾/n!.
 
+mod lanes;
 mod rules;
+
+pub(crate) use lanes::{LANES, Lanes, Operand, Weight, sums};
 
 use crate::analyze::Reads;
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};
@@ -19,7 +22,7 @@ pub(crate) type Value = usize;
 pub(crate) type Source = usize;
 
 /// What a coefficient is multiplied by.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Factor {
     Number(Number),
     Value(Value),
@@ -89,6 +92,8 @@ pub(crate) struct Series {
     pub(crate) kept: bool,
     /// Whether j·uⱼ are read.
     pub(crate) weighted: bool,
+    /// Whether the coefficient of the order before is read by itself.
+    pub(crate) before: bool,
 }
 
 /// The rate of a coordinate: its value at the start, and its series if it is not constant.
@@ -128,15 +133,15 @@ impl Rule {
         }
     }
 
-    /// The series whose coefficients of lower orders are read, itself excepted.
-    fn before(&self) -> Vec<Source> {
+    /// The series whose coefficients of lower orders are read in sums, itself excepted.
+    fn in_sums(&self) -> Vec<Source> {
         match self {
             Rule::State(_) | Rule::Affine(_) | Rule::Linear(_) | Rule::Select(..) | Rule::Root(_) => vec![],
             Rule::Product(a, b) => vec![*a, *b],
             Rule::Quotient(_, b) => vec![*b],
             Rule::Square(a) | Rule::Reciprocal(a) | Rule::Power(a, _) => vec![*a],
-            Rule::Shift { of, .. } => vec![*of],
-            Rule::Integral { by, .. } | Rule::Wave { by, .. } => vec![*by],
+            Rule::Shift { .. } | Rule::Wave { .. } => vec![],
+            Rule::Integral { by, .. } => vec![*by],
             Rule::Quadrature { over, .. } => vec![*over],
             Rule::Angle { y, x, square } => vec![*y, *x, *square],
         }
@@ -290,7 +295,7 @@ impl Builder<'_> {
         let source = self.jet.series.len();
         self.sources.insert(id, source);
         // A place, so that what reads it knows its number.
-        self.jet.series.push(Series { rule: Rule::Linear(vec![]), value, kept: false, weighted: false });
+        self.jet.series.push(Series { rule: Rule::Linear(vec![]), value, kept: false, weighted: false, before: false });
         self.open.push_back(source);
         source
     }
@@ -307,7 +312,10 @@ impl Builder<'_> {
             let (kept, weighted) = rule.own();
             self.jet.series[source].kept |= kept || matches!(rule, Rule::State(_));
             self.jet.series[source].weighted |= weighted;
-            rule.before().into_iter().for_each(|read| self.jet.series[read].kept = true);
+            rule.in_sums().into_iter().for_each(|read| self.jet.series[read].kept = true);
+            if let Rule::Shift { of: read, .. } | Rule::Wave { by: read, .. } = rule {
+                self.jet.series[*read].before = true;
+            }
             rule.weighted().into_iter().for_each(|read| self.jet.series[read].weighted = true);
         }
     }
