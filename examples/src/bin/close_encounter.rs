@@ -57,7 +57,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         "at t = {END}: the heavy two are {binary:.2} apart, the light one is {far:.1} away; energy error {error:.1e}\n"
     );
     claim("two bodies come as close as 10⁻³", closest < 1e-3)?;
-    claim("the energy is kept to 10⁻¹¹ through all encounters", error < 1e-11)?;
+    // A position of 1 is rounded by 10⁻¹⁶, a distance of 4·10⁻⁴ that follows from two by 10⁻¹² of itself.
+    claim("the energy is kept to 10⁻⁸ through all encounters", error < 1e-8)?;
     claim("steps differ by a factor of 1000", longest > 1000.0 * shortest)?;
     claim("the lightest body leaves a binary", far > 10.0 * binary)?;
     let near = |path: &[(f64, f64)]| path.iter().copied().filter(|(x, y)| x.abs() < 6.0 && y.abs() < 6.0).collect();
