@@ -141,6 +141,7 @@ pub mod space;
 pub mod slope;
 mod solving;
 pub mod system;
+pub mod taylor;
 pub mod method;
 pub mod running;
 #[doc(hidden)]
@@ -180,7 +181,9 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
+pub use running::{
+    Adaptive, Crossing, Dense, Direction, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory,
+};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
@@ -192,17 +195,20 @@ pub use system::{
     PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
+#[doc(inline)]
+pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
+
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
         Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
-        ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState,
-        FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint,
-        ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting, PlanarSplitting,
-        PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
-        hamiltonian, lagrangian, vector_field,
+        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
+        FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
+        ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
+        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError,
+        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

@@ -1,6 +1,7 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::jet::JetKernel;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::diff;
@@ -35,6 +36,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) domain: Domain<K>,
     /// What velocities have to do with it, of a Lagrangian.
     pub(crate) lagrangian: Option<Lagrangian<K>>,
+    /// The Taylor coefficients of the solution.
+    pub(crate) jet: Option<JetKernel<K>>,
 }
 
 /// From velocities to momenta, and back.
@@ -314,6 +317,7 @@ impl System {
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
             lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
+            jet: self.jet.map(|jet| jet.map(&mut plan)),
         }
     }
 }

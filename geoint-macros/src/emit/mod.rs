@@ -12,6 +12,7 @@ mod domain;
 mod flow;
 mod flows;
 mod implicit;
+mod jet;
 mod kernel;
 mod lagrangian;
 mod perturbed;
@@ -108,7 +109,9 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             quote!(#(#steps)* #stages)
         }
     };
-    let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);
+    let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
+    let around_it =
+        quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
     around(context, report, &around_it)
 }
 

@@ -10,6 +10,7 @@ mod contact;
 mod forms;
 mod implicit;
 mod integrals;
+mod jets;
 mod lagrangian;
 mod modified;
 mod perturbed;
@@ -26,6 +27,7 @@ pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechan
 pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use jets::Jets;
 pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
