@@ -150,7 +150,7 @@ pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagra
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
-pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
@@ -195,13 +195,13 @@ pub use system::{
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting, PlanarSplitting, PoissonSplitting,
-        PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe,
-        SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian,
-        lagrangian, vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
+        ContactState, CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState,
+        FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint,
+        ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting, PlanarSplitting,
+        PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function,
+        hamiltonian, lagrangian, vector_field,
     };
 }
 

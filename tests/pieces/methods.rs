@@ -4,7 +4,7 @@ use crate::check::{Over, field};
 use geoint_runtime::method::catalogue::{self, Visitor};
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Pieces;
-use geoint_runtime::{Cotangent, Coordinates, Method};
+use geoint_runtime::{Coordinates, Cotangent, Method};
 use geoint_tests::measure::{extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -28,12 +28,7 @@ fn cubic(q: f64, p: f64) -> f64 {
     (p * p + q * q) / 2.0 + 0.2 * q * q * p + 0.1 * q * p.powi(3)
 }
 
-fn end<R: Scalar, const N: usize, S: Over<R, N>, M: Method<S, R>>(
-    system: S,
-    method: M,
-    x: &[R],
-    steps: u64,
-) -> Vec<R> {
+fn end<R: Scalar, const N: usize, S: Over<R, N>, M: Method<S, R>>(system: S, method: M, x: &[R], steps: u64) -> Vec<R> {
     let point = |x: &[R]| {
         let mut array = [R::from_f64(0.0); N];
         array.copy_from_slice(x);
@@ -150,7 +145,13 @@ fn steps_are_symplectic_and_symmetric() {
     for (i, a) in columns.iter().enumerate() {
         for (j, b) in columns.iter().enumerate() {
             let form: f64 = (0..2).map(|k| a[k] * b[2 + k] - a[2 + k] * b[k]).sum();
-            let expected = if j == i + 2 { 1.0 } else if i == j + 2 { -1.0 } else { 0.0 };
+            let expected = if j == i + 2 {
+                1.0
+            } else if i == j + 2 {
+                -1.0
+            } else {
+                0.0
+            };
             assert!((form - expected).abs() < 1e-12);
         }
     }

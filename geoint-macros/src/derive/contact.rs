@@ -1,7 +1,9 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
-use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped};
+use super::system::{
+    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
+};
 use super::{implicit, pieces};
 use crate::analyze;
 use crate::diff::{self, Gradient};
@@ -42,7 +44,14 @@ pub(crate) fn contact(
         perturbed: None,
         modified,
         pieces: vec![pieces],
-        implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+        implicit: Implicit::Contact(if lift {
+            ContactKernels { steps: vec![], stages: None }
+        } else {
+            ContactKernels {
+                steps: implicit::steps(graph, energy, degrees),
+                stages: Some(implicit::stages(graph, energy, &gradient)),
+            }
+        }),
         integrals: None,
         lagrangian: None,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),

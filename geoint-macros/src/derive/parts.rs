@@ -23,6 +23,11 @@ pub(crate) struct Parted {
 }
 
 impl Parted {
+    /// Of an S that is known.
+    pub(crate) fn of_structure(integral: Id, matrix: &[Vec<Id>], poisson: bool) -> Parted {
+        Parted { integral, matrix: matrix.to_vec(), poisson, unique: None }
+    }
+
     /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
     pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
         let x = coordinates(flow.field.len());

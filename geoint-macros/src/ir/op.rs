@@ -166,6 +166,7 @@ functions! {
     // Of damping.
     NotNegative not_negative(x) Neither Everywhere;
     Bounded bounded(x, y) Neither Everywhere;
+    Provided provided(x, y) Neither Everywhere;
     Root root(x) Neither Interval(0.0, INF, "a negative number");
     Sinc sinc(x) Even Everywhere;
     SincDerivative sinc_derivative(x) Odd Everywhere;

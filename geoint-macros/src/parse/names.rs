@@ -9,7 +9,9 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
     "Autonomous",
+    "ByCanonical",
     "ByField",
+    "CanonicalForm",
     "ByPolarisation",
     "ByTree",
     "ByVelocities",
@@ -27,6 +29,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "PolarisedForm",
     "PoissonSplitting",
     "ContactSplitting",
+    "ContactStages",
     "ContactState",
     "ContactSystem",
     "Coordinates",
@@ -65,6 +68,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Snapshot",
     "Square",
     "State",
+    "VelocityEnergy",
     "VelocityForm",
     "canonical_rate",
     "energy_of",
@@ -79,7 +83,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["NamedFunctions"];
+const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

@@ -81,7 +81,7 @@ pub(crate) fn coupled_pieces(
     groups: Option<&[(Id, Place)]>,
 ) -> Option<Pieces> {
     let asked = matches!(structure.split, Split::Coupled(_)) || groups.is_some();
-    let whole = asked && structure.damping.is_none();
+    let whole = asked && structure.conservative();
     whole.then(|| pieces(graph, structure.energy, Space { degrees, action: false }, groups))
 }
 

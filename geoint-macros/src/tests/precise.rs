@@ -163,6 +163,7 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::StumpffC1
         | Function::StumpffC1Derivative
         | Function::AtMost
+        | Function::Provided
         | Function::DecayMean
         | Function::SineAt
         | Function::SineSlope

@@ -118,6 +118,7 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC1
         | Function::StumpffC1Derivative
         | Function::AtMost
+        | Function::Provided
         | Function::DecayMean
         | Function::SineAt
         | Function::SineSlope

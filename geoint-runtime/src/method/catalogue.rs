@@ -35,7 +35,7 @@
 //! ```
 
 use crate::method::Method;
-use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -50,8 +50,9 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, NystromPieces,
-    Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient,
+    ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
+    QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -73,7 +74,7 @@ macro_rules! compositions {
 }
 
 /// Methods for every H(q, p, t).
-pub fn general<S: Collocation<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ExplicitEuler, RK4, DOP853, ImplicitMidpoint);
     show!(visitor: Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
     compositions!(visitor: ImplicitMidpoint);
@@ -214,8 +215,9 @@ pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
 /// Methods for every contact system.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R>,
+    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>,
 {
+    show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);
     compositions!(visitor: ContactMidpoint, ContactDiscreteGradient);
 }

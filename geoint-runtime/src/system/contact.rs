@@ -86,7 +86,7 @@ pub struct Piece {
     label = "this method is for systems that were split into such",
     note = "`PieceSplitting` is for `#[hamiltonian]` where positions and momenta are coupled; `ContactSplitting` for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
             that and for `#[vector_field(keeps(…))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
@@ -170,4 +170,35 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     );
     /// What a solution adds to x. Not a number if the step has none.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
+}
+
+/// The field of H as contact Gauss methods evaluate it at their stages. Emitted for every H whose momenta are followed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no contact Gauss methods",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactStages<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    type Moved: Array<Real = R>;
+    /// What depends on parameters only.
+    type StageConstants: Copy + core::fmt::Debug;
+
+    /// What depends on parameters only.
+    fn stage_constants(&self) -> Self::StageConstants;
+    /// ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is among the unknowns; ∂H/∂s; and the derivatives of both.
+    fn stage(
+        &self,
+        constants: &Self::StageConstants,
+        t: R,
+        x: &Self::Moved,
+        values: (&mut Self::Moved, &mut R),
+        derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
+    );
+    /// ∂H/∂s alone.
+    fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
+    /// s' = p·∂H/∂p − H.
+    fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

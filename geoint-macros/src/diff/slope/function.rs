@@ -121,6 +121,7 @@ impl Slopes {
             | Function::AbsSlopeDerivative
             | Function::NotNegative
             | Function::AtMost
+            | Function::Provided
             | Function::DecayMean
             | Function::SineAt
             | Function::SineSlope
