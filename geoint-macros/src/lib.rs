@@ -200,8 +200,9 @@ use proc_macro::TokenStream;
 /// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
 ///
 /// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
-/// - those of `split = "A | B"`, in the language of the body: A has to be a sum that `#[contact_hamiltonian]` knows the flow of, and that both
-///   add up to H is decided exactly;
+/// - the quadratic terms with whatever else reads momenta, and the other terms, where q and p are coupled and the flow of the former is
+///   known: a charge in a uniform magnetic field, a frame that rotates;
+/// - those of `split = "A | B"`, if A has a flow in closed form, see below, and B reads positions and time alone;
 /// - with `coordinates = jacobi` Kepler's motion of each body about those before it in the array, and what is left. Masses are read off T,
 ///   Σ |pᵢ|²/2mᵢ, and attractions off the terms −c/|qᵢ − qⱼ| of V; other terms of V may be any. An order of the bodies that is not that of
 ///   their distances makes B large, not wrong;
@@ -238,6 +239,40 @@ use proc_macro::TokenStream;
 /// The state is what it is without: coordinates of Jacobi, and the way of a processor, are between the first step and the state that is
 /// looked at. A body whose mass is zero has no momentum that could be divided by it, and is refused (`StepError::OutsideDomain`); 1e-30 is
 /// none. An orbit that meets the body in its focus ends there (`StepError::NonFinite`).
+///
+/// # Pieces
+///
+/// Where terms couple positions and momenta there are no kicks and drifts. H may still be a sum of pieces whose flows are known in closed form,
+/// for `PieceSplitting` and its compositions. These are found:
+///
+/// - quadratic forms of two degrees of freedom at most, with linear terms: charges in uniform fields, rotating frames, coupled springs;
+/// - F(ℓ₁, …, ℓₖ) of linear forms in involution: (p₁ − A(q₀))², F(q₀, p₁), cos(k·q), (q + p)⁴;
+/// - p·X(q) where q' = X(q) has a solution in closed form; f(qᵢ)pᵢ²; products qᵐpⁿ; the conjugates of all these;
+/// - F(A) of an A of these: (p² + q²)², a root of an oscillator.
+///
+/// Squares may be multiplied out. Of several ways those are taken whose flows never end, as that of q²p does, and of
+/// these the one that costs least in a step; products of degree 3 or 4 are sums of powers of forms where that is better. `REPORT` lists the
+/// pieces, their flows and costs, and what was rejected at which cost. `split = "terms | terms"` gives other pieces; that they add up to H is
+/// decided exactly.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A charge in a magnetic bottle: the field is stronger at both ends.
+/// #[hamiltonian]
+/// fn bottle(q: [f64; 3], p: [f64; 3], b: f64) -> f64 {
+///     let [x, y, z] = q;
+///     let half = b * (1.0 + z * z) / 2.0;
+///     ((p[0] + half * y).powi(2) + (p[1] - half * x).powi(2) + p[2] * p[2]) / 2.0
+/// }
+///
+/// let start = State::new([0.02, 0.0, 0.0], [0.0, 0.5, 0.6]);
+/// let mut sim = Bottle { b: 10.0 }.integrator(BlanesMoan6X.of(PieceSplitting), 0.05, start);
+/// let energy = sim.energy();
+/// sim.advance(10_000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-4);
+/// # Ok::<(), StepError>(())
+/// ```
 ///
 /// # Rigid bodies
 ///
