@@ -8,3 +8,4 @@ mod orders;
 mod energies;
 mod laws;
 mod velocities;
+mod space;

@@ -167,9 +167,12 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) increments: Vec<Symbol>,
     /// ∂L/∂v and M.
     pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
-    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
+    /// in v.
     pub(crate) polarised: Result<K, Missing>,
 }
 
@@ -355,9 +358,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
-                let (mass, stage) = (of(mass), of(stage));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, polarised }) => {
+                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+                let polarised = polarised.map(&mut *of);
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, polarised })
             }
             Implicit::Contact(steps) => Implicit::Contact(mapped(steps, of)),
             Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
