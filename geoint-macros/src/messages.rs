@@ -68,6 +68,9 @@ pub(crate) const NOT_NYSTROM_EXACT: &str = "the part with an exact flow is not o
                                             their squares, so that a kick with a force gradient is none; use a table without, such as \
                                             `Aba10_6_4`";
 
+pub(crate) const JUMP_IS_NO_KICK: &str = "in heliocentric coordinates the rest moves positions by this term, so that it is no kick, with or without a \
+                                          force gradient; use a table without, such as `Aba10_6_4`, or `coordinates = jacobi`";
+
 pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` and `p` be arrays of vectors, one a body, as in \
                                      `[Vector3<f64>; 6]` or `[[f64; 2]; 3]`";
 

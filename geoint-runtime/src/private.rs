@@ -16,10 +16,10 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Clock as PieceClock,
     Collocated, Collocation, Conformal as ConformalContact, Conservative, Contact as ContactSystem, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-    ImplicitStep, KeepsEnergy, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
-    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded,
+    Hamiltonian, ImplicitStep, KeepsEnergy, Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact,
+    ModifiedEnergy, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
 };
 pub use geoint_macros::{put_energy_function_above_it, resume};

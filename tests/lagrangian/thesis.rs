@@ -2,8 +2,8 @@
 
 use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
-use geoint_runtime::prelude::*;
 use geoint_runtime::Hamiltonian;
+use geoint_runtime::prelude::*;
 
 /// A slope by differences of order 4.
 fn slope(f: impl Fn(f64) -> f64) -> f64 {

@@ -30,7 +30,7 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `force = F`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `force = F`, `split = \"A | B\"`, `coordinates = jacobi` or `heliocentric`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic, conservative)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -268,13 +268,20 @@ pub(crate) enum Requirement {
 pub(crate) enum Coordinates {
     /// Each body as seen from the centre of mass of those before it.
     Jacobi,
+    /// Each body as seen from body 0.
+    Heliocentric,
 }
 
 impl Coordinates {
     fn named(name: &Ident) -> syn::Result<Coordinates> {
         match name.to_string().as_str() {
             "jacobi" => Ok(Coordinates::Jacobi),
-            _ => Err(syn::Error::new_spanned(name, "the coordinates of bodies that there are: `coordinates = jacobi`")),
+            "heliocentric" => Ok(Coordinates::Heliocentric),
+            _ => {
+                let message =
+                    "the coordinates of bodies that there are: `coordinates = jacobi`, `coordinates = heliocentric`";
+                Err(syn::Error::new_spanned(name, message))
+            }
         }
     }
 }

@@ -21,5 +21,5 @@ pub(crate) use increment::increments;
 pub(crate) use mechanics::{Mechanics, mechanics};
 pub(crate) use modified::modified_energy;
 pub(crate) use partition::{Pieces, pieces};
-pub(crate) use perturbed::{Division, NoPart as NoExactPart, Perturbed, divided};
+pub(crate) use perturbed::{Division, Jump, NoPart as NoExactPart, OwnMotion, Perturbed, divided};
 pub(crate) use time::Clock;

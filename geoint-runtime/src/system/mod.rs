@@ -31,7 +31,7 @@ mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
-pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
 pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 

@@ -138,13 +138,20 @@ fn perturbed<F: Fn(crate::ir::Symbol) -> String>(
 ) -> std::fmt::Result {
     writeln!(text, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)")?;
     if let Some(inner) = &parts.inner {
-        writeln!(text, "- in coordinates of {}, bodies in the order of the array", inner.name)?;
+        writeln!(text, "- in {}", inner.name)?;
     }
     writeln!(text, "- A = {}", printer.excerpt(parts.exact))?;
     parts.known.iter().try_for_each(|known| writeln!(text, "  {known}"))?;
     writeln!(text, "  {}", counted(parts.flow.kernel.operations()))?;
     writeln!(text, "- B = {}", printer.excerpt(parts.rest))?;
     writeln!(text, "  {}", counted(parts.kick.kernel.operations()))?;
+    match (parts.is_kick, parts.is_exact) {
+        (true, _) => {}
+        (false, true) => {
+            writeln!(text, "  a motion of all bodies alike and a kick, which leave each other as they are")?
+        }
+        (false, false) => writeln!(text, "  half of the motion, the kick, half of the motion: a step of order 2")?,
+    }
     match &parts.gradient_kick {
         Ok(_) => writeln!(text, "- tables of Runge–Kutta–Nyström type and with force gradients keep their order"),
         Err(missing) => {
