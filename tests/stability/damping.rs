@@ -1,7 +1,7 @@
 //! Damped systems: the energy falls by exactly what is dissipated, whatever the step size; damping that is none is refused.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{DiscreteField, Inverse};
+use geoint_runtime::system::{ByField, Collocated, DiscreteField, Inverse};
 use geoint_runtime::{Conservative, Separable};
 use geoint_tests::measure::{distance, extrapolated, observed_order};
 use geoint_tests::problems::{flat, state};
@@ -58,7 +58,7 @@ type ByHand<R> = (Vec<R>, Vec<R>, Vec<Vec<R>>);
 
 /// A damped system, and what it is by hand.
 trait Damped {
-    type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R>;
+    type Over<R: Scalar>: DiscreteField<R> + Hamiltonian<R> + Collocated<R, Stages = ByField>;
     const START: (&'static [f64], &'static [f64]);
     fn system<R: Scalar>() -> Self::Over<R>;
     fn by_hand<R: Scalar>(t: R, q: &[R], p: &[R]) -> ByHand<R>;
@@ -233,8 +233,11 @@ fn linear_systems_are_solved_at_once() {
 
 #[test]
 fn parameters_that_feed_energy_are_refused() {
-    fn check<S: DiscreteField<f64> + Hamiltonian<f64>>(system: S, start: State<S::Coordinates>, reason: &str)
-    where
+    fn check<S: DiscreteField<f64> + Hamiltonian<f64> + Collocated<Stages = ByField>>(
+        system: S,
+        start: State<S::Coordinates>,
+        reason: &str,
+    ) where
         S::Coordinates: PartialEq,
     {
         let refused = |error: StepError| matches!(error, StepError::OutsideDomain { what, .. } if what == reason);

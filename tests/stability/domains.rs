@@ -2,7 +2,7 @@
 //! time comes to the same as all at once.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::system::{ByField, Collocated, DiscreteField};
 use geoint_runtime::{Autonomous, Hamiltonian, Method, QuadraticKinetic, Separable};
 use geoint_tests::methods::{self, Visitor};
 
@@ -56,7 +56,10 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Alike<S> {
     }
 }
 
-fn alike<S: DiscreteField + Autonomous<Coordinates = f64>>(name: &'static str, system: S) -> Alike<S> {
+fn alike<S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>>(
+    name: &'static str,
+    system: S,
+) -> Alike<S> {
     let mut alike = Alike { name, system, refused: 0 };
     alike.visit(RK4);
     alike.visit(ImplicitMidpoint);
@@ -69,7 +72,9 @@ fn alike<S: DiscreteField + Autonomous<Coordinates = f64>>(name: &'static str, s
     alike
 }
 
-fn split<S: DiscreteField + Autonomous<Coordinates = f64> + Separable + QuadraticKinetic>(
+fn split<
+    S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField> + Separable + QuadraticKinetic,
+>(
     name: &'static str,
     system: S,
 ) {

@@ -1,7 +1,7 @@
 //! Time: t₀ + n·h to rounding whatever happens on the way, and output that ends where it says, with every method and scalar.
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Autonomous, DiscreteField, QuadraticField};
+use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField, QuadraticField};
 use geoint_runtime::{ForceGradient, Method, Separable};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -10,7 +10,12 @@ use geoint_tests::scalars::Scalar;
 /// All lists.
 fn every<S, R: Scalar, V: Visitor<S, R>>(visitor: &mut V)
 where
-    S: DiscreteField<R> + Autonomous<R> + QuadraticField<R> + Separable<R> + ForceGradient<R>,
+    S: DiscreteField<R>
+        + Collocated<R, Stages = ByField>
+        + Autonomous<R>
+        + QuadraticField<R>
+        + Separable<R>
+        + ForceGradient<R>,
 {
     methods::general(visitor);
     methods::discrete_gradient(visitor);

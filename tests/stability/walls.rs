@@ -3,6 +3,7 @@
 //! A step that is taken has no pole on the straight line between its ends; so a system in one degree of freedom never leaves its cell.
 
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method};
 use geoint_tests::methods::{self, Visitor};
 use std::f64::consts::{PI, TAU};
@@ -25,7 +26,7 @@ macro_rules! walls {
 trait Walls {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>;
+        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>;
 }
 
 walls! { kinds:
@@ -111,7 +112,7 @@ struct Every;
 impl Walls for Every {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>,
+        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, refused: 0 };
         methods::general(&mut stay);
@@ -134,7 +135,7 @@ struct Families;
 impl Walls for Families {
     fn wall<S>(&mut self, name: &str, system: S, cell: fn(f64) -> f64, start: f64)
     where
-        S: geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous<Coordinates = f64>,
+        S: DiscreteField + Autonomous<Coordinates = f64> + Collocated<Stages = ByField>,
     {
         let mut stay = Stay { wall: name.into(), system, cell, start, refused: 0 };
         stay.visit(DiscreteGradient);
