@@ -8,10 +8,10 @@ use crate::lower::Place;
 use crate::messages::NO_CONSTRAINT;
 use crate::parse::{Energy, Form};
 
-/// Reports constraints that are none, and damping that is none.
+/// Reports constraints that are none, and damping that is none; `general_friction` is friction that no matrix gives.
 pub(crate) fn constraints(
     energy: &Energy,
-    (constraints, damping): (&[(Id, Place)], Option<&Damping>),
+    (constraints, damping, general_friction): (&[(Id, Place)], Option<&Damping>, bool),
     graph: &mut Graph,
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
@@ -51,11 +51,16 @@ pub(crate) fn constraints(
             errors.at_place(constraints[k].1, message);
         }
     }
+    if let (Some(rayleigh), true) = (&energy.rayleigh, general_friction) {
+        errors.at(rayleigh, LINEAR_FRICTION);
+    }
     if let Some(damping) = damping {
         flaw_of_damping(energy, damping, &Printer::new(graph, &name), &mut errors);
     }
     errors.or(())
 }
+
+const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";
 
 const NOT_OF_VELOCITIES: &str =
     "a constraint is a function of positions; one that reads velocities is nonholonomic, and not supported";

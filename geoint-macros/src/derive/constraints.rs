@@ -56,6 +56,7 @@ pub(crate) fn constrained(
         implicit: Implicit::Constrained(kernels),
         integrals: None,
         lagrangian: None,
+        jet: None,
         domain: Domain::of(
             graph,
             Roots { all: &roots, divided: &roots },

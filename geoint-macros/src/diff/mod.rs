@@ -4,6 +4,7 @@ pub(crate) mod constraint;
 pub(crate) mod contact;
 pub(crate) mod field;
 pub(crate) mod flow;
+pub(crate) mod jet;
 pub(crate) mod lagrangian;
 mod force_gradient;
 mod forward;

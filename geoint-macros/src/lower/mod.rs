@@ -12,6 +12,7 @@ mod constraint;
 mod damping;
 mod expr;
 mod flow;
+mod force;
 mod language;
 mod loops;
 mod method;
@@ -25,6 +26,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use flow::{Integral, Skew, canonical};
+pub(crate) use force::VELOCITY;
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -47,6 +49,10 @@ pub(crate) struct Lowered {
     pub(crate) keeps: Vec<Integral>,
     /// The square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
+    /// A force beside the energy, an entry a coordinate.
+    pub(crate) force: Option<Vec<Id>>,
+    /// ∂R/∂v of friction that is no damping: what a Lagrangian has of it.
+    pub(crate) friction: Option<Vec<Id>>,
     /// Rayleigh's dissipation function of a Lagrangian, and where it is written.
     pub(crate) rayleigh: Option<(Id, Place)>,
     /// The functions that constraints keep at zero, and where they are written.
@@ -130,6 +136,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     };
     let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
     let rayleigh = energy.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
+    let force = energy.force.as_ref().map(|expr| lowering.force(expr, energy));
     let constraints = energy.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     lowering.note_partial();
     let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
@@ -147,6 +154,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         keeps,
         damping,
         rayleigh,
+        friction: None,
+        force,
         constraints,
         groups,
         places,

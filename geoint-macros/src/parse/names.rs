@@ -9,8 +9,10 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
     "Autonomous",
+    "ByCanonical",
     "ByConstraint",
     "ByField",
+    "CanonicalForm",
     "ByPolarisation",
     "ByTree",
     "ByVelocities",
@@ -25,10 +27,12 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactMidpoint",
     "FlowPiece",
     "FlowPieces",
+    "PieceSplitting",
     "PlanarSplitting",
     "PolarisedForm",
     "PoissonSplitting",
     "ContactSplitting",
+    "ContactStages",
     "ContactState",
     "ContactSystem",
     "Coordinates",
@@ -50,11 +54,13 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Integrator",
     "KeepsEnergy",
     "Inverted",
+    "Jets",
     "LagrangianSystem",
     "Mean",
     "MechanicalContact",
     "Method",
     "ModifiedEnergy",
+    "NystromPieces",
     "PerCoordinate",
     "PerturbedGradient",
     "PerturbedSystem",
@@ -65,10 +71,13 @@ pub(crate) const IMPORTED: &[&str] = &[
     "QuadraticKinetic",
     "Rattle",
     "Real",
+    "TaylorIntegrator",
+    "TaylorMethod",
     "Separable",
     "Snapshot",
     "Square",
     "State",
+    "VelocityEnergy",
     "StepError",
     "Unmet",
     "VelocityForm",
@@ -80,6 +89,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "gradient_kick",
     "planar_step",
     "rate_of",
+    "recurrence",
     "slope",
     "state_on_constraint",
     "unmet",
@@ -87,7 +97,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["NamedFunctions"];
+const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

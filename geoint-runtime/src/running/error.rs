@@ -87,6 +87,21 @@ pub enum StepError {
         /// The tolerance as given.
         tolerance: f64,
     },
+    /// A Taylor series of so low an order has no estimate of its error.
+    InvalidOrder {
+        /// The order as given.
+        order: usize,
+    },
+    /// A state was asked for at a time before the last step.
+    TimePassed {
+        /// The time as given.
+        t: f64,
+    },
+    /// A function whose changes of sign are events is not a number, or is zero all along.
+    NoEvent {
+        /// Time of the state at which that is so.
+        t: f64,
+    },
     /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
     TooManySteps {
         /// Time of the last good state.
@@ -150,6 +165,10 @@ pub enum Reason {
     },
     /// Its implicit equation was not solved to rounding.
     NotConverged,
+    /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
+    Diverges,
+    /// A condition of the energy changes sides at both its ends: the solution does not leave the place where it does.
+    Sliding,
 }
 
 impl From<Refusal> for Reason {
@@ -175,6 +194,8 @@ impl fmt::Display for Reason {
             Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
+            Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
+            Reason::Sliding => write!(f, "a condition of the energy changes sides at both its ends"),
         }
     }
 }
@@ -224,6 +245,18 @@ impl fmt::Display for StepError {
             ),
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a positive number")
+            }
+            StepError::InvalidOrder { order } => {
+                write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
+            }
+            StepError::TimePassed { t } => {
+                write!(f, "the time {t} is before the last step: states are known within it, and beyond")
+            }
+            StepError::NoEvent { t } => {
+                write!(
+                    f,
+                    "the function whose changes of sign are events is zero all along, or not a number, at t = {t}"
+                )
             }
             StepError::TooManySteps { t, steps } => {
                 write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")

@@ -4,11 +4,13 @@
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
 mod bodies;
+mod canonical;
 mod constraints;
 mod contact;
 mod forms;
 mod implicit;
 mod integrals;
+mod jets;
 mod lagrangian;
 mod modified;
 mod perturbed;
@@ -18,12 +20,14 @@ mod rates;
 mod velocities;
 
 pub use bodies::PrincipalAxes;
+pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{on_one_side, projected, tangent};
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use forms::{ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
+pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
+pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use jets::Jets;
 pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
@@ -32,7 +36,7 @@ mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
-pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
 pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
