@@ -76,6 +76,16 @@ fn the_first_angle_is_not_read() {
     assert!(report.contains("with 6 unknowns a stage"), "{report}");
 }
 
+/// Derivatives of L with respect to positions and velocities, up to the second: by hand they would be about as long.
+#[test]
+fn a_stage_is_short() {
+    let report = ArmInSpace::<f64>::REPORT;
+    let line = report.lines().find(|line| line.contains("stage of a Newton iteration")).expect("a line");
+    let count = line.split("sums and products ").nth(1).and_then(|rest| rest.split(',').next()).expect("a count");
+    let count: u32 = count.parse().expect("a number");
+    assert!(count <= 3000, "{line}");
+}
+
 #[test]
 fn energy_and_momentum_stay() -> Result<(), StepError> {
     let mut sim = ARM.integrator(DiscreteGradient, 0.002, released());

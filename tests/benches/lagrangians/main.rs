@@ -3,7 +3,6 @@
 //!
 //! `cargo bench -p geoint-tests --bench lagrangians` prints the ratios; an argument selects rows by name.
 
-mod arm;
 mod chain;
 #[path = "../paired.rs"]
 mod paired;
@@ -22,7 +21,6 @@ fn main() {
         ("from L / from H by hand", double_pendulums()),
         ("velocities / H by LDLᵀ", chains()),
         ("velocities / by hand", by_hand()),
-        ("an arm in space, 6 joints", arm::steps()),
     ];
     for pair in tables.iter().flat_map(|(_, pairs)| pairs) {
         let (steps, bound) = COMPARED;

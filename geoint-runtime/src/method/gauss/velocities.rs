@@ -213,16 +213,16 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
             self.stage(*probe, i, v, stage);
         }
         let rows = <[Y::Array; S]>::entries::<[Y::Array; S]>(matrix);
-        core::array::from_fn(|i| {
-            let mut residual = difference(&stages[i].momentum, &self.z[1]);
+        let mut residuals = [Y::Array::zero(); S];
+        for (i, residual) in residuals.iter_mut().enumerate() {
+            *residual = difference(&stages[i].momentum, &self.z[1]);
             for j in 0..S {
                 residual.add_scaled(-coupling[i][j], &stages[j].force);
             }
             for (r, residual) in residual.as_mut_slice().iter_mut().enumerate() {
-                let entry = |stage: &mut Stage<Y::Array>, of: usize| {
-                    Y::Array::entries::<Y::Array>(&mut stage.derivatives[of])[r]
-                };
-                let mass = entry(&mut stages[i], MASS);
+                let entry =
+                    |stage: &Stage<Y::Array>, of: usize| Y::Array::entries_of::<Y::Array>(&stage.derivatives[of])[r];
+                let mass = entry(&stages[i], MASS);
                 let mut scale = R::from_f64(1.0) / row_scale(&mass, r);
                 // As many mass matrices as stages: with an even number of them the determinant is positive.
                 if S % 2 == 1 && i == 0 && r == 0 {
@@ -230,17 +230,17 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
                 }
                 for k in 0..S {
                     let mut row = if i == k { mass } else { Y::Array::zero() };
-                    row.add_scaled(coupling[i][k], &entry(&mut stages[i], MOMENTUM_BY_Q));
-                    row.add_scaled(-coupling[i][k], &entry(&mut stages[k], FORCE_BY_V));
+                    let turning = difference(&entry(&stages[i], MOMENTUM_BY_Q), &entry(&stages[k], FORCE_BY_V));
+                    row.add_scaled(coupling[i][k], &turning);
                     for j in 0..S {
-                        row.add_scaled(-(coupling[i][j] * coupling[j][k]), &entry(&mut stages[j], FORCE_BY_Q));
+                        row.add_scaled(-(coupling[i][j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
                     }
                     rows[i * Y::Array::LEN + r][k] = scaled(scale, &row);
                 }
                 *residual *= scale;
             }
-            residual
-        })
+        }
+        residuals
     }
 }
 

@@ -1,7 +1,0 @@
-//! An arm in space.
-
-use crate::paired::Pair;
-
-pub(crate) fn steps() -> Vec<Pair> {
-    vec![]
-}
