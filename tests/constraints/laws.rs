@@ -88,12 +88,12 @@ fn friction_takes_what_it_says() -> Result<(), StepError> {
 /// One and the same steps from L and from H: the mass matrix is diagonal.
 #[test]
 fn a_lagrangian_has_the_same_steps() -> Result<(), StepError> {
-    let of_velocities = OfVelocities { m: M, l: L, g: 9.81 };
-    assert_eq!(of_velocities.at(released().q, [0.0; 4]).p, [0.0; 4]);
+    let of_speeds = OfSpeeds { m: M, l: L, g: 9.81 };
+    assert_eq!(of_speeds.at(released().q, [0.0; 4]).p, [0.0; 4]);
     macro_rules! same {
         ($($method:expr),*) => { $(
             let mut one = DOUBLE.integrator($method, 0.02, released());
-            let mut other = of_velocities.integrator($method, 0.02, released());
+            let mut other = of_speeds.integrator($method, 0.02, released());
             one.advance(300)?;
             other.advance(300)?;
             assert!(far(&one.state(), &other.state()) < 1e-12, "{:e}", far(&one.state(), &other.state()));

@@ -19,7 +19,7 @@ pub(crate) fn double_pendulum(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: [f64; 2]
     (q[0] * q[0] + q[1] * q[1] - l[0] * l[0]) / 2.0,
     ((q[2] - q[0]).powi(2) + (q[3] - q[1]).powi(2) - l[1] * l[1]) / 2.0
 ])]
-pub(crate) fn of_velocities(q: [f64; 4], v: [f64; 4], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
+pub(crate) fn of_speeds(q: [f64; 4], v: [f64; 4], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
     let kinetic = m[0] * (v[0] * v[0] + v[1] * v[1]) / 2.0 + m[1] * (v[2] * v[2] + v[3] * v[3]) / 2.0;
     kinetic - g * (m[0] * q[1] + m[1] * q[3])
 }
