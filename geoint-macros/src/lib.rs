@@ -238,7 +238,7 @@ use proc_macro::TokenStream;
 ///
 /// The state is what it is without: coordinates of Jacobi, and the way of a processor, are between the first step and the state that is
 /// looked at. A body whose mass is zero has no momentum that could be divided by it, and is refused (`StepError::OutsideDomain`); 1e-30 is
-/// none. An orbit that meets the body in its focus ends there (`StepError::NonFinite`).
+/// none. An orbit that meets the body in its focus ends there (`StepError::Pole`, with the body).
 ///
 /// # Pieces
 ///

@@ -26,6 +26,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+use crate::method::perturbed::Perturbation;
 use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting, StormerVerlet};
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
@@ -82,7 +83,7 @@ impl<const K: usize> Composition<K> {
 /// A symmetric map of order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
-    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for what is split into pieces: `PieceSplitting`; for quadratic fields: `Kahan`",
+    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for A + B: `Perturbation` of these; for what is split into pieces: `PieceSplitting`; for quadratic fields: `Kahan`",
     note = "maps for every energy: `ImplicitMidpoint`, `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`, `ItohAbePair`",
     note = "maps for contact systems: `ContactSplitting`, `ContactLeapfrog`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
@@ -113,6 +114,13 @@ impl SymmetricMap for StormerVerlet {
     type Composed<const K: usize> = Splitting<K, KickFirst>;
     fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, KickFirst> {
         Splitting::of_verlet(composition.name.of(Name::new("StormerVerlet")), composition.order, composition.gamma)
+    }
+}
+
+impl<M: SymmetricMap> SymmetricMap for Perturbation<M> {
+    type Composed<const K: usize> = Perturbation<M::Composed<K>>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Self::Composed<K> {
+        Perturbation(self.0.compose(composition))
     }
 }
 

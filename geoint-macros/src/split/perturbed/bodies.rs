@@ -14,6 +14,9 @@ use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 use crate::parse::Shape;
 use std::ops::Range;
 
+/// A number along one direction of space, by one of each body.
+pub(super) type Along = fn(&mut Graph, &Masses, &[Id]) -> Id;
+
 /// A kind of coordinates. Each function is along one direction of space, and takes a number of each body.
 pub(super) struct Frame {
     pub(super) name: &'static str,
@@ -30,7 +33,7 @@ pub(super) struct Frame {
     /// Velocities of V.
     pub(super) leave_velocities: fn(&mut Graph, &Masses, &[Id]) -> Vec<Id>,
     /// The velocity with which the kinetic energy that is no body's own moves all bodies but body 0.
-    pub(super) jump: Option<fn(&mut Graph, &Masses, &[Id]) -> Id>,
+    pub(super) jump: Option<Along>,
 }
 
 /// The masses of bodies in a row.

@@ -4,7 +4,8 @@ use crate::method::perturbed::{Perturbation, Processed};
 use crate::method::splitting::{DriftFirst, Nystrom, Splitting, WithGradient};
 
 /// Half of A, B, half of A. Orders (2, 2), 1 force: the map of J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528. Steps of an eighth
-/// of the innermost period at most: longer ones meet resonances with it.
+/// of the innermost period at most: longer ones meet resonances with it. Its compositions are those of `Perturbation(PositionVerlet)`, which is
+/// the same map.
 pub const WisdomHolman: Perturbation<Splitting<1, DriftFirst>> =
     Perturbation(Splitting::palindrome("WisdomHolman", 2, [0.5], [1.0]).near_integrable(&[2, 2]));
 
