@@ -82,6 +82,7 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
+/// - `constraint = [g₁, g₂]`: functions of positions that stay zero, see below.
 /// - `coordinates = jacobi`, `coordinates = heliocentric`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
 /// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
@@ -162,6 +163,36 @@ use proc_macro::TokenStream;
 /// negative, or a full matrix is not positive semidefinite. Wherever a step uses C the diagonal is looked at, and every pair of
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
+///
+/// # Constraints
+///
+/// `constraint = [g₁, g₂]` binds positions to gᵢ(q) = 0, by forces −Gᵀλ with G = ∂g/∂q. The functions are expressions in the language of
+/// the body, of positions and parameters; they have to be fewer than coordinates, and independent, which is decided when the program is
+/// compiled. Methods are `Rattle`, which is symplectic, `DiscreteGradient`, which keeps the energy to rounding, and compositions of both.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A ladder with masses at its ends, between a wall and the floor.
+/// #[hamiltonian(constraint = [((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) - l * l) / 2.0, q[0], q[3]])]
+/// fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
+///     let kinetic = (p[0] * p[0] + p[1] * p[1]) / (2.0 * m[0]) + (p[2] * p[2] + p[3] * p[3]) / (2.0 * m[1]);
+///     kinetic + g * (m[0] * q[1] + m[1] * q[3])
+/// }
+///
+/// let system = Ladder { m: [1.3, 0.7], l: 1.0, g: 9.81 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, State::new([0.0, 0.8, 0.6, 0.0], [0.0; 4]));
+/// let energy = sim.energy();
+/// sim.advance(30)?;
+/// assert!((sim.energy() - energy).abs() < 1e-13);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// A state starts with g = 0 and G ∂H/∂p = 0, up to rounding; another one is refused (`StepError::OffConstraint`), and
+/// `system.state_on_constraint(&state)` gives the nearest one that does. Where constraints depend on each other, on the way of a step or at
+/// its ends, it is refused (`StepError::DependentConstraints`): a parallelogram whose bars are in one line may go on in two ways. Momenta of
+/// `DiscreteGradient` are off the constraints by O(h²) at the ends of steps, which does not grow: `sim.state_on_constraint()` shows them
+/// without that.
 ///
 /// # A part that is solved exactly
 ///
@@ -609,6 +640,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
 /// - `rayleigh = R`, `force = F`: see above.
+/// - `constraint = [g₁, g₂]`: functions of positions and parameters that stay zero; see [`hamiltonian`].
 /// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]

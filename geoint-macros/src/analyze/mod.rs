@@ -191,6 +191,22 @@ pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
     dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
 }
 
+/// Facts of H and functions g of positions together: a momentum that commutes with the parts of H + λ·g for every λ does with those of H,
+/// and of every g.
+pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinates: &Shape) -> Structure {
+    let mut terms = vec![energy];
+    for (k, constraint) in (0..).zip(constraints) {
+        let multiplier = graph.symbol(Symbol::Multiplier(k));
+        terms.push(graph.mul(multiplier, *constraint));
+    }
+    let sum = graph.sum(&terms);
+    let mut structure = structure(graph, sum, coordinates);
+    let free =
+        |value: Id| !dependence::symbols(graph, value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
+    structure.momenta.retain(|momentum| free(momentum.value));
+    structure
+}
+
 /// Finds everything.
 pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Structure {
     let split = match separable::split(graph, energy) {

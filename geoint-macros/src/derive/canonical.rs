@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::jet::JetKernel;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
 use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
@@ -54,6 +55,12 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
+    let force: Vec<Id> = if structure.conservative() {
+        gradient.q.iter().map(|slope| graph.neg(*slope)).collect()
+    } else {
+        fields.field.f[degrees as usize..].to_vec()
+    };
+    let jet = JetKernel::canonical(graph, &gradient, &force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
@@ -69,6 +76,7 @@ pub(crate) fn canonical(
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),

@@ -1,6 +1,7 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
+use super::jet::JetKernel;
 use super::system::{
     ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
 };
@@ -23,7 +24,12 @@ pub(crate) fn contact(
     (degrees, lift): (u32, bool),
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
-    let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
+    let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
+    let jet = match &rates {
+        Some(rates) => JetKernel::of_lift(graph, rates),
+        None => JetKernel::contact(graph, energy, &gradient),
+    };
+    let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
     let pieces = pieces::kernels(graph, "ContactSplitting", (found, NO_PIECES), lift);
     let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
         let modified = split::modified_energy(graph, &found.pieces, degrees);
@@ -54,6 +60,7 @@ pub(crate) fn contact(
         }),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)

@@ -1,6 +1,7 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::jet::JetKernel;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::diff;
@@ -35,6 +36,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) domain: Domain<K>,
     /// What velocities have to do with it, of a Lagrangian.
     pub(crate) lagrangian: Option<Lagrangian<K>>,
+    /// The Taylor coefficients of the solution.
+    pub(crate) jet: Option<JetKernel<K>>,
 }
 
 /// From velocities to momenta, and back.
@@ -144,6 +147,25 @@ pub(crate) enum Implicit<K> {
     Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
+    /// With constraints.
+    Constrained(ConstraintKernels<K>),
+}
+
+/// Constraints, and the steps that keep them.
+#[derive(Debug)]
+pub(crate) struct ConstraintKernels<K> {
+    /// g.
+    pub(crate) constraints: Vec<Id>,
+    /// Whether ∂H/∂p is affine in p.
+    pub(crate) quadratic: bool,
+    /// g and G.
+    pub(crate) values: K,
+    /// ∂H/∂p and ∂²H/∂p².
+    pub(crate) velocity: K,
+    /// g, its size, G ∂H/∂p, its size.
+    pub(crate) departure: K,
+    /// Of each method by name: the residual with its derivative; what a solution adds; the origin of unknowns.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
 }
 
 /// A Lagrangian by its derivatives.
@@ -295,6 +317,7 @@ impl System {
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
             lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
+            jet: self.jet.map(|jet| jet.map(&mut plan)),
         }
     }
 }
@@ -383,13 +406,30 @@ impl<K> Implicit<K> {
                 Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
-                let step = |(name, step): (_, StepKernel<K>)| {
-                    (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
-                };
-                let steps = steps.into_iter().map(step).collect();
+                let steps = mapped(steps, of);
                 let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
                 Implicit::Contact(ContactKernels { steps, stages })
             }
+            Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
+                Implicit::Constrained(ConstraintKernels {
+                    constraints,
+                    quadratic,
+                    values: of(values),
+                    velocity: of(velocity),
+                    departure: of(departure),
+                    steps: mapped(steps, of),
+                })
+            }
         }
     }
+}
+
+/// The equations of steps by the names of methods.
+fn mapped<K, L>(
+    steps: Vec<(&'static str, StepKernel<K>)>,
+    of: &mut impl FnMut(K) -> L,
+) -> Vec<(&'static str, StepKernel<L>)> {
+    let step =
+        |(name, step): (_, StepKernel<K>)| (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) });
+    steps.into_iter().map(step).collect()
 }

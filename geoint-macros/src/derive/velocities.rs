@@ -57,5 +57,6 @@ pub(crate) fn velocities(
             damping,
         ),
         lagrangian: None,
+        jet: None,
     }
 }
