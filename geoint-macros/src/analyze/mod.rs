@@ -19,6 +19,7 @@ mod enclosable;
 mod poles;
 mod jumps;
 mod identity;
+mod squares;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
@@ -34,6 +35,7 @@ pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
+pub(crate) use squares::weights_of_squares;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]

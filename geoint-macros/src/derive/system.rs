@@ -175,11 +175,14 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) increments: Vec<Symbol>,
     /// ∂L/∂v and M.
     pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
     /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
     pub(crate) keeps: bool,
-    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
+    /// in v.
     pub(crate) polarised: Result<K, Missing>,
 }
 
@@ -401,9 +404,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised }) => {
-                let (mass, stage, polarised) = (of(mass), of(stage), polarised.map(&mut *of));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
+                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+                let polarised = polarised.map(&mut *of);
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
                 let steps = mapped(steps, of);
