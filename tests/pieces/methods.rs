@@ -4,7 +4,7 @@ use crate::check::{Over, field};
 use geoint_runtime::method::catalogue::{self, Visitor};
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::Pieces;
-use geoint_runtime::{Coordinates, Cotangent, Method};
+use geoint_runtime::{Coordinates, Cotangent, Method, Real};
 use geoint_tests::measure::{extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
 
@@ -51,11 +51,17 @@ struct Orders<'a, const N: usize, S> {
 
 impl<const N: usize, S: Over<Double, N>> Visitor<S, Double> for Orders<'_, N, S> {
     fn visit<M: Method<S, Double> + 'static>(&mut self, method: M) {
-        let order = observed_order(|n| {
+        let error = |n| {
             let found = end(self.system, method, self.start, n);
             found.iter().zip(&self.exact).map(|(a, b)| (*a - *b).magnitude()).fold(0.0, f64::max)
-        });
+        };
         let claimed = f64::from(method.claims().order);
+        // The digits of its table end the error before an order can be seen.
+        if claimed > 8.0 {
+            assert!(error(40) < 1e-13, "{}: {:.1e}", method.name(), error(40));
+            return;
+        }
+        let order = observed_order(error);
         // Tables have the digits of `f64`.
         let floor = claimed >= 8.0;
         let good = if floor { order > claimed - 0.5 } else { (order - claimed).abs() < 0.2 };

@@ -125,13 +125,13 @@ fn main() -> Result<(), Box<dyn Error>> {
                 "Bouncing",
                 "length of the spring",
                 [Axis::linear("time in s", 0.0..60.0), Axis::linear("r in m", 0.85..1.15)],
-                vec![Curve::line("", palette::VERMILION, lengths).width(0.7)],
+                vec![Curve::line("r", palette::VERMILION, lengths).width(0.7)],
             ),
             Panel::new(
                 "Swinging",
                 "its part of the energy",
                 [Axis::linear("time in s", 0.0..60.0), Axis::linear("part", 0.0..1.05)],
-                vec![Curve::line("", palette::BLUE, shares).width(0.7)],
+                vec![Curve::line("swinging", palette::BLUE, shares).width(0.7)],
             ),
         ],
     )

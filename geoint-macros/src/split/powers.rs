@@ -25,7 +25,8 @@ type Form = BTreeMap<Symbol, i128>;
 /// A form adds positions to momenta, so that both have to be of one scale: none is made unless the squares of both have the same number
 /// for their coefficient, or there are no squares.
 pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> Option<Vec<Id>> {
-    let mut forms: BTreeMap<Vec<(Symbol, i128)>, (Form, BTreeMap<i128, Id>)> = BTreeMap::new();
+    // The coefficient of each power of a form.
+    let mut forms: BTreeMap<Form, BTreeMap<i128, Id>> = BTreeMap::new();
     // Of positions, and of momenta.
     let mut alone = [graph.zero(), graph.zero()];
     let mut known = vec![];
@@ -67,9 +68,7 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
                 let Some(scale) = normalised(&mut form) else { continue };
                 let size = scale.pow(u32::try_from(degree).ok()?) * sign;
                 let part = graph.scale(Number::Exact(share.mul(Ratio::integer(size))?), coefficient);
-                let key = form.iter().map(|(symbol, c)| (*symbol, *c)).collect();
-                let (_, powers) = forms.entry(key).or_insert_with(|| (form, BTreeMap::new()));
-                let sum = powers.entry(degree).or_insert_with(|| graph.zero());
+                let sum = forms.entry(form).or_default().entry(degree).or_insert_with(|| graph.zero());
                 *sum = graph.add(*sum, part);
             }
         }
@@ -78,7 +77,7 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
         return None;
     }
     let mut mixed = known;
-    for (form, powers) in forms.into_values() {
+    for (form, powers) in forms {
         let mut sum = graph.zero();
         for (symbol, c) in &form {
             let symbol = graph.symbol(*symbol);
