@@ -2,15 +2,16 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
-use super::perturbed;
+use super::jet::JetKernel;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
+use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
-use crate::messages::{COUPLED, DAMPED, FORCED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES, NOT_QUADRATIC};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
-use crate::split::Division;
+use crate::split::{Division, Pieces};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
 /// more than the one direction that is needed of it: users do not pay for compiling another one.
@@ -20,7 +21,7 @@ const FEW: u32 = 3;
 pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
-    division: &Division,
+    (division, pieces): (&Division, Option<&Pieces>),
     partial: &[Partial],
     degrees: u32,
 ) -> (System, Gradient) {
@@ -37,7 +38,10 @@ pub(crate) fn canonical(
     };
     let separable = match (drag, &structure.split) {
         (Some((term, why)), _) => Err(Missing { marker: "Undamped", term, why, pair: None }),
-        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
+        (None, Split::Coupled(term)) => {
+            let why = if matches!(pieces, Some(Ok(_))) { COUPLED_IN_PIECES } else { COUPLED };
+            Err(Missing { marker: "Uncoupled", term: *term, why, pair: None })
+        }
         (None, Split::Separable(parts)) => Ok(parts),
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
@@ -49,7 +53,14 @@ pub(crate) fn canonical(
         (structure.conservative(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
+        (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
+    let force: Vec<Id> = if structure.conservative() {
+        gradient.q.iter().map(|slope| graph.neg(*slope)).collect()
+    } else {
+        fields.field.f[degrees as usize..].to_vec()
+    };
+    let jet = JetKernel::canonical(graph, &gradient, &force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
@@ -58,10 +69,14 @@ pub(crate) fn canonical(
         splitting: Some(splitting),
         perturbed: Some(perturbed),
         modified,
-        pieces: vec![],
+        pieces: pieces
+            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, NO_CANONICAL_PIECES), false))
+            .into_iter()
+            .collect(),
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),

@@ -48,6 +48,8 @@ impl Parted {
 pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
     let both = |poisson, autonomous, [by_terms, by_planes]: [Result<_, Missing>; 2]| {
         let pieces = |splitting, pieces, symplectic, conserves_energy| PiecesOf {
+            cost: 0,
+            rejected: vec![],
             splitting,
             pieces,
             symplectic,

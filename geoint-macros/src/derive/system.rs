@@ -1,13 +1,14 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::jet::JetKernel;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{self, Clock};
+use crate::split::{self, Clock, Rejected};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -35,6 +36,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) domain: Domain<K>,
     /// What velocities have to do with it, of a Lagrangian.
     pub(crate) lagrangian: Option<Lagrangian<K>>,
+    /// The Taylor coefficients of the solution.
+    pub(crate) jet: Option<JetKernel<K>>,
 }
 
 /// From velocities to momenta, and back.
@@ -113,6 +116,10 @@ pub(crate) struct PiecesOf<K> {
     /// Its name.
     pub(crate) splitting: &'static str,
     pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
+    /// What flows cost a step, in units of one sum.
+    pub(crate) cost: usize,
+    /// What else was found, and not taken.
+    pub(crate) rejected: Vec<Rejected>,
     /// Whether every flow keeps the structure of phase space.
     pub(crate) symplectic: bool,
     /// Whether every flow keeps H, or the first integral.
@@ -140,6 +147,25 @@ pub(crate) enum Implicit<K> {
     Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
+    /// With constraints.
+    Constrained(ConstraintKernels<K>),
+}
+
+/// Constraints, and the steps that keep them.
+#[derive(Debug)]
+pub(crate) struct ConstraintKernels<K> {
+    /// g.
+    pub(crate) constraints: Vec<Id>,
+    /// Whether ∂H/∂p is affine in p.
+    pub(crate) quadratic: bool,
+    /// g and G.
+    pub(crate) values: K,
+    /// ∂H/∂p and ∂²H/∂p².
+    pub(crate) velocity: K,
+    /// g, its size, G ∂H/∂p, its size.
+    pub(crate) departure: K,
+    /// Of each method by name: the residual with its derivative; what a solution adds; the origin of unknowns.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
 }
 
 /// A Lagrangian by its derivatives.
@@ -149,11 +175,14 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) increments: Vec<Symbol>,
     /// ∂L/∂v and M.
     pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
     /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
     pub(crate) keeps: bool,
-    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
+    /// in v.
     pub(crate) polarised: Result<K, Missing>,
 }
 
@@ -291,6 +320,7 @@ impl System {
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
             lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
+            jet: self.jet.map(|jet| jet.map(&mut plan)),
         }
     }
 }
@@ -337,9 +367,9 @@ impl<K> PieceKernel<K> {
 
 impl<K> PiecesOf<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, symplectic, conserves_energy } = self;
+        let PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy } = self;
         let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, symplectic, conserves_energy }
+        PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy }
     }
 }
 
@@ -374,18 +404,36 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised }) => {
-                let (mass, stage, polarised) = (of(mass), of(stage), polarised.map(&mut *of));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
+                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+                let polarised = polarised.map(&mut *of);
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
-                let step = |(name, step): (_, StepKernel<K>)| {
-                    (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
-                };
-                let steps = steps.into_iter().map(step).collect();
+                let steps = mapped(steps, of);
                 let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
                 Implicit::Contact(ContactKernels { steps, stages })
             }
+            Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
+                Implicit::Constrained(ConstraintKernels {
+                    constraints,
+                    quadratic,
+                    values: of(values),
+                    velocity: of(velocity),
+                    departure: of(departure),
+                    steps: mapped(steps, of),
+                })
+            }
         }
     }
+}
+
+/// The equations of steps by the names of methods.
+fn mapped<K, L>(
+    steps: Vec<(&'static str, StepKernel<K>)>,
+    of: &mut impl FnMut(K) -> L,
+) -> Vec<(&'static str, StepKernel<L>)> {
+    let step =
+        |(name, step): (_, StepKernel<K>)| (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) });
+    steps.into_iter().map(step).collect()
 }

@@ -201,7 +201,11 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.scale(Number::HALF.neg(), sine)]
         }
         Function::StumpffC1 => vec![g.call(Function::StumpffC1Derivative, &[x])],
-        Function::KeplerF
+        Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
+        | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate
         | Function::KeplerGRate

@@ -165,6 +165,10 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::AtMost
         | Function::Provided
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

@@ -120,6 +120,10 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::AtMost
         | Function::Provided
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

@@ -35,6 +35,7 @@
 //! ```
 
 use crate::method::Method;
+use crate::method::constrained::Rattle;
 use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
@@ -45,14 +46,14 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient,
-    ImplicitStep, Mechanical, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField,
-    QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, ByField, Collocated, Collocation, Conservative, ConstrainedStep, ContactStages,
+    DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient,
+    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -175,6 +176,26 @@ pub fn relaxed<S: DiscreteField<R> + Autonomous<R>, R: Real>(visitor: &mut impl 
 pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: Kahan);
     compositions!(visitor: Kahan);
+}
+
+/// Methods for every H(q, p, t) whose pieces have flows in closed form, beside T(p) + V(q).
+pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
+    compositions!(visitor: PieceSplitting);
+}
+
+/// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
+pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
+}
+
+/// Methods for systems with constraints.
+pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>,
+{
+    show!(visitor: Rattle, DiscreteGradient);
+    compositions!(visitor: Rattle, DiscreteGradient);
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

@@ -84,7 +84,7 @@ pub struct Piece {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no pieces for `{M}`",
     label = "this method is for systems that were split into such",
-    note = "`ContactSplitting` is for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
+    note = "`PieceSplitting` is for `#[hamiltonian]` where positions and momenta are coupled; `ContactSplitting` for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
             that and for `#[vector_field(keeps(…))]`",
     note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
@@ -126,6 +126,17 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
         t: R,
         x: &PerCoordinate<Self::Phase, Self::Action>,
     ) -> PerCoordinate<Self::Phase, Self::Action>;
+}
+
+/// Two pieces A and B, in this order, with {B, {B, {B, A}}} = 0: tables of Runge–Kutta–Nyström type keep their order.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no two pieces A and B with {{B, {{B, {{B, A}}}}}} = 0",
+    label = "Runge–Kutta–Nyström tables would lose their order",
+    note = "tables for any pieces: `BlanesMoan6X.of(PieceSplitting)`, `KahanLi8_17a.of(PieceSplitting)`"
+)]
+pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
 }
 
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.

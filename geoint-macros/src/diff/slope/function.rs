@@ -123,6 +123,10 @@ impl Slopes {
             | Function::AtMost
             | Function::Provided
             | Function::DecayMean
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

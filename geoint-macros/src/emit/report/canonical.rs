@@ -2,7 +2,7 @@
 
 use super::super::damping;
 use super::super::kernel::Context;
-use super::counted;
+use super::{counted, pieces};
 use crate::analyze::{self, MeanValue, Split, Structure};
 use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
@@ -89,6 +89,16 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
     conserved(text, printer, structure, &unread)?;
 
+    for found in &system.pieces {
+        writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
+        pieces::of_energy(text, printer, found)?;
+        if system.proven.contains(&"NystromPieces") {
+            writeln!(
+                text,
+                "- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`"
+            )?;
+        }
+    }
     if let Some(Ok(parts)) = &system.perturbed {
         perturbed(text, printer, parts)?;
     }

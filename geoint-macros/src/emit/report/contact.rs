@@ -109,11 +109,7 @@ fn decaying<F: Fn(Symbol) -> String>(
 
 fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
     writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
-    match system.pieces.first().map(|found| &found.pieces) {
-        Some(Ok(pieces)) => pieces.iter().try_for_each(|piece| super::pieces::piece(text, printer, piece)),
-        Some(Err(missing)) => writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term)),
-        None => Ok(()),
-    }
+    system.pieces.iter().try_for_each(|found| super::pieces::of_energy(text, printer, found))
 }
 
 fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {

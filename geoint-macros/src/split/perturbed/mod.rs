@@ -8,8 +8,9 @@ mod bodies;
 mod heliocentric;
 mod jacobi;
 
+use super::atoms::linear_motion;
 use super::families::piece;
-use super::flow::Flow;
+use super::flow::{Flow, Space};
 use super::polynomial::{Polynomial, is_momentum, times_powers};
 use super::time::Clock;
 use crate::analyze::{self, Split, Structure};
@@ -100,7 +101,7 @@ pub(crate) fn divided(
     }
     let parts = match &structure.split {
         Split::Separable(parts) => parts,
-        Split::Coupled(term) => return Err(NoPart { term: *term, why: NO_EXACT_PART }),
+        Split::Coupled(term) => return coupled(graph, structure.energy, *term, degrees),
     };
     if let Some((coordinates, _)) = energy.inner {
         let frame = match coordinates {
@@ -119,13 +120,28 @@ pub(crate) fn divided(
     of_parts(graph, exact, rest, degrees)
 }
 
+/// The quadratic terms and whatever else reads momenta, and the rest.
+fn coupled(graph: &mut Graph, energy: Id, term: Id, degrees: u32) -> Division {
+    let terms = analyze::terms(graph, energy);
+    let space = Space { degrees, action: false };
+    let (bound, _) = linear_motion(graph, &terms, space).ok_or(NoPart { term, why: NO_EXACT_PART })?;
+    let (exact, rest): (Vec<Id>, Vec<Id>) =
+        terms.into_iter().partition(|term| bound.contains(term) || analyze::reads(graph, *term).p);
+    let [exact, rest] = [exact, rest].map(|terms| graph.sum(&terms));
+    if graph.is_zero(rest) {
+        return Err(NoPart { term, why: NO_EXACT_PART });
+    }
+    of_parts(graph, exact, rest, degrees)
+}
+
 /// A with its flow and B, if they have flows.
 fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     let reads = analyze::reads(graph, rest);
     if reads.p || reads.s {
         return Err(NoPart { term: rest, why: NOT_A_KICK });
     }
-    let found = piece(graph, exact, degrees).ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
+    let found = piece(graph, exact, Space { degrees, action: false })
+        .ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
     Ok(Perturbed {
         exact,
         kick: rest,
