@@ -207,6 +207,12 @@ fn reports_name_what_decays() {
     assert!(!Driven::<f64>::REPORT.contains("Decaying by the factor"), "{}", Driven::<f64>::REPORT);
 }
 
+/// Friction in proportion to the mass.
+#[lagrangian(rayleigh = 0.5 * c * v * v)]
+fn proportional(q: f64, v: f64, m: f64, c: f64) -> f64 {
+    0.5 * m * v * v - 0.25 * q.powi(4)
+}
+
 /// −½v²: what is wrong with its sign is said, and nothing else is.
 #[lagrangian]
 fn concave(q: f64, v: f64) -> f64 {
@@ -219,7 +225,7 @@ fn reports_say_what_is_unusual() -> Result<(), StepError> {
     assert!(!Oscillator::<f64>::REPORT.contains("negative definite"));
     assert!(Growing::<f64>::REPORT.contains("momenta read the action"), "{}", Growing::<f64>::REPORT);
     assert!(!Fading::<f64>::REPORT.contains("momenta read the action"));
-    assert!(Rubbed::<f64>::REPORT.contains("with γ = gamma"), "{}", Rubbed::<f64>::REPORT);
+    assert!(Proportional::<f64>::REPORT.contains("with γ = c/m,"), "{}", Proportional::<f64>::REPORT);
     assert!(!RubbedArm::<f64>::REPORT.contains("with γ = "));
     let mut sim = Concave.integrator(Gauss::<3>, 0.05, Concave.at(1.0, 0.0));
     sim.advance(40)?;

@@ -2,6 +2,7 @@
 
 use super::straight_line;
 use crate::ir::Symbol;
+use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
 use crate::schedule::{Block, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
@@ -147,10 +148,15 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What users call an argument. Momenta of a Lagrangian are none.
+    /// What users call an argument. Momenta of a Lagrangian are none, nor are velocities of an energy.
     pub(crate) fn name_of(&self, role: Role) -> String {
         let argument = self.energy.arguments.iter().find(|(other, _)| *other == role);
-        argument.map_or_else(|| if role == Role::Momentum { "p" } else { "" }.into(), |(_, a)| a.name.to_string())
+        let unnamed = match role {
+            Role::Momentum => "p",
+            Role::Velocity => VELOCITY,
+            _ => "",
+        };
+        argument.map_or_else(|| unnamed.into(), |(_, a)| a.name.to_string())
     }
 
     /// What users call a symbol.

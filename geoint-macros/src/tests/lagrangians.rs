@@ -336,15 +336,15 @@ fn message(args: TokenStream, item: TokenStream) -> String {
 }
 
 #[test]
-fn friction_is_a_quadratic_form() {
+fn friction_is_least_at_rest() {
     let pendulum = quote!(
         fn f(q: f64, v: f64, m: f64, c: f64) -> f64 {
             m * v * v / 2.0 + q.cos()
         }
     );
     for (rayleigh, word) in [
-        (quote!(c * v.abs().powi(3)), "quadratic form"),
-        (quote!(c * v * v + c * v), "vanishes at rest"),
+        (quote!(c * v.powi(3)), "odd degree"),
+        (quote!(c * v * v + c * v), "vanishes there"),
         (quote!(-v * v), "takes energy away"),
     ] {
         let message = message(quote!(rayleigh = #rayleigh), pendulum.clone());

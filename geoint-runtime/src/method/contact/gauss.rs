@@ -216,7 +216,8 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
         };
         let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| factors.r[i] * factors.decay[i]));
         let factor = one + grown;
-        if !(factor.magnitude() > 0.0) || factor.any_below(0.0) {
+        let positive = factor.magnitude() > 0.0 && !factor.any_below(0.0);
+        if !positive {
             return None;
         }
         let mut end = PerCoordinate { z: Y::Phase::zero(), s: zero() };
