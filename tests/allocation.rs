@@ -130,6 +130,7 @@ fn steps_of_velocities_allocate_nothing() {
 fn stepping_of_contact_systems_allocates_nothing() {
     contact_steps("splitting", ContactSplitting);
     contact_steps("midpoint", ContactMidpoint);
+    contact_steps("Gauss", ContactGauss::<3>);
     contact_steps("discrete gradient", ContactDiscreteGradient);
     contact_steps("composition", Suzuki4.of(ContactMidpoint));
 }

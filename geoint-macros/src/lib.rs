@@ -82,7 +82,7 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
-/// - `coordinates = jacobi`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
+/// - `coordinates = jacobi`, `coordinates = heliocentric`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
 /// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
@@ -173,7 +173,10 @@ use proc_macro::TokenStream;
 ///   add up to H is decided exactly;
 /// - with `coordinates = jacobi` Kepler's motion of each body about those before it in the array, and what is left. Masses are read off T,
 ///   Σ |pᵢ|²/2mᵢ, and attractions off the terms −c/|qᵢ − qⱼ| of V; other terms of V may be any. An order of the bodies that is not that of
-///   their distances makes B large, not wrong.
+///   their distances makes B large, not wrong;
+/// - with `coordinates = heliocentric` the same about body 0, for which no order of the others is asked. What moves body 0 is part of B, which
+///   is larger: by `WisdomHolman` errors are some four times those in coordinates of Jacobi, by `Aba10_6_4` they are as small. Force gradients do
+///   not exist. Where V has terms that read positions otherwise than by differences of bodies 1, 2, …, the flow of B is a step of order 2.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -389,7 +392,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 /// H is taken apart into the fewest pieces whose flows are known in closed form; `REPORT` lists them, with the rule behind each
 /// and their order in a step. Steps go through the flows and back, the most expensive one in the middle. A coefficient that
 /// depends on time is integrated exactly where its antiderivative is elementary, otherwise frozen in the middle of a step.
-/// Where a term is in no such piece, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
+/// Where a term is in no such piece, `ContactGauss`, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
 ///
 /// # Arguments of the attribute
 ///
@@ -494,10 +497,40 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// # Ok::<(), StepError>(())
 /// ```
 ///
+/// # Linear in velocities
+///
+/// L = ϑ(q)·v − H(q, t) has equations of first order, Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. Ω is derived, and inverted in closed form; states
+/// are `FlowState { t, x }` with x = q alone, `system.at(q)`. Everything is there that
+/// `#[hamiltonian(structure = Ω⁻¹)]` has, such as `DiscreteGradient`, which keeps H to rounding. Where Ω vanishes on half of the
+/// coordinates, as it does where half of ϑ is zero, `Gauss` and `ImplicitMidpoint` move the others with their momenta, and are
+/// symplectic: C. L. Ellison et al., Phys. Plasmas 25 (2018) 052502. `REPORT` names the canonical coordinates, or says that there are none.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Prey and predators.
+/// #[lagrangian]
+/// fn animals(q: [f64; 2], v: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
+///     let [x, y] = q;
+///     y.ln() / x * v[0] + b * x - c * x.ln() + b * y - a * y.ln()
+/// }
+///
+/// let system = Animals { a: 1.0, b: 0.7, c: 0.5 };
+/// let mut sim = system.integrator(Gauss::<2>, 0.1, system.at([1.0, 1.5]));
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-8);
+/// # Ok::<(), StepError>(())
+/// ```
+///
 /// # Friction
 ///
-/// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the
-/// energy falls at the rate 2R, in a step of `DiscreteGradient` by what the mean velocity says, exactly.
+/// `rayleigh = R` adds −∂R/∂v to the force, for a function R(q, v, t) that is least at rest. Where R is a quadratic form in v, the energy
+/// falls at the rate 2R, else at v·∂R/∂v, as for drag `c * v.abs().powi(3) / 3.0` or dry friction `c * (v * v + e * e).sqrt()`; in a step of
+/// `DiscreteGradient` by what the mean velocity says, exactly. A step in which R would feed energy is refused.
+///
+/// `force = F` adds F(q, v, t), a number, or an array like q: torques of motors, or what else has no potential. A step of
+/// `DiscreteGradient` adds h v̄·F at the middle of the step to the energy, exactly.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -540,8 +573,8 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
-/// - `rayleigh = R`: see above.
-/// - `require(separable, quadratic_kinetic)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
+/// - `rayleigh = R`, `force = F`: see above.
+/// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {

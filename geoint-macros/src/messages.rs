@@ -37,6 +37,9 @@ pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities,
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FORCED: &str =
+    "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
                                         order; use a table for every separable energy, such as `BlanesMoan6`";
@@ -64,6 +67,9 @@ pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
 pub(crate) const NOT_NYSTROM_EXACT: &str = "the part with an exact flow is not of degree 2 in the momenta with constant coefficients of \
                                             their squares, so that a kick with a force gradient is none; use a table without, such as \
                                             `Aba10_6_4`";
+
+pub(crate) const JUMP_IS_NO_KICK: &str = "in heliocentric coordinates the rest moves positions by this term, so that it is no kick, with or without a \
+                                          force gradient; use a table without, such as `Aba10_6_4`, or `coordinates = jacobi`";
 
 pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` and `p` be arrays of vectors, one a body, as in \
                                      `[Vector3<f64>; 6]` or `[[f64; 2]; 3]`";

@@ -120,8 +120,9 @@
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
 //! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
-//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; both are
-//! a [`Trajectory`], so that a method can be chosen while the program runs. Methods of
+//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; [`TaylorIntegrator`]
+//! takes steps by Taylor series ([`Taylor`]). All are a [`Trajectory`], so that a method can be chosen while the program runs, and [`Dense`]:
+//! states between steps, sections and events. Methods of
 //! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 
@@ -151,7 +152,7 @@ pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagra
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
 #[doc(inline)]
-pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
@@ -168,7 +169,9 @@ pub use method::kahan::Kahan;
 #[doc(inline)]
 pub use method::perturbed::Perturbation;
 #[doc(inline)]
-pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
+pub use method::pieces::{
+    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarSplitting, PoissonSplitting,
+};
 #[doc(inline)]
 pub use method::splitting::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
@@ -199,13 +202,13 @@ pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler, FiveRotations,
-        FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe,
-        ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting,
-        PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet,
-        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory,
-        contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
+        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
+        FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
+        ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
+        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError,
+        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

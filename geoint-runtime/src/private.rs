@@ -1,9 +1,9 @@
 //! What emitted code may name. Not part of the public interface.
 
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
 pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+pub use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, TaylorIntegrator};
@@ -14,13 +14,14 @@ pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
 };
 pub use crate::system::{
-    Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
-    Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, Jets, KeepsEnergy,
-    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
-    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
-    VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
+    Autonomous, ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Clock as PieceClock,
+    Collocated, Collocation, Conformal as ConformalContact, Conservative, Contact as ContactSystem, ContactStages,
+    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded,
+    Hamiltonian, ImplicitStep, Jets, KeepsEnergy, Lagrangian as LagrangianSystem, Mean,
+    Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient,
+    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField,
+    QuadraticKinetic, Separable, VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of,
+    velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

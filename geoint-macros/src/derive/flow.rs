@@ -207,6 +207,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
                 routines: vec![implicit::roots(&field), vec![], vec![]],
             }),
             nothing_kept,
+            canonical: None,
             fourth,
             momenta: Kernel::new(Levels::One, vec![]),
         }),

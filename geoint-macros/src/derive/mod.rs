@@ -10,6 +10,7 @@ mod implicit;
 mod jet;
 mod canonical;
 mod perturbed;
+mod pieces;
 mod contact;
 mod bodies;
 mod flow;
@@ -31,6 +32,6 @@ pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use system::{
     FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing, Modified, PieceKernel,
-    PiecesOf, StepKernel, System, Undamped, VelocityKernels,
+    PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels,
 };
 pub(crate) use velocities::velocities;

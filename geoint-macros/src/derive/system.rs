@@ -4,10 +4,11 @@ use super::domain::Domain;
 use super::jet::JetKernel;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
+use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
-use crate::legendre::{Legendre, Route};
+use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{self, Clock};
+use crate::split::{self, Clock, Rejected};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -115,6 +116,10 @@ pub(crate) struct PiecesOf<K> {
     /// Its name.
     pub(crate) splitting: &'static str,
     pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
+    /// What flows cost a step, in units of one sum.
+    pub(crate) cost: usize,
+    /// What else was found, and not taken.
+    pub(crate) rejected: Vec<Rejected>,
     /// Whether every flow keeps the structure of phase space.
     pub(crate) symplectic: bool,
     /// Whether every flow keeps H, or the first integral.
@@ -138,8 +143,8 @@ pub(crate) struct PieceKernel<K> {
 pub(crate) enum Implicit<K> {
     /// Of a field.
     Field(FieldKernels<K>),
-    /// Of each method by name.
-    Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of contact systems.
+    Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
 }
@@ -153,6 +158,8 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) mass: K,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
+    /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
+    pub(crate) keeps: bool,
     /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
     pub(crate) polarised: Result<K, Missing>,
 }
@@ -188,6 +195,8 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) discrete: Option<K>,
     /// Why there is no such thing, if there is more to say of it than that nothing is kept.
     pub(crate) nothing_kept: Option<Missing>,
+    /// Canonical coordinates and their rates, with the derivatives of both: what collocation moves if there are such.
+    pub(crate) canonical: Option<K>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
     /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
@@ -197,6 +206,24 @@ pub(crate) struct FieldKernels<K> {
     /// Whether the equation of a step is linear.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
+}
+
+/// The implicit steps of a contact system.
+#[derive(Debug)]
+pub(crate) struct ContactKernels<K> {
+    /// Of each method by name.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
+    /// Of collocation; nothing if momenta are not followed.
+    pub(crate) stages: Option<StageKernel<K>>,
+}
+
+/// The field of a contact system at a stage.
+#[derive(Debug)]
+pub(crate) struct StageKernel<K> {
+    /// What is solved for: q and p, and s if they read it.
+    pub(crate) moved: Vec<Symbol>,
+    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone. s' alone.
+    pub(crate) kernel: K,
 }
 
 /// The equation of an implicit step in (q, p, s).
@@ -236,6 +263,20 @@ impl System {
             },
         };
         System { lagrangian: Some(lagrangian), ..self }
+    }
+
+    /// The same with what a Lagrangian that is linear in velocities adds.
+    pub(crate) fn of_first_order(mut self, graph: &mut Graph, found: &FirstOrder) -> System {
+        if let (Implicit::Field(field), Some(Canonical { values, rates, .. })) = (&mut self.implicit, &found.canonical)
+        {
+            let [values_by, rates_by] =
+                [values, rates].map(|of| diff::jacobian(graph, of, &field.coordinates).concat());
+            let stage = [values.clone(), rates.clone(), values_by, rates_by].concat();
+            field.canonical = Some(Kernel { levels: Levels::Prepared, routines: vec![stage] });
+        }
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let (value, momenta) = (kernel(&[found.lagrangian]), kernel(&found.momenta));
+        System { lagrangian: Some(Lagrangian { value, momenta, velocities: None }), ..self }
     }
 
     /// The statements of all kernels. After that nothing is added to the graph.
@@ -304,9 +345,9 @@ impl<K> PieceKernel<K> {
 
 impl<K> PiecesOf<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, symplectic, conserves_energy } = self;
+        let PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy } = self;
         let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, symplectic, conserves_energy }
+        PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy }
     }
 }
 
@@ -334,21 +375,24 @@ impl<K> Implicit<K> {
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
                 nothing_kept: field.nothing_kept,
+                canonical: field.canonical.map(&mut *of),
                 fourth: field.fourth.map(&mut *of),
                 momenta: of(field.momenta),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
-                let (mass, stage) = (of(mass), of(stage));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised }) => {
+                let (mass, stage, polarised) = (of(mass), of(stage), polarised.map(&mut *of));
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
             }
-            Implicit::Contact(steps) => {
+            Implicit::Contact(ContactKernels { steps, stages }) => {
                 let step = |(name, step): (_, StepKernel<K>)| {
                     (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
                 };
-                Implicit::Contact(steps.into_iter().map(step).collect())
+                let steps = steps.into_iter().map(step).collect();
+                let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
+                Implicit::Contact(ContactKernels { steps, stages })
             }
         }
     }

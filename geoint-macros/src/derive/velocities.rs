@@ -2,7 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::system::{Implicit, Missing, System, VelocityKernels};
-use crate::analyze::Damping;
+use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
@@ -11,10 +11,15 @@ use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
 /// Derives everything that some method needs; `long` is why there is no H.
-pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, damping: Option<&Damping>) -> System {
+pub(crate) fn velocities(
+    graph: &mut Graph,
+    legendre: &Legendre,
+    long: Id,
+    (damping, others): (Option<&Damping>, Option<&Forces>),
+) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let matrix = damping.map(|damping| &damping.matrix[..]);
-    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix };
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
     let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
     let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
     let polarised = if quadratic {
@@ -40,6 +45,7 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: Kernel::new(Levels::One, known),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
         }),
         integrals: None,

@@ -110,7 +110,7 @@ pub(super) fn state(form: Form) -> TokenStream {
         Form::Hamiltonian | Form::Lagrangian => quote!(State),
         Form::Bodies => quote!(BodyState),
         Form::Contact | Form::Herglotz => quote!(ContactState),
-        Form::Structured | Form::Field => quote!(FlowState),
+        Form::Structured | Form::Field | Form::FirstOrder => quote!(FlowState),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::flows::unsatisfied;
 use super::implicit::{square, write_field};
 use super::kernel::{Context, write};
-use super::system::{cotangent, self_type};
+use super::system::{cotangent, keeps_energy, self_type};
 use crate::derive::{Missing, VelocityKernels};
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
@@ -12,10 +12,10 @@ use quote::quote;
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
 pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
-    let VelocityKernels { increments, mass, stage, polarised } = kernels;
+    let VelocityKernels { increments, mass, stage, polarised, keeps } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
-    let (n, quadratic) = (places.len(), polarised.is_ok());
+    let (n, quadratic, keeps) = (places.len(), polarised.is_ok(), *keeps);
     let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
@@ -33,8 +33,10 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
         Err(missing) => not_polarised(context, graph, *missing),
     };
     let cotangent = cotangent(context);
+    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
     quote! {
         #cotangent
+        #kept
         impl<R: Real> Collocated<R> for #name {
             type Proof = ();
             type Stages = ByVelocities;

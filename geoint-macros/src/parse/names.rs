@@ -9,7 +9,9 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Adaptive",
     "Array",
     "Autonomous",
+    "ByCanonical",
     "ByField",
+    "CanonicalForm",
     "ByPolarisation",
     "ByTree",
     "ByVelocities",
@@ -22,10 +24,12 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ContactMidpoint",
     "FlowPiece",
     "FlowPieces",
+    "PieceSplitting",
     "PlanarSplitting",
     "PolarisedForm",
     "PoissonSplitting",
     "ContactSplitting",
+    "ContactStages",
     "ContactState",
     "ContactSystem",
     "Coordinates",
@@ -51,6 +55,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "MechanicalContact",
     "Method",
     "ModifiedEnergy",
+    "NystromPieces",
     "PerCoordinate",
     "PerturbedGradient",
     "PerturbedSystem",
@@ -66,6 +71,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Snapshot",
     "Square",
     "State",
+    "VelocityEnergy",
     "VelocityForm",
     "canonical_rate",
     "energy_of",
@@ -81,7 +87,7 @@ pub(crate) const IMPORTED: &[&str] = &[
 ];
 
 /// What emitted code declares for itself.
-const DECLARED: &[&str] = &["NamedFunctions"];
+const DECLARED: &[&str] = &["NamedFunctions", "OfVelocities"];
 
 /// Whether emitted code has a name for something else.
 pub(super) fn is_taken(name: &Ident) -> bool {

@@ -1,6 +1,6 @@
 //! The differential equation as implicit methods solve it.
 
-use super::{ByField, ByTree, Collocated, Graded, VectorField};
+use super::{ByTree, Collocated, Graded, VectorField};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
@@ -21,9 +21,9 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no system of `#[hamiltonian]`",
     label = "this method is for those",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
-pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R, Stages = ByField> {
+pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// y: all coordinates, or q alone. f has the same shape.
@@ -73,7 +73,7 @@ pub enum Mean {
     message = "`{Self}` is no system of `#[hamiltonian]`",
     label = "this method is for those",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = ByTree> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

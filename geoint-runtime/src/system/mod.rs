@@ -4,6 +4,7 @@
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
 mod bodies;
+mod canonical;
 mod contact;
 mod forms;
 mod implicit;
@@ -18,8 +19,9 @@ mod rates;
 mod velocities;
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
+pub use canonical::CanonicalForm;
+pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
+pub use forms::{ByCanonical, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use jets::Jets;
@@ -31,7 +33,7 @@ mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
-pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
 pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 

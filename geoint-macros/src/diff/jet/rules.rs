@@ -264,7 +264,7 @@ impl Builder<'_> {
             }
             Function::RecipPositive => Rule::Reciprocal(self.series(x)),
             // Conditions, not terms: at the start they are not a number where they do not hold.
-            Function::NotNegative | Function::Bounded => self.scaled(one, x),
+            Function::NotNegative | Function::Bounded | Function::Provided => self.scaled(one, x),
             Function::Signum => {
                 self.decides(x);
                 Rule::Linear(vec![])
@@ -296,6 +296,10 @@ impl Builder<'_> {
             | Function::DecayMean
             | Function::AtMost
             | Function::Grown
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

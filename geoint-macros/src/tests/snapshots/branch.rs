@@ -63,19 +63,20 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
-        Collocated, BodyState, Collocation, ConformalContact, Conservative,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
-        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
+        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
+        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
+        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
+        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
+        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
         ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod, Separable,
-        Snapshot, Square, State, VelocityForm, canonical_rate, energy_of, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, velocity_of,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
+        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
+        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -934,7 +935,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 5],
+                k: &[R; 11],
                 masks: &[R::Mask; 1],
                 u2: &mut [R; P],
                 u3: &mut [R; P],
@@ -953,20 +954,37 @@ const _: () = {
                 );
                 let (c2, c8, c5, c3, c0, c9, c14, c12, c11, c10, c7, c4, c1, c6, c13);
                 c2 = u2[n];
-                c8 = recurrence::square(u2, c2, n);
+                c8 = recurrence::square(k[0], c2, recurrence::sum_of_square(u2, n));
                 c5 = c8;
                 u5[n] = c5;
-                c3 = recurrence::power([u5, u3], c5, [k[0], k[1], k[2]], n);
+                c3 = recurrence::power(
+                    [k[2], k[1]],
+                    c5,
+                    recurrence::sum_of_power(u5, u3, k[3], n),
+                    n,
+                );
                 u3[n] = c3;
-                c0 = recurrence::product([u2, u3], [c2, c3], n);
+                c0 = recurrence::product(
+                    [k[0], k[4]],
+                    [c2, c3],
+                    recurrence::sum(u2, u3, n),
+                );
                 c9 = u9[n];
-                c14 = recurrence::square(u9, c9, n);
+                c14 = recurrence::square(k[5], c9, recurrence::sum_of_square(u9, n));
                 u14[n] = c14;
-                c12 = recurrence::product([u9, u14], [c9, c14], n);
+                c12 = recurrence::product(
+                    [k[5], k[6]],
+                    [c9, c14],
+                    recurrence::sum(u9, u14, n),
+                );
                 u12[n] = c12;
-                c11 = k[3] * u13[n - 1] * R::from_f64(1.0 / n as f64);
+                c11 = k[7] * u13[n - 1] * R::from_f64(1.0 / n as f64);
                 u11[n] = c11;
-                c10 = recurrence::product([u11, u12], [c11, c12], n);
+                c10 = recurrence::product(
+                    [k[8], k[9]],
+                    [c11, c12],
+                    recurrence::sum(u11, u12, n),
+                );
                 c7 = R::from_f64(4.0) * c10;
                 c4 = {
                     let [chosen] = R::choose(masks[0], || [c7], || [R::from_f64(0.0)]);
@@ -974,7 +992,7 @@ const _: () = {
                 };
                 c1 = -c4;
                 c6 = -c9;
-                c13 = k[4] * u11[n - 1] * R::from_f64(1.0 / n as f64);
+                c13 = k[10] * u11[n - 1] * R::from_f64(1.0 / n as f64);
                 u13[n] = c13;
                 jet[n].z[0][0] = next * c0;
                 if n + 1 < P {
@@ -1030,11 +1048,17 @@ const _: () = {
             v13 = -v12;
             v14 = -q0;
             v15 = v9 * v7;
-            let k: [R; 5] = [
-                R::from_f64(0.5),
-                R::from_f64(1.0) / v1,
+            let k: [R; 11] = [
+                p0,
                 R::from_f64(-0.5) * v3 / v1,
+                v1,
+                R::from_f64(0.5),
+                v3,
+                q0,
+                v8,
                 R::from_f64(-1.0) * k1,
+                v7,
+                v9,
                 R::from_f64(1.0) * k1,
             ];
             let masks: [R::Mask; 1] = [v5];

@@ -75,19 +75,20 @@ struct Turning<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
-        Collocated, BodyState, Collocation, ConformalContact, Conservative,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
-        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
+        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
+        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
+        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
+        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
+        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
         ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod, Separable,
-        Snapshot, Square, State, VelocityForm, canonical_rate, energy_of, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, velocity_of,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
+        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
+        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;

@@ -73,19 +73,20 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
-        Collocated, BodyState, Collocation, ConformalContact, Conservative,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
-        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
+        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
+        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
+        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
+        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
+        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
+        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
         ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod, Separable,
-        Snapshot, Square, State, VelocityForm, canonical_rate, energy_of, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, velocity_of,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
+        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
+        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -661,7 +662,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 2],
+                k: &[R; 4],
                 masks: &[R::Mask; 0],
                 u2: &mut [R; P],
                 u4: &mut [R; P],
@@ -680,11 +681,11 @@ const _: () = {
                 c0 = k[0] * c2;
                 c6 = u6[n];
                 ju6[n] = whole * c6;
-                c4 = recurrence::integral([ju6, u5], c6, n);
+                c4 = recurrence::integral(k[1], c6, recurrence::sum(ju6, u5, n), n);
                 u4[n] = c4;
-                c3 = k[1] * c4;
+                c3 = k[2] * c4;
                 c1 = -c3;
-                c5 = -recurrence::integral([ju6, u4], c6, n);
+                c5 = -recurrence::integral(k[3], c6, recurrence::sum(ju6, u4, n), n);
                 u5[n] = c5;
                 jet[n].z[0][0] = next * c0;
                 if n + 1 < P {
@@ -712,7 +713,7 @@ const _: () = {
             (v6, v7) = q0.sin_cos();
             v8 = v5 * v6;
             v9 = -v8;
-            let k: [R; 2] = [v2, v5];
+            let k: [R; 4] = [v2, v7, v5, v6];
             let masks: [R::Mask; 0] = [];
             let (mut u2, mut u4, mut u5, mut u6, mut ju6) = (
                 [R::from_f64(0.0); P],
