@@ -27,9 +27,10 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
 fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
+    // Steps with constraints are derived from H.
+    let closed = energy.form.has_action() || energy.constraint.is_some();
     let graph = &mut lowered.graph;
-    let found =
-        legendre::transform(graph, lowered.energy, (energy.degrees(), energy.form.has_action()), &lowered.partial); // H, or why not
+    let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
         return first_order(energy, lowered, momenta);
     }
@@ -90,6 +91,9 @@ fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<
 
 /// H(q, p, t), of a Lagrangian if there is one.
 fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    if energy.constraint.is_some() {
+        return constrained(energy, lowered, legendre);
+    }
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
@@ -112,6 +116,27 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
     let report = emit::report::canonical(&context, graph, &structure, (&system, &gradient));
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, t) with constraints g(q) = 0.
+fn constrained(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+    let structure = structure.damped(graph, lowered.damping.clone());
+    let found = (&lowered.constraints[..], structure.damping.as_ref(), lowered.friction.is_some());
+    check::constraints(energy, found, graph, |symbol| context.user_name(symbol))?;
+    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let constraints: Vec<Id> = lowered.constraints.iter().map(|(constraint, _)| *constraint).collect();
+    let kept = analyze::bound(graph, lowered.energy, &constraints, &energy.coordinates.shape);
+    let kept = kept.damped(graph, lowered.damping);
+    let (derived, gradient) = derive::constrained(graph, &structure, &constraints, &lowered.partial, energy.degrees());
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
+    let system = derived.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::constraints(&context, graph, (&structure, &kept), &constraints, (&system, &gradient));
     let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }

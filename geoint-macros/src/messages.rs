@@ -3,6 +3,9 @@
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
                                     `ContactMidpoint` or `ContactDiscreteGradient`";
 
+pub(crate) const NO_CANONICAL_PIECES: &str = "no flow in closed form is known for this term, so that `PieceSplitting` has no pieces; use \
+                                              `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
 pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this term, so that `PoissonSplitting` has no pieces; use \
                                       `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
@@ -27,6 +30,15 @@ pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a qua
 
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const CONSTRAINED: &str =
+    "kick and drift leave this constraint; use `Rattle`, `DiscreteGradient` or their compositions";
+
+pub(crate) const NO_CONSTRAINT: &str =
+    "no constraint is given: leave this out, or name functions of positions that stay zero";
+
+pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and momenta, so kick and drift do not exist; its flow is known: use \
+                                            `PieceSplitting`, or one of its compositions such as `KahanLi8_17a.of(PieceSplitting)`";
 
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
@@ -59,7 +71,7 @@ pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow
 pub(crate) const NOT_A_KICK: &str =
     "the second part of `split` has to be a kick, a function of positions and time alone, and this is none";
 
-pub(crate) const NOT_TWO_PARTS: &str = "`split = \"A | B\"` has two parts, the one with an exact flow first";
+pub(crate) const NOT_TWO_PARTS: &str = "methods for A + B need `split = \"A | B\"` with two parts, the one with an exact flow first; for more pieces there is `PieceSplitting`";
 
 pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
     "no flow in closed form is known for the first part of `split`, which is to be solved exactly";

@@ -151,6 +151,7 @@ pub mod private;
 pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
+pub use method::constrained::Rattle;
 #[doc(inline)]
 pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
@@ -190,9 +191,9 @@ pub use scalar::Real;
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
-    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
+    KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
 
 #[doc(inline)]
@@ -206,7 +207,7 @@ pub mod prelude {
         ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
         FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
         ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
-        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Relaxation, Run, State, StepError,
+        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError,
         StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
         Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };

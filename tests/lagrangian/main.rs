@@ -12,3 +12,4 @@ mod thesis;
 mod degenerate;
 mod forces;
 mod herglotz;
+mod space;

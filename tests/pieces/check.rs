@@ -93,7 +93,7 @@ fn point<R: Scalar, const N: usize, S: Over<R, N>>(x: &[R]) -> S::Coordinates {
 }
 
 /// q' = ∂H/∂p, p' = −∂H/∂q.
-fn field<R: Scalar, const N: usize, S: Over<R, N>>(system: &S, t: R, x: &[R]) -> Vec<R> {
+pub(super) fn field<R: Scalar, const N: usize, S: Over<R, N>>(system: &S, t: R, x: &[R]) -> Vec<R> {
     let zero = [R::from_f64(0.0); N];
     let (mut z, mut slopes) = ([zero; 2], [zero; 2]);
     z.as_flattened_mut().copy_from_slice(x);

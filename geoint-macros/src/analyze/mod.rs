@@ -19,6 +19,7 @@ mod enclosable;
 mod poles;
 mod jumps;
 mod identity;
+mod squares;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
@@ -34,6 +35,7 @@ pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
+pub(crate) use squares::weights_of_squares;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
@@ -189,6 +191,22 @@ pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 /// What a node reads.
 pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
     dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
+}
+
+/// Facts of H and functions g of positions together: a momentum that commutes with the parts of H + λ·g for every λ does with those of H,
+/// and of every g.
+pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinates: &Shape) -> Structure {
+    let mut terms = vec![energy];
+    for (k, constraint) in (0..).zip(constraints) {
+        let multiplier = graph.symbol(Symbol::Multiplier(k));
+        terms.push(graph.mul(multiplier, *constraint));
+    }
+    let sum = graph.sum(&terms);
+    let mut structure = structure(graph, sum, coordinates);
+    let free =
+        |value: Id| !dependence::symbols(graph, value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
+    structure.momenta.retain(|momentum| free(momentum.value));
+    structure
 }
 
 /// Finds everything.

@@ -17,6 +17,9 @@ pub(crate) fn first_order(
     for expr in energy.rayleigh.iter().chain(&energy.force) {
         errors.at(expr, NO_FORCE);
     }
+    if let Some(constraint) = &energy.constraint {
+        errors.at(constraint, NO_CONSTRAINTS);
+    }
     for (_, span) in &energy.requirements {
         errors.at_place((*span, *span), NO_KINETIC);
     }
@@ -56,6 +59,8 @@ pub(crate) fn first_order(
         Err(_) => Err(errors),
     }
 }
+
+const NO_CONSTRAINTS: &str = "the Lagrangian is linear in the velocities: constraints are for positions that have inertia; express one coordinate by the others";
 
 const LINEAR: &str = "this Lagrangian is linear in the velocities, so that its equations are of first order";
 

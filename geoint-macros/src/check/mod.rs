@@ -1,6 +1,7 @@
 //! What the user asked for against what was proven.
 
 mod blame;
+mod constraints;
 mod damping;
 mod first_order;
 mod lagrangian;
@@ -8,6 +9,7 @@ mod pieces;
 mod proofs;
 pub(crate) mod wording;
 
+pub(crate) use constraints::constraints;
 pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};

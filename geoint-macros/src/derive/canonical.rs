@@ -8,7 +8,7 @@ use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
-use crate::messages::{COUPLED, DAMPED, FORCED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES, NOT_QUADRATIC};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 use crate::split::{Division, Pieces};
@@ -38,7 +38,10 @@ pub(crate) fn canonical(
     };
     let separable = match (drag, &structure.split) {
         (Some((term, why)), _) => Err(Missing { marker: "Undamped", term, why, pair: None }),
-        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
+        (None, Split::Coupled(term)) => {
+            let why = if matches!(pieces, Some(Ok(_))) { COUPLED_IN_PIECES } else { COUPLED };
+            Err(Missing { marker: "Uncoupled", term: *term, why, pair: None })
+        }
         (None, Split::Separable(parts)) => Ok(parts),
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
@@ -64,7 +67,7 @@ pub(crate) fn canonical(
         perturbed: Some(perturbed),
         modified,
         pieces: pieces
-            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, COUPLED), false))
+            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, NO_CANONICAL_PIECES), false))
             .into_iter()
             .collect(),
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),

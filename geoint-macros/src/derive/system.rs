@@ -147,6 +147,25 @@ pub(crate) enum Implicit<K> {
     Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
+    /// With constraints.
+    Constrained(ConstraintKernels<K>),
+}
+
+/// Constraints, and the steps that keep them.
+#[derive(Debug)]
+pub(crate) struct ConstraintKernels<K> {
+    /// g.
+    pub(crate) constraints: Vec<Id>,
+    /// Whether ∂H/∂p is affine in p.
+    pub(crate) quadratic: bool,
+    /// g and G.
+    pub(crate) values: K,
+    /// ∂H/∂p and ∂²H/∂p².
+    pub(crate) velocity: K,
+    /// g, its size, G ∂H/∂p, its size.
+    pub(crate) departure: K,
+    /// Of each method by name: the residual with its derivative; what a solution adds; the origin of unknowns.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
 }
 
 /// A Lagrangian by its derivatives.
@@ -156,11 +175,14 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) increments: Vec<Symbol>,
     /// ∂L/∂v and M.
     pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
     /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
     pub(crate) keeps: bool,
-    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
+    /// in v.
     pub(crate) polarised: Result<K, Missing>,
 }
 
@@ -382,18 +404,36 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised }) => {
-                let (mass, stage, polarised) = (of(mass), of(stage), polarised.map(&mut *of));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised })
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
+                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+                let polarised = polarised.map(&mut *of);
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
-                let step = |(name, step): (_, StepKernel<K>)| {
-                    (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
-                };
-                let steps = steps.into_iter().map(step).collect();
+                let steps = mapped(steps, of);
                 let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
                 Implicit::Contact(ContactKernels { steps, stages })
             }
+            Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
+                Implicit::Constrained(ConstraintKernels {
+                    constraints,
+                    quadratic,
+                    values: of(values),
+                    velocity: of(velocity),
+                    departure: of(departure),
+                    steps: mapped(steps, of),
+                })
+            }
         }
     }
+}
+
+/// The equations of steps by the names of methods.
+fn mapped<K, L>(
+    steps: Vec<(&'static str, StepKernel<K>)>,
+    of: &mut impl FnMut(K) -> L,
+) -> Vec<(&'static str, StepKernel<L>)> {
+    let step =
+        |(name, step): (_, StepKernel<K>)| (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) });
+    steps.into_iter().map(step).collect()
 }

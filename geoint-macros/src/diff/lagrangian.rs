@@ -54,9 +54,9 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     [given.momenta.to_vec(), force, matrices.concat()].concat()
 }
 
-/// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ with its derivative, and p₁ − p₀. Time is that of
-/// the middle of the step.
-pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id>) {
+/// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, then the derivatives of both. Time
+/// is that of the middle of the step.
+pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
     let (mut starts, mut ends, mut means, mut increments) = (vec![], vec![], vec![], vec![]);
@@ -98,20 +98,25 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id
         Symbol::T => Some(late),
         _ => None,
     });
-    let mut residual = vec![];
+    let mut momenta = vec![];
     for i in 0..ends.len() {
         let mut terms = vec![end.apply(graph, given.shift[i])];
         for (entry, v) in given.mass[i].iter().zip(&ends) {
             let entry = end.apply(graph, *entry);
             terms.push(graph.mul(entry, *v));
         }
-        let p = graph.symbol(Symbol::P(i as u32));
-        terms.extend([graph.neg(p), graph.neg(impulse[i])]);
-        residual.push(graph.sum(&terms));
+        momenta.push(graph.sum(&terms));
     }
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
-    let matrix = jacobian(graph, &residual, &unknowns);
-    ([residual, matrix.concat()].concat(), impulse)
+    let [by_d, impulse_by_d] = [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns).concat());
+    let mut residual = vec![];
+    for (i, (momentum, impulse)) in (0..).zip(momenta.iter().zip(&impulse)) {
+        let p = graph.symbol(Symbol::P(i));
+        let [p, impulse] = [p, *impulse].map(|id| graph.neg(id));
+        residual.push(graph.sum(&[*momentum, p, impulse]));
+    }
+    let matrix: Vec<Id> = by_d.iter().zip(&impulse_by_d).map(|(a, b)| graph.sub(*a, *b)).collect();
+    [residual, impulse, matrix, impulse_by_d].concat()
 }
 
 /// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.

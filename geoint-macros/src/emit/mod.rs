@@ -6,6 +6,7 @@
 mod attributes;
 mod bodies;
 mod canonical;
+mod constraints;
 mod damping;
 mod domain;
 mod flow;
@@ -74,7 +75,8 @@ fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), flow), report);
+    let constrained = matches!(system.implicit, Implicit::Constrained(_));
+    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
@@ -99,6 +101,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
             let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
             quote!(#discrete #nothing_kept #fourth #collocation #canonical)
         }
+        Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| steps::step(context, method, step));
@@ -114,7 +117,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, (true, None), report);
+    let inherent = system::inherent(context, (true, true, None), report);
     let bodies = bodies::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }

@@ -27,6 +27,8 @@ pub(crate) enum Symbol {
     Ds,
     /// The increment of a velocity over a step.
     Dv(u32),
+    /// The multiplier of a constraint.
+    Multiplier(u32),
 }
 
 impl Symbol {

@@ -8,6 +8,7 @@ mod assign;
 mod branch;
 mod call;
 mod constants;
+mod constraint;
 mod damping;
 mod expr;
 mod flow;
@@ -54,6 +55,8 @@ pub(crate) struct Lowered {
     pub(crate) friction: Option<Vec<Id>>,
     /// Rayleigh's dissipation function of a Lagrangian, and where it is written.
     pub(crate) rayleigh: Option<(Id, Place)>,
+    /// The functions that constraints keep at zero, and where they are written.
+    pub(crate) constraints: Vec<(Id, Place)>,
     /// The pieces that the user wants, and where they are written.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Where nodes were written first: the first and the last token.
@@ -134,6 +137,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
     let rayleigh = energy.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
     let force = energy.force.as_ref().map(|expr| lowering.force(expr, energy));
+    let constraints = energy.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     lowering.note_partial();
     let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
     graph.stop_recording();
@@ -152,6 +156,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         rayleigh,
         friction: None,
         force,
+        constraints,
         groups,
         places,
         partial,

@@ -98,6 +98,8 @@ pub(crate) struct Energy {
     pub(crate) rayleigh: Option<syn::Expr>,
     /// F of a force that is added, in terms of the arguments.
     pub(crate) force: Option<syn::Expr>,
+    /// The functions of positions that are kept at zero, in terms of the arguments.
+    pub(crate) constraint: Option<syn::Expr>,
     /// The coordinates in which methods move bodies.
     pub(crate) inner: Option<(Coordinates, Span)>,
     /// How an energy is to be split into pieces, in terms of the arguments.
@@ -160,7 +162,7 @@ impl Energy {
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(&self.rayleigh).chain(structure).chain(kept)
+        self.damping.iter().chain(&self.rayleigh).chain(&self.constraint).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -221,6 +223,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let herglotz = form == Form::Lagrangian && arguments.iter().any(|(role, _)| *role == Role::Action);
     let form = if herglotz { Form::Herglotz } else { form };
+    if herglotz && options.constraint.is_some() {
+        errors.at(&options.constraint, "with an action there are no constraints: leave out this, or the argument `s`");
+    }
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }
@@ -243,6 +248,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 damping,
                 rayleigh,
                 force,
+                constraint,
                 structure,
                 keeps,
                 split,
@@ -263,6 +269,7 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 damping,
                 rayleigh,
                 force,
+                constraint,
                 structure,
                 keeps,
                 inner,

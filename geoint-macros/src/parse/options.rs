@@ -3,6 +3,7 @@
 use super::flow::{self, Kept, StructureForm};
 use super::outside::Outside;
 use super::{Form, Role};
+use crate::messages::NO_CONSTRAINT;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
@@ -20,6 +21,7 @@ pub(super) struct Options {
     pub(super) damping: Option<syn::Expr>,
     pub(super) rayleigh: Option<syn::Expr>,
     pub(super) force: Option<syn::Expr>,
+    pub(super) constraint: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
@@ -30,7 +32,7 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `force = F`, `split = \"A | B\"`, `coordinates = jacobi` or `heliocentric`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `damping = coefficients`, `force = F`, `constraint = [g]`, `split = \"A | B\"`, `coordinates = jacobi` or `heliocentric`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                            `require(separable, quadratic_kinetic, conservative)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
@@ -40,7 +42,7 @@ const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = arg
                      `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
 const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
-                          `rayleigh = R`, `force = F`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                          `rayleigh = R`, `force = F`, `constraint = [g]`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
                           `require(separable, quadratic_kinetic, conservative)`";
 
 const FUNCTION: &str =
@@ -119,6 +121,14 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.force = Some(input.parse()?);
                 }
+                "constraint" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    let constraints: syn::Expr = input.parse()?;
+                    if matches!(&constraints, syn::Expr::Array(array) if array.elems.is_empty()) {
+                        return Err(syn::Error::new_spanned(constraints, NO_CONSTRAINT));
+                    }
+                    options.constraint = Some(constraints);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
@@ -175,6 +185,12 @@ impl Options {
         let forced = self.force.as_ref().map(Spanned::span);
         let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
         let parted = self.coordinates.map(|(_, span)| span).or(split);
+        let constrained = self.constraint.as_ref().map(Spanned::span);
+        if let Some(span) = constrained
+            && (self.structure.is_some() || role(Role::Attitude).is_some() || parted.is_some() || forced.is_some())
+        {
+            return Err(syn::Error::new(span, CONSTRAINED));
+        }
         let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
         let wrong = match (&self.structure, attitude) {
             (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
@@ -208,6 +224,9 @@ fn takes(form: Option<Form>, name: &str) -> bool {
         _ => true,
     }
 }
+
+const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
+                           `split`, `coordinates` and `force`";
 
 const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
 

@@ -81,7 +81,7 @@ pub(crate) fn coupled_pieces(
     groups: Option<&[(Id, Place)]>,
 ) -> Option<Pieces> {
     let asked = matches!(structure.split, Split::Coupled(_)) || groups.is_some();
-    let whole = asked && structure.damping.is_none();
+    let whole = asked && structure.conservative();
     whole.then(|| pieces(graph, structure.energy, Space { degrees, action: false }, groups))
 }
 
@@ -184,6 +184,12 @@ impl<'a> Search<'a> {
 
     /// The best partition; or a term that is in no piece.
     fn best(&mut self, graph: &mut Graph, energy: Id, measure: Measure) -> Result<Vec<Piece>, Id> {
+        // Without an action no family needs a term that has no flow of its own.
+        if !self.space.action
+            && let Some(alone) = (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none())
+        {
+            return Err(self.atoms[alone]);
+        }
         let whole = (1_usize << self.atoms.len()) - 1;
         // The best choice for every set of atoms.
         let mut best: Vec<Option<Choice>> = vec![Some(Choice::default())];

@@ -83,7 +83,7 @@ fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
         Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => 2,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 2,
     }
 }
 
@@ -213,7 +213,7 @@ proptest! {
             Symbol::S => point[2],
             Symbol::Dq(_) => 0.3 * point[3],
             Symbol::Dp(_) => 0.3 * point[4],
-            Symbol::Ds | Symbol::Dv(_) => 0.3 * point[5],
+            Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 0.3 * point[5],
             Symbol::T => point[6],
             Symbol::H | Symbol::G => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),

@@ -35,6 +35,7 @@
 //! ```
 
 use crate::method::Method;
+use crate::method::constrained::Rattle;
 use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
@@ -50,9 +51,9 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByField, Collocated, Collocation, Conservative, ContactStages, DiscreteField, ForceGradient,
-    ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, ByField, Collocated, Collocation, Conservative, ConstrainedStep, ContactStages,
+    DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient,
+    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -186,6 +187,15 @@ pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor
 /// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
 pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
+}
+
+/// Methods for systems with constraints.
+pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>,
+{
+    show!(visitor: Rattle, DiscreteGradient);
+    compositions!(visitor: Rattle, DiscreteGradient);
 }
 
 /// Methods for contact systems whose pieces have flows in closed form.

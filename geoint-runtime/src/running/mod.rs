@@ -1,6 +1,7 @@
 //! A system under a method: fixed steps, steps that adapt, what they return, and why they stop.
 
 mod adaptive;
+mod constraints;
 mod dense;
 mod error;
 mod integrator;
@@ -15,6 +16,7 @@ mod trajectory;
 mod watch;
 
 pub use adaptive::Adaptive;
+pub use constraints::state_on_constraint;
 pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;

@@ -16,7 +16,7 @@ pub(crate) const MAX_ITERATIONS: u32 = 100;
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
 /// A relative correction of so many ε that does not shrink any more is rounding.
-const ROUNDINGS: f64 = 64.0;
+pub(crate) const ROUNDINGS: f64 = 64.0;
 
 /// Iterations without a smaller correction than all before. Once may be chance, and corrections that turn round one another shrink on
 /// the whole.

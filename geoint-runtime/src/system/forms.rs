@@ -5,9 +5,10 @@ use crate::scalar::Real;
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this method is for those",
-    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait Collocated<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
@@ -38,13 +39,17 @@ pub struct ByCanonical;
 pub trait Graded<R: Real = f64>: PhaseSpace<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// [`ByTree`] or [`ByPolarisation`].
+    /// [`ByTree`], [`ByPolarisation`] or [`ByConstraint`].
     type Gradient;
 }
 
 /// The tree discrete gradient: see [`DiscreteField`](super::DiscreteField).
 #[derive(Clone, Copy, Debug)]
 pub struct ByTree;
+
+/// With constraints: see [`ConstrainedStep`](super::ConstrainedStep).
+#[derive(Clone, Copy, Debug)]
+pub struct ByConstraint;
 
 /// The polarised one: see [`PolarisedForm`](super::PolarisedForm).
 #[derive(Clone, Copy, Debug)]

@@ -271,6 +271,10 @@ impl Builder<'_> {
             }
             Function::RecipAbove
             | Function::Root
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::Sinc
             | Function::SincDerivative
             | Function::Sinhc

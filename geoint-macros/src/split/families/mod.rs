@@ -14,6 +14,7 @@ mod function;
 mod monomial;
 
 use super::flow::{Family, Flow, Group, Piece, Solve, Space};
+use super::polynomial::is_free;
 use super::time::Clock;
 use crate::ir::{Graph, Id, Symbol};
 
@@ -121,14 +122,17 @@ fn others(graph: &mut Graph, group: &Group, of: Solve) -> Option<Flow> {
 
 /// A piece with this energy, if some rule knows its flow: exactly in time, or else at frozen time.
 pub(crate) fn piece(graph: &mut Graph, energy: Id, space: Space) -> Option<Piece> {
-    [Clock::Own, Clock::Stage].into_iter().find_map(|clock| {
-        let group = Group { energy, degrees: space.degrees, clock };
+    // What does not read time is not frozen.
+    let steady = is_free(graph, energy, &|symbol| symbol == Symbol::T);
+    let clocks = if steady { &[Clock::Own][..] } else { &[Clock::Own, Clock::Stage] };
+    clocks.iter().find_map(|clock| {
+        let group = Group { energy, degrees: space.degrees, clock: *clock };
         FAMILIES.iter().filter(|family| family.action || !space.action).find_map(|family| {
             let mut flow = (family.solve)(graph, &group)?;
             if !space.action {
                 flow.s = graph.symbol(Symbol::S);
             }
-            Some(Piece { energy, family, flow, clock })
+            Some(Piece { energy, family, flow, clock: *clock })
         })
     })
 }

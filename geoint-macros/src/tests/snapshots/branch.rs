@@ -63,20 +63,19 @@ struct Spring;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
-        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
-        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
-        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
-        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -916,206 +915,6 @@ const _: () = {
         #[inline(always)]
         fn increments(change: &[[R; 1]; 2], impulse: &[[R; 1]; 2]) -> [[R; 1]; 2] {
             *change
-        }
-    }
-    impl<R: Real> Jets<R> for Spring {
-        type Proof = ();
-        type Switches = [R; 1];
-        type Over<T: Real> = State<T>;
-        const CONVOLUTIONS: usize = 6;
-        #[inline]
-        fn jet<const P: usize>(
-            &self,
-            t: R,
-            z: &[[R; 1]; 2],
-            _: &(),
-            jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-            switches: &mut [[R; 1]; P],
-        ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 11],
-                masks: &[R::Mask; 1],
-                u2: &mut [R; P],
-                u3: &mut [R; P],
-                u5: &mut [R; P],
-                u9: &mut [R; P],
-                u11: &mut [R; P],
-                u12: &mut [R; P],
-                u13: &mut [R; P],
-                u14: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-                switches: &mut [[R; 1]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c2, c8, c5, c3, c0, c9, c14, c12, c11, c10, c7, c4, c1, c6, c13);
-                c2 = u2[n];
-                c8 = recurrence::square(k[0], c2, recurrence::sum_of_square(u2, n));
-                c5 = c8;
-                u5[n] = c5;
-                c3 = recurrence::power(
-                    [k[2], k[1]],
-                    c5,
-                    recurrence::sum_of_power(u5, u3, k[3], n),
-                    n,
-                );
-                u3[n] = c3;
-                c0 = recurrence::product(
-                    [k[0], k[4]],
-                    [c2, c3],
-                    recurrence::sum(u2, u3, n),
-                );
-                c9 = u9[n];
-                c14 = recurrence::square(k[5], c9, recurrence::sum_of_square(u9, n));
-                u14[n] = c14;
-                c12 = recurrence::product(
-                    [k[5], k[6]],
-                    [c9, c14],
-                    recurrence::sum(u9, u14, n),
-                );
-                u12[n] = c12;
-                c11 = k[7] * u13[n - 1] * R::from_f64(1.0 / n as f64);
-                u11[n] = c11;
-                c10 = recurrence::product(
-                    [k[8], k[9]],
-                    [c11, c12],
-                    recurrence::sum(u11, u12, n),
-                );
-                c7 = R::from_f64(4.0) * c10;
-                c4 = {
-                    let [chosen] = R::choose(masks[0], || [c7], || [R::from_f64(0.0)]);
-                    chosen
-                };
-                c1 = -c4;
-                c6 = -c9;
-                c13 = k[10] * u11[n - 1] * R::from_f64(1.0 / n as f64);
-                u13[n] = c13;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u9[n + 1] = jet[n].z[0][0];
-                }
-                jet[n].z[1][0] = next * c1;
-                if n + 1 < P {
-                    u2[n + 1] = jet[n].z[1][0];
-                }
-                switches[n][0] = c6;
-            }
-            let [q, p] = z;
-            let (
-                p0,
-                k1,
-                k2,
-                q0,
-                k4,
-                v0,
-                v1,
-                v2,
-                v3,
-                v4,
-                v5,
-                v6,
-                v7,
-                v8,
-                v9,
-                v10,
-                v11,
-                v12,
-                v13,
-                v14,
-                v15,
-            );
-            p0 = p[0];
-            k1 = R::from_f64(1.0);
-            k2 = R::from_f64(0.0);
-            q0 = q[0];
-            k4 = R::from_f64(4.0);
-            v0 = p0 * p0;
-            v1 = k1 + v0;
-            v2 = v1.sqrt();
-            v3 = k1 / v2;
-            v4 = p0 * v3;
-            v5 = k2.less(q0);
-            (v6, v7) = t.sin_cos();
-            v8 = q0 * q0;
-            v9 = v8 * q0;
-            v10 = k4 * v9;
-            v11 = v10 * v7;
-            [v12] = R::choose(v5, || { [v11] }, || { [k2] });
-            v13 = -v12;
-            v14 = -q0;
-            v15 = v9 * v7;
-            let k: [R; 11] = [
-                p0,
-                R::from_f64(-0.5) * v3 / v1,
-                v1,
-                R::from_f64(0.5),
-                v3,
-                q0,
-                v8,
-                R::from_f64(-1.0) * k1,
-                v7,
-                v9,
-                R::from_f64(1.0) * k1,
-            ];
-            let masks: [R::Mask; 1] = [v5];
-            let (mut u2, mut u3, mut u5, mut u9, mut u11, mut u12, mut u13, mut u14) = (
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-            );
-            u2[0] = p0;
-            u3[0] = v3;
-            u5[0] = v1;
-            u9[0] = q0;
-            u11[0] = v7;
-            u12[0] = v9;
-            u13[0] = v6;
-            u14[0] = v8;
-            jet[0].z[0][0] = v4;
-            if P > 1 {
-                u9[1] = v4;
-            }
-            jet[0].z[1][0] = v13;
-            if P > 1 {
-                u2[1] = v13;
-            }
-            switches[0][0] = v14;
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u3, & mut u5, & mut u9, &
-                    mut u11, & mut u12, & mut u13, & mut u14, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
-            for n in 19..P {
-                orders!(n);
-            }
-        }
-    }
-    impl Spring {
-        /// This system by Taylor series of its solution, from `state` on.
-        ///
-        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn taylor<M: TaylorMethod>(
-            self,
-            method: M,
-            state: State<f64>,
-        ) -> TaylorIntegrator<Self, M, f64> {
-            TaylorIntegrator::new(self, method, state)
         }
     }
 };

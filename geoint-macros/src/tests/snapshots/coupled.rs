@@ -70,20 +70,19 @@ struct Coupled;
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
-        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
-        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
-        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
-        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -844,160 +843,6 @@ const _: () = {
         #[inline(always)]
         fn increments(change: &[[R; 2]; 2], impulse: &[[R; 2]; 2]) -> [[R; 2]; 2] {
             *change
-        }
-    }
-    impl<R: Real> Jets<R> for Coupled {
-        type Proof = ();
-        type Switches = [R; 0];
-        type Over<T: Real> = State<[T; 2]>;
-        const CONVOLUTIONS: usize = 3;
-        #[inline]
-        fn jet<const P: usize>(
-            &self,
-            t: R,
-            z: &[[R; 2]; 2],
-            _: &(),
-            jet: &mut [PerCoordinate<[[R; 2]; 2], ()>; P],
-            switches: &mut [[R; 0]; P],
-        ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 4],
-                masks: &[R::Mask; 0],
-                u1: &mut [R; P],
-                u6: &mut [R; P],
-                u7: &mut [R; P],
-                u8: &mut [R; P],
-                u9: &mut [R; P],
-                u10: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 2]; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c9, c11, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
-                c9 = u9[n];
-                c11 = recurrence::square(k[0], c9, recurrence::sum_of_square(u9, n));
-                c8 = c11;
-                u8[n] = c8;
-                c7 = u7[n];
-                c4 = recurrence::product(
-                    [k[1], k[2]],
-                    [c7, c8],
-                    recurrence::sum(u7, u8, n),
-                );
-                c0 = R::from_f64(2.0) * c4;
-                c1 = u1[n];
-                c10 = recurrence::square(k[1], c7, recurrence::sum_of_square(u7, n));
-                u10[n] = c10;
-                c5 = recurrence::product(
-                    [k[0], k[3]],
-                    [c9, c10],
-                    recurrence::sum(u9, u10, n),
-                );
-                c2 = R::from_f64(-2.0) * c5;
-                c6 = u6[n];
-                c3 = -c6;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u9[n + 1] = jet[n].z[0][0];
-                }
-                jet[n].z[0][1] = next * c1;
-                if n + 1 < P {
-                    u1[n + 1] = jet[n].z[0][1];
-                }
-                jet[n].z[1][0] = next * c2;
-                if n + 1 < P {
-                    u7[n + 1] = jet[n].z[1][0];
-                }
-                jet[n].z[1][1] = next * c3;
-                if n + 1 < P {
-                    u6[n + 1] = jet[n].z[1][1];
-                }
-            }
-            let [q, p] = z;
-            let (q0, k1, k2, p0, p1, q1, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9, v10);
-            q0 = q[0];
-            k1 = R::from_f64(1.0);
-            k2 = R::from_f64(2.0);
-            p0 = p[0];
-            p1 = p[1];
-            q1 = q[1];
-            v0 = q0 * q0;
-            v1 = k1 + v0;
-            v2 = k2 * p0;
-            v3 = v2 * v1;
-            v4 = p0 * p0;
-            v5 = k2 * q0;
-            v6 = v5 * v4;
-            v7 = -v6;
-            v8 = -p1;
-            v9 = p0 * v1;
-            v10 = q0 * v4;
-            let k: [R; 4] = [q0, p0, v1, v4];
-            let masks: [R::Mask; 0] = [];
-            let (mut u1, mut u6, mut u7, mut u8, mut u9, mut u10) = (
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-            );
-            u1[0] = q1;
-            u6[0] = p1;
-            u7[0] = p0;
-            u8[0] = v1;
-            u9[0] = q0;
-            u10[0] = v4;
-            jet[0].z[0][0] = v3;
-            if P > 1 {
-                u9[1] = v3;
-            }
-            jet[0].z[0][1] = q1;
-            if P > 1 {
-                u1[1] = q1;
-            }
-            jet[0].z[1][0] = v7;
-            if P > 1 {
-                u7[1] = v7;
-            }
-            jet[0].z[1][1] = v8;
-            if P > 1 {
-                u6[1] = v8;
-            }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u1, & mut u6, & mut u7, & mut u8, &
-                    mut u9, & mut u10, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25
-            );
-            for n in 26..P {
-                orders!(n);
-            }
-        }
-    }
-    impl Coupled {
-        /// This system by Taylor series of its solution, from `state` on.
-        ///
-        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn taylor<M: TaylorMethod>(
-            self,
-            method: M,
-            state: State<[f64; 2]>,
-        ) -> TaylorIntegrator<Self, M, f64> {
-            TaylorIntegrator::new(self, method, state)
         }
     }
 };

@@ -75,20 +75,19 @@ struct Turning<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
-        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
-        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
-        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
-        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -900,101 +899,6 @@ const _: () = {
         #[inline(always)]
         fn increments(change: &[R; 2], impulse: &[R; 2]) -> [R; 2] {
             *change
-        }
-    }
-    impl<R: Real> Jets<R> for Turning<R> {
-        type Proof = ();
-        type Switches = [R; 0];
-        type Over<T: Real> = FlowState<[T; 2]>;
-        const CONVOLUTIONS: usize = 0;
-        #[inline]
-        fn jet<const P: usize>(
-            &self,
-            t: R,
-            z: &[R; 2],
-            _: &(),
-            jet: &mut [PerCoordinate<[R; 2], ()>; P],
-            switches: &mut [[R; 0]; P],
-        ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 1],
-                masks: &[R::Mask; 0],
-                u3: &mut [R; P],
-                u4: &mut [R; P],
-                jet: &mut [PerCoordinate<[R; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c4, c2, c0, c3, c1);
-                c4 = u4[n];
-                c2 = k[0] * c4;
-                c0 = -c2;
-                c3 = u3[n];
-                c1 = k[0] * c3;
-                jet[n].z[0] = next * c0;
-                if n + 1 < P {
-                    u3[n + 1] = jet[n].z[0];
-                }
-                jet[n].z[1] = next * c1;
-                if n + 1 < P {
-                    u4[n + 1] = jet[n].z[1];
-                }
-            }
-            let q = z;
-            let (q1, a0, q0, v0, v1, v2);
-            q1 = q[1];
-            a0 = self.w;
-            q0 = q[0];
-            v0 = q1 * a0;
-            v1 = -v0;
-            v2 = q0 * a0;
-            let k: [R; 1] = [a0];
-            let masks: [R::Mask; 0] = [];
-            let (mut u3, mut u4) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
-            u3[0] = q0;
-            u4[0] = q1;
-            jet[0].z[0] = v1;
-            if P > 1 {
-                u3[1] = v1;
-            }
-            jet[0].z[1] = v2;
-            if P > 1 {
-                u4[1] = v2;
-            }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u3, & mut u4, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27
-                28 29 30 31
-            );
-            for n in 32..P {
-                orders!(n);
-            }
-        }
-    }
-    impl Turning {
-        /// This system by Taylor series of its solution, from `state` on.
-        ///
-        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn taylor<M: TaylorMethod>(
-            self,
-            method: M,
-            state: FlowState<[f64; 2]>,
-        ) -> TaylorIntegrator<Self, M, f64> {
-            TaylorIntegrator::new(self, method, state)
         }
     }
 };

@@ -73,20 +73,19 @@ pub struct Pendulum<R = f64> {
 )]
 const _: () = {
     use ::geoint_runtime::private::{
-        Adaptive, Array, Autonomous, ByCanonical, ByField, CanonicalForm, ByPolarisation,
-        ByTree, ByVelocities, Collocated, BodyState, Collocation, ConformalContact,
-        Conservative, ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces,
-        PieceSplitting, PlanarSplitting, PolarisedForm, PoissonSplitting,
-        ContactSplitting, ContactStages, ContactState, ContactSystem, Coordinates,
-        CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted, Jets,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
-        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
-        PrincipalAxes, ProofAnd, QuadraticKinetic, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, VelocityForm, canonical_rate,
-        energy_of, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, velocity_of,
+        Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
+        Collocated, BodyState, Collocation, ConformalContact, Conservative,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -643,127 +642,6 @@ const _: () = {
         #[inline(always)]
         fn increments(change: &[R; 1], impulse: &[R; 1]) -> [[R; 1]; 2] {
             [*change, *impulse]
-        }
-    }
-    impl<R: Real> Jets<R> for Pendulum<R> {
-        type Proof = ();
-        type Switches = [R; 0];
-        type Over<T: Real> = State<T>;
-        const CONVOLUTIONS: usize = 2;
-        #[inline]
-        fn jet<const P: usize>(
-            &self,
-            t: R,
-            z: &[[R; 1]; 2],
-            _: &(),
-            jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-            switches: &mut [[R; 0]; P],
-        ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 4],
-                masks: &[R::Mask; 0],
-                u2: &mut [R; P],
-                u4: &mut [R; P],
-                u5: &mut [R; P],
-                u6: &mut [R; P],
-                ju6: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c2, c0, c6, c4, c3, c1, c5);
-                c2 = u2[n];
-                c0 = k[0] * c2;
-                c6 = u6[n];
-                ju6[n] = whole * c6;
-                c4 = recurrence::integral(k[1], c6, recurrence::sum(ju6, u5, n), n);
-                u4[n] = c4;
-                c3 = k[2] * c4;
-                c1 = -c3;
-                c5 = -recurrence::integral(k[3], c6, recurrence::sum(ju6, u4, n), n);
-                u5[n] = c5;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u6[n + 1] = jet[n].z[0][0];
-                }
-                jet[n].z[1][0] = next * c1;
-                if n + 1 < P {
-                    u2[n + 1] = jet[n].z[1][0];
-                }
-            }
-            let [q, p] = z;
-            let (a1, a0, k2, p0, a2, q0, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9);
-            a1 = self.l;
-            a0 = self.m;
-            k2 = R::from_f64(1.0);
-            p0 = p[0];
-            a2 = self.g;
-            q0 = q[0];
-            v0 = a1 * a1;
-            v1 = a0 * v0;
-            v2 = k2 / v1;
-            v3 = p0 * v2;
-            v4 = a1 * a0;
-            v5 = v4 * a2;
-            (v6, v7) = q0.sin_cos();
-            v8 = v5 * v6;
-            v9 = -v8;
-            let k: [R; 4] = [v2, v7, v5, v6];
-            let masks: [R::Mask; 0] = [];
-            let (mut u2, mut u4, mut u5, mut u6, mut ju6) = (
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-            );
-            u2[0] = p0;
-            u4[0] = v6;
-            u5[0] = v7;
-            u6[0] = q0;
-            jet[0].z[0][0] = v3;
-            if P > 1 {
-                u6[1] = v3;
-            }
-            jet[0].z[1][0] = v9;
-            if P > 1 {
-                u2[1] = v9;
-            }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u4, & mut u5, & mut u6, &
-                    mut ju6, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27
-                28 29 30 31
-            );
-            for n in 32..P {
-                orders!(n);
-            }
-        }
-    }
-    impl Pendulum {
-        /// This system by Taylor series of its solution, from `state` on.
-        ///
-        /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn taylor<M: TaylorMethod>(
-            self,
-            method: M,
-            state: State<f64>,
-        ) -> TaylorIntegrator<Self, M, f64> {
-            TaylorIntegrator::new(self, method, state)
         }
     }
 };
