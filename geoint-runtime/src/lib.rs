@@ -120,8 +120,9 @@
 //! [`State`] is a point, [`Integrator`] a system under a method. Methods: tables of kicks and drifts ([`Splitting`],
 //! [`Nystrom`]), compositions of symmetric maps ([`Composition`]), [`Gauss`] collocation and [`ImplicitMidpoint`],
 //! [`DiscreteGradient`] and others that keep the energy, [`Kahan`]; explicit [`RungeKutta`] methods, and [`Projection`] and
-//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; both are
-//! a [`Trajectory`], so that a method can be chosen while the program runs. Methods of
+//! [`Relaxation`] that make any method keep the energy. [`Adaptive`] is an [`Integrator`] that chooses its steps; [`TaylorIntegrator`]
+//! takes steps by Taylor series ([`Taylor`]). All are a [`Trajectory`], so that a method can be chosen while the program runs, and [`Dense`]:
+//! states between steps, sections and events. Methods of
 //! one's own implement [`method::Method`]; systems written by hand implement the traits of
 //! [`system`].
 

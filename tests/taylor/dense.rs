@@ -138,6 +138,11 @@ fn two_zeros_within_a_step() {
         assert_eq!(crossing.rises, n % 2 == 0);
     }
     assert!(sim.step_size() > 0.1);
+    let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.0, 1.0));
+    for (n, crossing) in sim.crossings(Direction::Any, |state| state.q * state.p).take(8).enumerate() {
+        let error = crossing.unwrap().state.t - 0.5 * PI * (n + 1) as f64;
+        assert!(error.abs() < 5e-14, "{n}: {error:e}");
+    }
     // Many functions at once, in order; and a direction.
     let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.5, 1.0));
     let times: Vec<(usize, f64)> = sim

@@ -17,7 +17,7 @@ fn henon_heiles(q: [f64; 2], p: [f64; 2]) -> f64 {
 }
 
 const ENERGIES: [(f64, &str); 3] = [(1.0 / 12.0, "1/12"), (1.0 / 8.0, "1/8"), (1.0 / 6.0, "1/6")];
-const POINTS: usize = 250;
+const POINTS: usize = 120;
 
 /// Through (0, y) with p_y, at an energy; nothing where there is no such orbit.
 fn start(energy: f64, y: f64, py: f64) -> Option<State<[f64; 2]>> {
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let colours = [palette::BLUE, palette::VERMILION, palette::GREEN, palette::BLACK, palette::GREY];
     let (mut panels, mut off, mut energy_error, mut points) = (vec![], 0.0_f64, 0.0_f64, 0);
     for (energy, name) in ENERGIES {
-        let starts = (-8..=14).map(|k| (0.05 * f64::from(k), 0.0)).chain([0.1, 0.2, 0.3].map(|py| (0.0, py)));
+        let starts = (-4..=7).map(|k| (0.1 * f64::from(k), 0.0)).chain([0.1, 0.2, 0.3].map(|py| (0.0, py)));
         let mut curves = vec![];
         for (k, state) in starts.filter_map(|(y, py)| start(energy, y, py)).enumerate() {
             let section = section(state)?;

@@ -55,12 +55,9 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
-    let force: Vec<Id> = if structure.conservative() {
-        gradient.q.iter().map(|slope| graph.neg(*slope)).collect()
-    } else {
-        fields.field.f[degrees as usize..].to_vec()
-    };
-    let jet = JetKernel::canonical(graph, &gradient, &force);
+    // Of an equation of second order, all there is of f.
+    let force = &fields.field.f[fields.field.f.len() - degrees as usize..];
+    let jet = JetKernel::canonical(graph, &gradient, force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),

@@ -91,6 +91,12 @@ impl<R: Real, const N: usize> Series<R, N> {
         })
     }
 
+    /// y with y·w = u.
+    fn quotient(self, w: Self) -> Self {
+        let start = w.start();
+        Self::by_orders(self.start() / start, |n, q| (self.0[n] - sum(1..n + 1, |j| w.0[j] * q[n - j])) / start)
+    }
+
     fn scaled(self, c: R) -> Self {
         Series(self.0.map(|u| c * u))
     }
@@ -143,8 +149,7 @@ impl<R: Real, const N: usize> Mul for Series<R, N> {
 impl<R: Real, const N: usize> Div for Series<R, N> {
     type Output = Self;
     fn div(self, y: Self) -> Self {
-        let start = y.start();
-        Self::by_orders(self.start() / start, |n, q| (self.0[n] - sum(1..n + 1, |j| y.0[j] * q[n - j])) / start)
+        self.quotient(y)
     }
 }
 impl<R: Real, const N: usize> Neg for Series<R, N> {

@@ -300,6 +300,10 @@ impl Builder<'_> {
             | Function::DecayMean
             | Function::AtMost
             | Function::Grown
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

@@ -37,7 +37,7 @@ use crate::taylor::TaylorMethod;
 /// }
 /// // q falls through 0 at π/2 + 2πn.
 /// let mut sim = Oscillator.integrator(BlanesMoan4, 0.1, State::new(1.0, 0.0));
-/// let times: Result<Vec<f64>, _> =
+/// let times: Result<Vec<f64>, StepError> =
 ///     sim.crossings(Direction::Down, |state| state.q).take(3).map(|crossing| Ok(crossing?.state.t)).collect();
 /// for (n, t) in times?.into_iter().enumerate() {
 ///     assert!((t - std::f64::consts::PI * (0.5 + 2.0 * n as f64)).abs() < 1e-4);
