@@ -7,7 +7,7 @@ use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Square, Summation};
 use crate::system::{ByVelocities, Orientation, Poles, VelocityForm, acceleration, row_scale, velocity_near};
@@ -66,7 +66,8 @@ where
         probe.visit(t, &z, &());
         let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
-        let (v, _) = newton.solve(&equation, probe)?;
+        let Found { x: v, outcome, .. } = newton.solve(&equation, probe);
+        outcome?;
 
         let Prepared { poles, constants, h, nodes, weights, .. } = prepared;
         let (mut change, mut impulse) = (none, none);

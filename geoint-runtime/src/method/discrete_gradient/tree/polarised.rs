@@ -4,7 +4,7 @@ use super::DiscreteGradient;
 use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{difference, moved, scaled, sum};
 use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{ByPolarisation, Orientation, PolarisedForm, Poles, acceleration, row_scale, velocity_near};
@@ -59,7 +59,8 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
 
         let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
         let mut deciding = Deciding { probe, end: z };
-        let (d, _) = newton.solve(&equation, &mut deciding)?;
+        let Found { x: d, outcome, .. } = newton.solve(&equation, &mut deciding);
+        outcome?;
         let Deciding { probe, end } = deciding;
 
         let increments = [equation.shift(&d), system.impulse(parameters, &begun, &d)];
