@@ -126,10 +126,45 @@ fn steps_of_velocities_allocate_nothing() {
     none!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient, RK4);
 }
 
+/// A rod with a mass at each end that slides along two walls.
+#[hamiltonian(constraint = [((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) - l * l) / 2.0, q[0], q[3]])]
+fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m[0])
+        + (p[2] * p[2] + p[3] * p[3]) / (2.0 * m[1])
+        + g * (m[0] * q[1] + m[1] * q[3])
+}
+
+#[test]
+fn steps_with_constraints_allocate_nothing() {
+    struct Steps(usize);
+    impl Visitor<Ladder> for Steps {
+        fn visit<M: Method<Ladder> + 'static>(&mut self, method: M) {
+            self.0 += 1;
+            let name = method.name().to_string();
+            let system = Ladder { m: [1.3, 0.7], l: 1.0, g: 9.81 };
+            let count = allocations_during(|| {
+                let start = State::new([0.0, 0.8, 0.6, 0.0], [0.0; 4]);
+                let mut sim = Integrator::new(system, method, 0.001, start);
+                sim.advance(100).unwrap();
+                sim.step().unwrap();
+                black_box((sim.energy(), sim.state_on_constraint().is_ok()));
+                sim.set_step_size(1e200);
+                assert!(sim.advance(3).is_err(), "{name}");
+                assert!(Integrator::new(system, method, 0.001, State::new([0.0; 4], [0.0; 4])).step().is_err());
+            });
+            assert_eq!(count, 0, "ladder with {name}");
+        }
+    }
+    let mut steps = Steps(0);
+    methods::constrained(&mut steps);
+    assert!(steps.0 > 4);
+}
+
 #[test]
 fn stepping_of_contact_systems_allocates_nothing() {
     contact_steps("splitting", ContactSplitting);
     contact_steps("midpoint", ContactMidpoint);
+    contact_steps("Gauss", ContactGauss::<3>);
     contact_steps("discrete gradient", ContactDiscreteGradient);
     contact_steps("composition", Suzuki4.of(ContactMidpoint));
 }

@@ -3,6 +3,7 @@
 //! Everything that teaches how to use the library is in the programs themselves.
 
 mod cost;
+pub mod outer_planets;
 mod output;
 pub mod plot;
 mod run;

@@ -1,10 +1,11 @@
 //! The compiler on one screen: from an annotated function to what is emitted beside it. A form is a column of stages.
 
+use crate::analyze::Forces;
 use crate::derive::{Flow, Parted, System, proof};
 use crate::diagnostics::Result;
 use crate::emit::report::{OfField, Source};
 use crate::ir::Id;
-use crate::legendre::{self, Legendre, Route};
+use crate::legendre::{self, Friction, Legendre, Route};
 use crate::lower::{self, Lowered};
 use crate::parse::{Energy, Form};
 use crate::{analyze, check, derive, emit, split};
@@ -15,7 +16,7 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
     match energy.form {
         Form::Hamiltonian => hamiltonian(energy, lower::body(energy)?, None),
         Form::Contact => contact_hamiltonian(energy, lower::body(energy)?, None),
-        Form::Lagrangian | Form::Herglotz => lagrangian(energy),
+        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => lagrangian(energy),
         Form::Bodies => bodies(energy),
         Form::Structured => structured_hamiltonian(energy),
         Form::Field => vector_field(energy),
@@ -26,19 +27,30 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
 fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
+    // Steps with constraints are derived from H.
+    let closed = energy.form.has_action() || energy.constraint.is_some();
     let graph = &mut lowered.graph;
-    let found =
-        legendre::transform(graph, lowered.energy, (energy.degrees(), energy.form.has_action()), &lowered.partial); // H, or why not
+    let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
+    if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
+        return first_order(energy, lowered, momenta);
+    }
     let friction = legendre::friction(graph, lowered.rayleigh.map(|(root, _)| root), energy.degrees());
-    let (legendre, damping) =
+    let (mut legendre, friction) =
         check::lagrangian(energy, (found, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    match friction {
+        Some(Friction::Damping(matrix)) => {
+            legendre.friction = legendre::rate(graph, &matrix, &legendre);
+            lowered.damping = Some(matrix);
+        }
+        Some(Friction::Slopes(slopes)) => lowered.friction = Some(slopes),
+        None => {}
+    }
     let root = match legendre.route {
         Route::Energy(root, _) => root,
-        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long), damping),
+        Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long)),
     };
     lowered.energy = root;
     lowered.partial.clone_from(&legendre.partial);
-    lowered.damping = damping;
     match energy.form {
         Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
         _ => hamiltonian(energy, lowered, Some(&legendre)),
@@ -46,40 +58,85 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
 }
 
 /// L(q, v, t) with velocities as unknowns; `long` is why there is no H.
-fn velocities(
-    energy: &Energy,
-    mut lowered: Lowered,
-    (legendre, long): (&Legendre, Id),
-    damping: Option<Vec<Vec<Id>>>,
-) -> Result<TokenStream> {
+fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let damping = analyze::damping(graph, damping);
-    check::velocities(energy, (long, damping.as_ref()), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let system = derive::velocities(graph, legendre, long, damping.as_ref()).of_lagrangian(legendre).scheduled(graph);
+    let damping = analyze::damping(graph, lowered.damping);
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let friction = (damping.as_ref(), forces.as_ref());
+    check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let system = derive::velocities(graph, legendre, long, friction).of_lagrangian(legendre).scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
-        + &emit::report::velocities(&context, graph, (legendre, long), (&system, damping.as_ref()));
+        + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// L(q, v, t) = ϑ(q)·v − H(q, t): x' = S ∇H for x = q, with the S that follows from the momenta ϑ.
+fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<TokenStream> {
+    let energy = &Energy { form: Form::FirstOrder, ..energy.clone() };
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let found = legendre::first_order(graph, lowered.energy, momenta, &lowered.partial);
+    let found = check::first_order(energy, found, graph, |symbol| context.user_name(symbol))?;
+    let flow = Flow::structured(graph, found.energy, &found.structure, None);
+    let parted = Parted::of_structure(found.energy, &found.structure, true);
+    let pieces = derive::parts(graph, &flow, Some(&parted), false); // by terms of H, and by planes
+    let system = derive::flow(graph, &flow, &found.partial, None).of_first_order(graph, &found);
+    let system = System { pieces, ..system }.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::flow(&context, graph, (&flow, Source::Lagrangian(&found)), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 
 /// H(q, p, t), of a Lagrangian if there is one.
 fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    if energy.constraint.is_some() {
+        return constrained(energy, lowered, legendre);
+    }
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
     let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape); // facts, with witnesses
-    let structure = structure.damped(graph, lowered.damping);
+    let forces = Forces::of(graph, lowered.force, lowered.friction);
+    let structure = structure.damped(graph, lowered.damping).forced(graph, forces);
+    let partial = legendre::at_points(graph, &lowered.partial);
     let groups = lowered.groups.as_deref();
     let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
-    let (derived, gradient) = derive::canonical(graph, &structure, &division, &lowered.partial, energy.degrees()); // nodes for every method
+    let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
+    let (derived, gradient) =
+        derive::canonical(graph, &structure, (&division, pieces.as_ref()), &partial, energy.degrees()); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
-    check::division(energy, (structure.energy, groups), &division, graph, &lowered.places, |symbol| {
-        context.user_name(symbol)
-    })?;
+    check::division(energy, &division, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    if let Some(pieces) = &pieces {
+        check::pieces(energy, (structure.energy, groups), pieces, graph, &lowered.places, |symbol| {
+            context.user_name(symbol)
+        })?;
+    }
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph); // what is computed when
     let graph = &*graph; // which nobody changes any more
     let report = emit::report::canonical(&context, graph, &structure, (&system, &gradient));
+    let report = emit::report::lagrangian(&context, graph, legendre) + &report;
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, t) with constraints g(q) = 0.
+fn constrained(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let structure = analyze::structure(graph, lowered.energy, &energy.coordinates.shape);
+    let structure = structure.damped(graph, lowered.damping.clone());
+    let found = (&lowered.constraints[..], structure.damping.as_ref(), lowered.friction.is_some());
+    check::constraints(energy, found, graph, |symbol| context.user_name(symbol))?;
+    check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let constraints: Vec<Id> = lowered.constraints.iter().map(|(constraint, _)| *constraint).collect();
+    let kept = analyze::bound(graph, lowered.energy, &constraints, &energy.coordinates.shape);
+    let kept = kept.damped(graph, lowered.damping);
+    let (derived, gradient) = derive::constrained(graph, &structure, &constraints, &lowered.partial, energy.degrees());
+    let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
+    let system = derived.scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::constraints(&context, graph, (&structure, &kept), &constraints, (&system, &gradient));
     let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }
@@ -89,7 +146,8 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
-    let pieces = split::pieces(graph, root, degrees, groups); // flows in closed form
+    let dissipated = analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.lift.is_none());
+    let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
     let (derived, gradient) =
         derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
@@ -97,7 +155,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);
     let graph = &*graph;
-    let report = emit::report::contact(&context, graph, (root, &gradient), &system);
+    let report = emit::report::contact(&context, graph, (root, &gradient, dissipated.as_ref()), &system);
     let report = emit::report::lagrangian(&context, graph, legendre) + &report;
     Ok(emit::items(&context, graph, &system, &report))
 }
@@ -114,12 +172,7 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
     flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
-    let parted = Parted {
-        integral: lowered.energy,
-        matrix: structure.matrix.clone(),
-        poisson: structure.poisson.is_ok(),
-        unique: None,
-    };
+    let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
     let system = System { pieces, ..system }.scheduled(graph);

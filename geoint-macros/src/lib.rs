@@ -82,7 +82,8 @@ use proc_macro::TokenStream;
 /// - `with(f, g)`: functions under [`macro@energy_function`] that the body calls.
 /// - `crate = path`: where the runtime is, if Cargo.toml does not name it.
 /// - `damping = C`: friction, see below.
-/// - `coordinates = jacobi`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
+/// - `constraint = [g₁, g₂]`: functions of positions that stay zero, see below.
+/// - `coordinates = jacobi`, `coordinates = heliocentric`, `split = "A | B"`: a part of the energy that is solved exactly, see below.
 /// - `structure = S`: another phase space, see below.
 /// - `require(separable, quadratic_kinetic)`: what you rely on; an error at the guilty term if it does not hold.
 ///
@@ -163,17 +164,51 @@ use proc_macro::TokenStream;
 /// coordinates in a matrix; a matrix for more than two as a whole only at the start of a run and at the end of every call of `step` or
 /// `advance`, once in 1024 steps at least.
 ///
+/// # Constraints
+///
+/// `constraint = [g₁, g₂]` binds positions to gᵢ(q) = 0, by forces −Gᵀλ with G = ∂g/∂q. The functions are expressions in the language of
+/// the body, of positions and parameters; they have to be fewer than coordinates, and independent, which is decided when the program is
+/// compiled. Methods are `Rattle`, which is symplectic, `DiscreteGradient`, which keeps the energy to rounding, and compositions of both.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A ladder with masses at its ends, between a wall and the floor.
+/// #[hamiltonian(constraint = [((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) - l * l) / 2.0, q[0], q[3]])]
+/// fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
+///     let kinetic = (p[0] * p[0] + p[1] * p[1]) / (2.0 * m[0]) + (p[2] * p[2] + p[3] * p[3]) / (2.0 * m[1]);
+///     kinetic + g * (m[0] * q[1] + m[1] * q[3])
+/// }
+///
+/// let system = Ladder { m: [1.3, 0.7], l: 1.0, g: 9.81 };
+/// let mut sim = system.integrator(DiscreteGradient, 0.01, State::new([0.0, 0.8, 0.6, 0.0], [0.0; 4]));
+/// let energy = sim.energy();
+/// sim.advance(30)?;
+/// assert!((sim.energy() - energy).abs() < 1e-13);
+/// # Ok::<(), StepError>(())
+/// ```
+///
+/// A state starts with g = 0 and G ∂H/∂p = 0, up to rounding; another one is refused (`StepError::OffConstraint`), and
+/// `system.state_on_constraint(&state)` gives the nearest one that does. Where constraints depend on each other, on the way of a step or at
+/// its ends, it is refused (`StepError::DependentConstraints`): a parallelogram whose bars are in one line may go on in two ways. Momenta of
+/// `DiscreteGradient` are off the constraints by O(h²) at the ends of steps, which does not grow: `sim.state_on_constraint()` shows them
+/// without that.
+///
 /// # A part that is solved exactly
 ///
 /// `WisdomHolman`, `Aba10_6_4`, `Perturbation(table)` and their like alternate the exact flow of a part A of the energy with kicks by the
 /// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
 ///
 /// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
-/// - those of `split = "A | B"`, in the language of the body: A has to be a sum that `#[contact_hamiltonian]` knows the flow of, and that both
-///   add up to H is decided exactly;
+/// - the quadratic terms with whatever else reads momenta, and the other terms, where q and p are coupled and the flow of the former is
+///   known: a charge in a uniform magnetic field, a frame that rotates;
+/// - those of `split = "A | B"`, if A has a flow in closed form, see below, and B reads positions and time alone;
 /// - with `coordinates = jacobi` Kepler's motion of each body about those before it in the array, and what is left. Masses are read off T,
 ///   Σ |pᵢ|²/2mᵢ, and attractions off the terms −c/|qᵢ − qⱼ| of V; other terms of V may be any. An order of the bodies that is not that of
-///   their distances makes B large, not wrong.
+///   their distances makes B large, not wrong;
+/// - with `coordinates = heliocentric` the same about body 0, for which no order of the others is asked. What moves body 0 is part of B, which
+///   is larger: by `WisdomHolman` errors are some four times those in coordinates of Jacobi, by `Aba10_6_4` they are as small. Force gradients do
+///   not exist. Where V has terms that read positions otherwise than by differences of bodies 1, 2, …, the flow of B is a step of order 2.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -204,6 +239,40 @@ use proc_macro::TokenStream;
 /// The state is what it is without: coordinates of Jacobi, and the way of a processor, are between the first step and the state that is
 /// looked at. A body whose mass is zero has no momentum that could be divided by it, and is refused (`StepError::OutsideDomain`); 1e-30 is
 /// none. An orbit that meets the body in its focus ends there (`StepError::NonFinite`).
+///
+/// # Pieces
+///
+/// Where terms couple positions and momenta there are no kicks and drifts. H may still be a sum of pieces whose flows are known in closed form,
+/// for `PieceSplitting` and its compositions. These are found:
+///
+/// - quadratic forms of two degrees of freedom at most, with linear terms: charges in uniform fields, rotating frames, coupled springs;
+/// - F(ℓ₁, …, ℓₖ) of linear forms in involution: (p₁ − A(q₀))², F(q₀, p₁), cos(k·q), (q + p)⁴;
+/// - p·X(q) where q' = X(q) has a solution in closed form; f(qᵢ)pᵢ²; products qᵐpⁿ; the conjugates of all these;
+/// - F(A) of an A of these: (p² + q²)², a root of an oscillator.
+///
+/// Squares may be multiplied out. Of several ways those are taken whose flows never end, as that of q²p does, and of
+/// these the one that costs least in a step; products of degree 3 or 4 are sums of powers of forms where that is better. `REPORT` lists the
+/// pieces, their flows and costs, and what was rejected at which cost. `split = "terms | terms"` gives other pieces; that they add up to H is
+/// decided exactly.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A charge in a magnetic bottle: the field is stronger at both ends.
+/// #[hamiltonian]
+/// fn bottle(q: [f64; 3], p: [f64; 3], b: f64) -> f64 {
+///     let [x, y, z] = q;
+///     let half = b * (1.0 + z * z) / 2.0;
+///     ((p[0] + half * y).powi(2) + (p[1] - half * x).powi(2) + p[2] * p[2]) / 2.0
+/// }
+///
+/// let start = State::new([0.02, 0.0, 0.0], [0.0, 0.5, 0.6]);
+/// let mut sim = Bottle { b: 10.0 }.integrator(BlanesMoan6X.of(PieceSplitting), 0.05, start);
+/// let energy = sim.energy();
+/// sim.advance(10_000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-4);
+/// # Ok::<(), StepError>(())
+/// ```
 ///
 /// # Rigid bodies
 ///
@@ -389,7 +458,7 @@ pub fn vector_field(args: TokenStream, item: TokenStream) -> TokenStream {
 /// H is taken apart into the fewest pieces whose flows are known in closed form; `REPORT` lists them, with the rule behind each
 /// and their order in a step. Steps go through the flows and back, the most expensive one in the middle. A coefficient that
 /// depends on time is integrated exactly where its antiderivative is elementary, otherwise frozen in the middle of a step.
-/// Where a term is in no such piece, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
+/// Where a term is in no such piece, `ContactGauss`, `ContactMidpoint` and `ContactDiscreteGradient` are left, which are for every H.
 ///
 /// # Arguments of the attribute
 ///
@@ -494,10 +563,40 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// # Ok::<(), StepError>(())
 /// ```
 ///
+/// # Linear in velocities
+///
+/// L = ϑ(q)·v − H(q, t) has equations of first order, Ω q' = ∇H with Ωᵢⱼ = ∂ᵢϑⱼ − ∂ⱼϑᵢ. Ω is derived, and inverted in closed form; states
+/// are `FlowState { t, x }` with x = q alone, `system.at(q)`. Everything is there that
+/// `#[hamiltonian(structure = Ω⁻¹)]` has, such as `DiscreteGradient`, which keeps H to rounding. Where Ω vanishes on half of the
+/// coordinates, as it does where half of ϑ is zero, `Gauss` and `ImplicitMidpoint` move the others with their momenta, and are
+/// symplectic: C. L. Ellison et al., Phys. Plasmas 25 (2018) 052502. `REPORT` names the canonical coordinates, or says that there are none.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// Prey and predators.
+/// #[lagrangian]
+/// fn animals(q: [f64; 2], v: [f64; 2], a: f64, b: f64, c: f64) -> f64 {
+///     let [x, y] = q;
+///     y.ln() / x * v[0] + b * x - c * x.ln() + b * y - a * y.ln()
+/// }
+///
+/// let system = Animals { a: 1.0, b: 0.7, c: 0.5 };
+/// let mut sim = system.integrator(Gauss::<2>, 0.1, system.at([1.0, 1.5]));
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-8);
+/// # Ok::<(), StepError>(())
+/// ```
+///
 /// # Friction
 ///
-/// `rayleigh = R` adds −∂R/∂v to the force, for a quadratic form R in v whose coefficients may read positions, parameters and time: the
-/// energy falls at the rate 2R, in a step of `DiscreteGradient` by what the mean velocity says, exactly.
+/// `rayleigh = R` adds −∂R/∂v to the force, for a function R(q, v, t) that is least at rest. Where R is a quadratic form in v, the energy
+/// falls at the rate 2R, else at v·∂R/∂v, as for drag `c * v.abs().powi(3) / 3.0` or dry friction `c * (v * v + e * e).sqrt()`; in a step of
+/// `DiscreteGradient` by what the mean velocity says, exactly. A step in which R would feed energy is refused.
+///
+/// `force = F` adds F(q, v, t), a number, or an array like q: torques of motors, or what else has no potential. A step of
+/// `DiscreteGradient` adds h v̄·F at the middle of the step to the energy, exactly.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -540,8 +639,9 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// - `name = Type`: the name of the struct.
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
-/// - `rayleigh = R`: see above.
-/// - `require(separable, quadratic_kinetic)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
+/// - `rayleigh = R`, `force = F`: see above.
+/// - `constraint = [g₁, g₂]`: functions of positions and parameters that stay zero; see [`hamiltonian`].
+/// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]
 pub fn lagrangian(args: TokenStream, item: TokenStream) -> TokenStream {

@@ -3,6 +3,9 @@
 pub(crate) const NO_PIECES: &str = "no flow in closed form is known for this term, so the energy cannot be split; use \
                                     `ContactMidpoint` or `ContactDiscreteGradient`";
 
+pub(crate) const NO_CANONICAL_PIECES: &str = "no flow in closed form is known for this term, so that `PieceSplitting` has no pieces; use \
+                                              `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
 pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this term, so that `PoissonSplitting` has no pieces; use \
                                       `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
@@ -28,6 +31,15 @@ pub(crate) const NOT_NYSTROM: &str = "the flow of this term is not that of a qua
 pub(crate) const COUPLED: &str = "this term couples positions and momenta, so kick and drift do not exist; \
                                   use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const CONSTRAINED: &str =
+    "kick and drift leave this constraint; use `Rattle`, `DiscreteGradient` or their compositions";
+
+pub(crate) const NO_CONSTRAINT: &str =
+    "no constraint is given: leave this out, or name functions of positions that stay zero";
+
+pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and momenta, so kick and drift do not exist; its flow is known: use \
+                                            `PieceSplitting`, or one of its compositions such as `KahanLi8_17a.of(PieceSplitting)`";
+
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
@@ -36,6 +48,9 @@ pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities,
 
 pub(crate) const DAMPED: &str =
     "damping is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const FORCED: &str =
+    "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
@@ -56,7 +71,7 @@ pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow
 pub(crate) const NOT_A_KICK: &str =
     "the second part of `split` has to be a kick, a function of positions and time alone, and this is none";
 
-pub(crate) const NOT_TWO_PARTS: &str = "`split = \"A | B\"` has two parts, the one with an exact flow first";
+pub(crate) const NOT_TWO_PARTS: &str = "methods for A + B need `split = \"A | B\"` with two parts, the one with an exact flow first; for more pieces there is `PieceSplitting`";
 
 pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
     "no flow in closed form is known for the first part of `split`, which is to be solved exactly";
@@ -64,6 +79,9 @@ pub(crate) const NO_FLOW_OF_EXACT_PART: &str =
 pub(crate) const NOT_NYSTROM_EXACT: &str = "the part with an exact flow is not of degree 2 in the momenta with constant coefficients of \
                                             their squares, so that a kick with a force gradient is none; use a table without, such as \
                                             `Aba10_6_4`";
+
+pub(crate) const JUMP_IS_NO_KICK: &str = "in heliocentric coordinates the rest moves positions by this term, so that it is no kick, with or without a \
+                                          force gradient; use a table without, such as `Aba10_6_4`, or `coordinates = jacobi`";
 
 pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` and `p` be arrays of vectors, one a body, as in \
                                      `[Vector3<f64>; 6]` or `[[f64; 2]; 3]`";

@@ -141,6 +141,7 @@ pub mod space;
 pub mod slope;
 mod solving;
 pub mod system;
+pub mod taylor;
 pub mod method;
 pub mod running;
 #[doc(hidden)]
@@ -149,8 +150,9 @@ pub mod private;
 pub use geoint_macros::{contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field};
 #[doc(inline)]
 pub use method::composition::{Composed, Composition};
+pub use method::constrained::Rattle;
 #[doc(inline)]
-pub use method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+pub use method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 #[doc(inline)]
 pub use method::corrected::{Energy, Integrals, Invariants, Projection, Relaxation};
 #[doc(inline)]
@@ -167,7 +169,9 @@ pub use method::kahan::Kahan;
 #[doc(inline)]
 pub use method::perturbed::Perturbation;
 #[doc(inline)]
-pub use method::pieces::{ContactSplitting, PieceComposition, PlanarSplitting, PoissonSplitting};
+pub use method::pieces::{
+    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarSplitting, PoissonSplitting,
+};
 #[doc(inline)]
 pub use method::splitting::{
     FiveRotations, Nystrom, PositionVerlet, Splitting, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint,
@@ -177,29 +181,34 @@ pub use method::tables::*;
 pub use method::{Claims, Method};
 pub use nalgebra;
 #[doc(inline)]
-pub use running::{Adaptive, Integrator, Reason, Run, StepError, Trajectory};
+pub use running::{
+    Adaptive, Crossing, Dense, Direction, Integrator, Reason, Run, StepError, TaylorIntegrator, Trajectory,
+};
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
 pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
-    Autonomous, Conformal, Conservative, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian, KeepsEnergy,
-    Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes,
-    QuadraticKinetic, Rates, Separable, VectorField,
+    Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
+    KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
 };
+
+#[doc(inline)]
+pub use taylor::{Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
 
 /// Everything that a program needs.
 pub mod prelude {
     pub use crate::method::tables::*;
     pub use crate::{
-        Adaptive, BodyState, ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint, ContactSplitting, ContactState,
-        CoordinateIncrement, DOP853, DiscreteGradient, Energy, ExplicitEuler, FiveRotations, FlowState, FourthOrder,
-        Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator, ItohAbe, ItohAbeAdjoint, ItohAbePair,
-        Kahan, MeanValue, Method, Perturbation, PhaseSpace, PlanarSplitting, PoissonSplitting, PositionVerlet,
-        Projection, RK4, Relaxation, Run, State, StepError, StormerVerlet, SymmetrisedItohAbe, SymplecticEuler,
-        SymplecticEulerAdjoint, Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian,
-        vector_field,
+        Adaptive, BodyState, ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint, ContactSplitting,
+        ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
+        FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
+        ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
+        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError,
+        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
+        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

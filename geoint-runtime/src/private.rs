@@ -1,12 +1,14 @@
 //! What emitted code may name. Not part of the public interface.
 
+pub use crate::method::constrained::Rattle;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
+pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+pub use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
-pub use crate::running::{Adaptive, Integrator};
+pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
 pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
@@ -14,12 +16,15 @@ pub use crate::space::{
     Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
 };
 pub use crate::system::{
-    Autonomous, ByField, ByPolarisation, ByTree, ByVelocities, Clock as PieceClock, Collocated, Collocation,
-    Conformal as ConformalContact, Conservative, Contact as ContactSystem, Cotangent as CotangentSpace, DiscreteField,
-    FirstIntegrals, ForceGradient, FourthOrderField, Graded, Hamiltonian, ImplicitStep, KeepsEnergy,
-    Lagrangian as LagrangianSystem, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces,
-    PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
-    VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of, rate_of, velocity_of,
+    Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
+    Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactStages,
+    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded,
+    Gradients, Hamiltonian, ImplicitStep, Jets, KeepsEnergy, Lagrangian as LagrangianSystem, Mean,
+    Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient,
+    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField,
+    QuadraticKinetic, Separable, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of,
+    rate_of, unmet, velocity_of,
 };
+pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

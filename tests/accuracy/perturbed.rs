@@ -142,17 +142,6 @@ fn outer_end<M: Method<OuterPlanets>>(method: M, steps: u64) -> Bodies {
     sim.state()
 }
 
-/// The relative error of positions and velocities of all bodies.
-fn outer_error(found: &Bodies, exact: &Bodies) -> f64 {
-    let mut sums = [0.0; 2];
-    for i in 0..6 {
-        let velocities = [found, exact].map(|state| state.p[i] / OUTER.m[i]);
-        sums[0] += (found.q[i] - exact.q[i]).norm_squared() + (velocities[0] - velocities[1]).norm_squared();
-        sums[1] += exact.q[i].norm_squared() + velocities[1].norm_squared();
-    }
-    (sums[0] / sums[1]).sqrt()
-}
-
 /// Errors over 547 years, as another program with the same tables has them (to 20 %): they depend on all of A, B, the coordinates, the
 /// processor and the gradient.
 #[test]
@@ -162,17 +151,17 @@ fn the_outer_solar_system_has_the_errors_of_other_programs() {
     let near = |name: &str, error: f64, expected: f64| {
         assert!((error / expected - 1.0).abs() < 0.2, "{name}: {error:.2e}, expected {expected:.2e}");
     };
-    near("WisdomHolman", outer_error(&outer_end(WisdomHolman, 1000), &exact), 8.8e-6);
-    near("WisdomHolmanProcessed", outer_error(&outer_end(WisdomHolmanProcessed, 1000), &exact), 7.8e-8);
-    near("WisdomHolmanGradient", outer_error(&outer_end(WisdomHolmanGradient, 1000), &exact), 3.3e-10);
-    near("WisdomHolmanGradient", outer_error(&outer_end(WisdomHolmanGradient, 2000), &exact), 2.1e-11);
-    near("Saba3Gradient", outer_error(&outer_end(Saba3Gradient, 500), &exact), 5.4e-7);
-    near("Saba3Gradient", outer_error(&outer_end(Saba3Gradient, 1000), &exact), 1.15e-11);
-    near("Aba10_6_4", outer_error(&outer_end(Aba10_6_4, 250), &exact), 7.3e-8);
-    near("Aba10_6_4", outer_error(&outer_end(Aba10_6_4, 500), &exact), 1.2e-10);
-    assert!(outer_error(&outer_end(Aba10_6_4, 2000), &exact) < 2e-12);
+    near("WisdomHolman", outer_planets::error(&outer_end(WisdomHolman, 1000), &exact), 8.8e-6);
+    near("WisdomHolmanProcessed", outer_planets::error(&outer_end(WisdomHolmanProcessed, 1000), &exact), 7.8e-8);
+    near("WisdomHolmanGradient", outer_planets::error(&outer_end(WisdomHolmanGradient, 1000), &exact), 3.3e-10);
+    near("WisdomHolmanGradient", outer_planets::error(&outer_end(WisdomHolmanGradient, 2000), &exact), 2.1e-11);
+    near("Saba3Gradient", outer_planets::error(&outer_end(Saba3Gradient, 500), &exact), 5.4e-7);
+    near("Saba3Gradient", outer_planets::error(&outer_end(Saba3Gradient, 1000), &exact), 1.15e-11);
+    near("Aba10_6_4", outer_planets::error(&outer_end(Aba10_6_4, 250), &exact), 7.3e-8);
+    near("Aba10_6_4", outer_planets::error(&outer_end(Aba10_6_4, 500), &exact), 1.2e-10);
+    assert!(outer_planets::error(&outer_end(Aba10_6_4, 2000), &exact) < 2e-12);
     // A control: the same table for kicks and drifts has an error ten thousand times as large.
-    assert!(outer_error(&outer_end(StormerVerlet, 1000), &exact) > 1e-2);
+    assert!(outer_planets::error(&outer_end(StormerVerlet, 1000), &exact) > 1e-2);
 }
 
 #[test]

@@ -20,6 +20,8 @@ macro_rules! claims {
                 let expected = solutions::<$Case>();
                 has_order::<$Case, _>("midpoint", ContactMidpoint, &expected);
                 has_order::<$Case, _>("discrete gradient", ContactDiscreteGradient, &expected);
+                has_order::<$Case, _>("Gauss", ContactGauss::<2>, &expected);
+                has_order::<$Case, _>("Gauss", ContactGauss::<3>, &expected);
                 has_order::<$Case, _>("midpoint", Suzuki4.of(ContactMidpoint), &expected);
                 has_order::<$Case, _>("discrete gradient", Suzuki4.of(ContactDiscreteGradient), &expected);
                 has_order::<$Case, _>("midpoint", Yoshida6a.of(ContactMidpoint), &expected);
@@ -30,6 +32,7 @@ macro_rules! claims {
             fn symmetry() {
                 symmetric::<$Case, _>(ContactMidpoint);
                 symmetric::<$Case, _>(ContactDiscreteGradient);
+                symmetric::<$Case, _>(ContactGauss::<2>);
                 symmetric::<$Case, _>(Yoshida6a.of(ContactMidpoint));
             }
 
@@ -39,6 +42,8 @@ macro_rules! claims {
                 assert!(defect <= 1e-14, "{defect:.1e}");
                 assert!(factor > 0.1 && (factor - 1.0).abs() > 0.01, "{factor}");
                 let (defect, _) = contact_defect::<$Case, _>(Suzuki4.of(ContactMidpoint), 2);
+                assert!(defect <= 1e-14, "{defect:.1e}");
+                let (defect, _) = contact_defect::<$Case, _>(ContactGauss::<2>, 3);
                 assert!(defect <= 1e-14, "{defect:.1e}");
                 // The control: it is seen.
                 let (defect, _) = contact_defect::<$Case, _>(ContactDiscreteGradient, 3);

@@ -4,6 +4,7 @@ use crate::references::DOUBLE_PENDULUM;
 use crate::systems::*;
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
+use geoint_runtime::system::{ByField, Collocated, DiscreteField};
 use geoint_tests::problems;
 
 /// Three masses on springs that are not linear.
@@ -56,7 +57,7 @@ thread_local! {
 fn constant_masses_give_the_same_bits() {
     fn all<S>(visitor: &mut SameBits)
     where
-        S: geoint_runtime::ForceGradient + geoint_runtime::system::DiscreteField + geoint_runtime::Autonomous,
+        S: geoint_runtime::ForceGradient + geoint_runtime::Autonomous + DiscreteField + Collocated<Stages = ByField>,
         SameBits: Visitor<S>,
     {
         catalogue::separable::<S, f64>(visitor);

@@ -8,3 +8,8 @@ mod orders;
 mod energies;
 mod laws;
 mod velocities;
+mod thesis;
+mod degenerate;
+mod forces;
+mod herglotz;
+mod space;

@@ -153,6 +153,19 @@ pub(crate) fn rubbed_arm(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: 
     rods(q, v, m, l, g)
 }
 
+/// An arm with torques, and friction that depends on its angles.
+#[lagrangian(with(rods), force = [t.sin(), 0.5 * (3.0 * t).cos(), q[0]],
+    rayleigh = 0.5 * (1.0 + q[1] * q[1]) * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]))]
+pub(crate) fn driven_arm(q: [f64; 3], v: [f64; 3], t: f64, m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
+    rods(q, v, m, l, g)
+}
+
+/// An arm in air, with dry friction in its joints.
+#[lagrangian(with(rods), rayleigh = air * v[2].abs().powi(3) / 3.0 + dry * ((v[0] * v[0] + 1e-2).sqrt() + (v[1] * v[1] + 1e-2).sqrt()))]
+pub(crate) fn arm_in_air(q: [f64; 3], v: [f64; 3], m: [f64; 3], l: [f64; 3], g: f64, air: f64, dry: f64) -> f64 {
+    rods(q, v, m, l, g)
+}
+
 /// Three rods of length 1 without weight, by differences of angles: the first angle is not read.
 #[lagrangian]
 pub(crate) fn free_arm(q: [f64; 3], v: [f64; 3], m: [f64; 3]) -> f64 {

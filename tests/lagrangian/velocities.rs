@@ -249,6 +249,21 @@ fn units_change_nothing() -> Result<(), StepError> {
     Ok(())
 }
 
+/// Explicit steps that are put right keep p·v − L, up to the rounding of its values in 500 steps.
+#[test]
+fn explicit_steps_are_put_right() -> Result<(), StepError> {
+    fn strayed<M: Method<Arm>>(method: M) -> Result<f64, StepError> {
+        let mut sim = ARM.integrator(method, 0.01, ARM.at(BENT.0, BENT.1));
+        let energy = sim.energy();
+        sim.advance(500)?;
+        Ok((sim.energy() - energy).abs())
+    }
+    assert!(strayed(RK4)? > 1e-8, "{:e}", strayed(RK4)?);
+    assert!(strayed(Projection(RK4, Energy))? < 3e-13, "{:e}", strayed(Projection(RK4, Energy))?);
+    assert!(strayed(Relaxation(RK4))? < 3e-13, "{:e}", strayed(Relaxation(RK4))?);
+    Ok(())
+}
+
 /// Steps that adapt, and sums that compensate.
 #[test]
 fn runs_of_every_kind() -> Result<(), StepError> {

@@ -2,7 +2,7 @@
 
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
-    cubic, force_gradient, general, itoh_abe_one_way, perturbed, perturbed_gradient, processed, projected,
+    constrained, cubic, force_gradient, general, itoh_abe_one_way, perturbed, perturbed_gradient, processed, projected,
     quadratic_kinetic as nystrom, relaxed, separable,
 };
 

@@ -1,6 +1,5 @@
 //! Stays right: what is kept over long times, what bad input gets, how trajectories are walked.
 
-mod conservation;
 mod damping;
 mod adaptive;
 mod refusals;
@@ -9,13 +8,10 @@ mod walls;
 mod switches;
 mod domains;
 mod near_misses;
-mod single;
 mod small_waves;
 mod units;
 mod long_steps;
 mod rounding;
-mod same_bits;
-mod trajectories;
 mod time;
 mod names;
 mod tolerance;

@@ -28,7 +28,7 @@ impl Reads {
             Symbol::V(_) | Symbol::Dv(_) => Reads { v: true, ..none },
             Symbol::S | Symbol::Ds => Reads { s: true, ..none },
             Symbol::T => Reads { t: true, ..none },
-            Symbol::Parameter(_) | Symbol::H | Symbol::G => none,
+            Symbol::Parameter(_) | Symbol::Multiplier(_) | Symbol::H | Symbol::G => none,
         }
     }
 

@@ -9,14 +9,17 @@ mod bodies;
 mod leaves;
 mod quadratic;
 mod equations;
+mod forces;
 mod generators;
 mod weights;
 mod momenta;
+mod dissipated;
 mod mean_value;
 mod enclosable;
 mod poles;
 mod jumps;
 mod identity;
+mod squares;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
@@ -24,12 +27,15 @@ pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};
+pub(crate) use dissipated::{Dissipated, dissipated};
+pub(crate) use forces::Forces;
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
+pub(crate) use squares::weights_of_squares;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
@@ -50,6 +56,7 @@ pub(crate) struct Structure {
     pub(crate) momenta: Vec<Momentum>,
     pub(crate) mean_value: MeanValue,
     pub(crate) damping: Option<Damping>,
+    pub(crate) forces: Option<Forces>,
 }
 
 /// Whether H is a sum of a part in p and a part in q.
@@ -96,30 +103,50 @@ impl Structure {
         self
     }
 
+    /// The same facts with forces that no energy gives.
+    pub(crate) fn forced(mut self, graph: &Graph, forces: Option<Forces>) -> Structure {
+        self.forces = forces;
+        if let Some(forces) = &self.forces {
+            self.cyclic.retain(|i| forces.spared[*i as usize]);
+            self.momenta.retain(|momentum| {
+                let symbols = dependence::symbols(graph, momentum.value);
+                symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !forces.spared[*i as usize]))
+            });
+        }
+        self
+    }
+
+    /// Whether H alone moves the state.
+    pub(crate) fn conservative(&self) -> bool {
+        self.damping.is_none() && self.forces.is_none()
+    }
+
     /// The parts, if each has a flow of its own.
     pub(crate) fn flows(&self) -> Option<&Parts> {
-        self.parts().filter(|_| self.damping.is_none())
+        self.parts().filter(|_| self.conservative())
     }
 
     /// The parts, if the differential equation is one of second order: T is quadratic, and nothing is damped.
     pub(crate) fn reduced(&self) -> Option<&Parts> {
-        self.quadratic_parts().filter(|_| self.damping.is_none())
+        self.quadratic_parts().filter(|_| self.conservative())
     }
 
     /// Whether no right-hand side reads t.
     pub(crate) fn timeless(&self) -> bool {
-        self.autonomous && !self.damping.as_ref().is_some_and(|damping| damping.reads.t)
+        let mut others =
+            self.damping.iter().map(|damping| damping.reads).chain(self.forces.iter().map(|forces| forces.reads));
+        self.autonomous && others.all(|reads| !reads.t)
     }
 
     /// Whether the right-hand sides are linear and do not depend on time.
     pub(crate) fn linear(&self) -> bool {
         let constant = self.damping.as_ref().is_none_or(|damping| damping.reads == Reads::default());
-        self.autonomous && constant && self.degree.is_some_and(|degree| degree <= 2)
+        self.autonomous && constant && self.forces.is_none() && self.degree.is_some_and(|degree| degree <= 2)
     }
 
     /// Whether H is the same at all times.
     pub(crate) fn conserves_energy(&self) -> bool {
-        self.autonomous && self.damping.is_none()
+        self.autonomous && self.conservative()
     }
 }
 
@@ -137,6 +164,11 @@ pub(crate) fn is_polynomial(graph: &Graph, roots: &[Id], degree: u32) -> bool {
 pub(crate) fn is_polynomial_in(graph: &Graph, roots: &[Id], degree: u32, counts: impl Fn(Symbol) -> bool) -> bool {
     let degrees = Degrees::of(graph, counts);
     roots.iter().all(|root| degrees.get(*root).is_some_and(|d| d <= degree))
+}
+
+/// The degree of a node as a polynomial in some symbols, if it is one.
+pub(crate) fn degree_in(graph: &Graph, root: Id, counts: impl Fn(Symbol) -> bool) -> Option<u32> {
+    Degrees::of(graph, counts).get(root)
 }
 
 /// The terms of a sum, those of sums in it included.
@@ -159,6 +191,22 @@ pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 /// What a node reads.
 pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
     dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
+}
+
+/// Facts of H and functions g of positions together: a momentum that commutes with the parts of H + λ·g for every λ does with those of H,
+/// and of every g.
+pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinates: &Shape) -> Structure {
+    let mut terms = vec![energy];
+    for (k, constraint) in (0..).zip(constraints) {
+        let multiplier = graph.symbol(Symbol::Multiplier(k));
+        terms.push(graph.mul(multiplier, *constraint));
+    }
+    let sum = graph.sum(&terms);
+    let mut structure = structure(graph, sum, coordinates);
+    let free =
+        |value: Id| !dependence::symbols(graph, value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
+    structure.momenta.retain(|momentum| free(momentum.value));
+    structure
 }
 
 /// Finds everything.
@@ -189,5 +237,6 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
         mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
         damping: None,
+        forces: None,
     }
 }

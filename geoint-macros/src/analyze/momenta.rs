@@ -40,8 +40,9 @@ pub(super) fn momenta(
     let generators = generators(coordinates);
     let found = forms(graph, dependence, degrees, energy).and_then(|forms| {
         let brackets = brackets(&moves(&generators, coordinates.len()), &forms)?;
-        // Weights that depend on time would change.
-        let steady = |atom: &Atom| !matches!(atom, Atom::Node(id) if dependence.reads(*id).t);
+        // Weights that depend on time, or on an action, would change.
+        let steady =
+            |atom: &Atom| !matches!(atom, Atom::Node(id) if dependence.reads(*id).t || dependence.reads(*id).s);
         let mut unknowns: Vec<Unknown> =
             (0..generators.len()).map(|generator| Unknown { generator, weight: vec![] }).collect();
         for (generator, weight) in weights(generators.len(), &brackets, steady).into_iter().enumerate() {

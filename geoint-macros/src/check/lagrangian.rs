@@ -2,23 +2,26 @@
 
 use super::blame::written;
 use super::damping::flaw_of_damping;
-use crate::analyze::Damping;
+use crate::analyze::{Damping, Forces};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
-use crate::legendre::{self, Legendre, NoFriction};
+use crate::legendre::{self, Friction, Legendre, NoFriction};
 use crate::lower::Place;
-use crate::messages::FULL_MASS;
-use crate::parse::{Energy, Form, Role};
+use crate::messages::{DAMPED, FORCED, FULL_MASS};
+use crate::parse::{Energy, Form, Requirement, Role};
 use std::collections::HashMap;
 
 /// Reports a Lagrangian that has no energy here, and friction that is none.
 pub(crate) fn lagrangian(
     energy: &Energy,
-    (found, friction): (std::result::Result<Legendre, legendre::Flaw>, std::result::Result<Option<Damped>, NoFriction>),
+    (found, friction): (
+        std::result::Result<Legendre, legendre::Flaw>,
+        std::result::Result<Option<Friction>, NoFriction>,
+    ),
     graph: &Graph,
     places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
-) -> Result<(Legendre, Option<Damped>)> {
+) -> Result<(Legendre, Option<Friction>)> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
     let [q, v] = [Symbol::Q, Symbol::V].map(|kind| move |i: &u32| kind(*i));
@@ -27,7 +30,8 @@ pub(crate) fn lagrangian(
         energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
     match (energy.form, &friction) {
         (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.rayleigh, FRICTION_OF_ACTION),
-        (_, Err(NoFriction::Degree)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
+        (Form::Herglotz, _) if energy.force.is_some() => errors.at(&energy.force, FORCE_WITH_ACTION),
+        (_, Err(NoFriction::Odd)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
         (_, Err(NoFriction::AtRest(rest))) => {
             errors.at(&energy.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
         }
@@ -96,7 +100,7 @@ pub(crate) fn lagrangian(
 /// Reports friction that is none, and what is required of an energy that is not derived.
 pub(crate) fn velocities(
     energy: &Energy,
-    (long, damping): (Id, Option<&Damping>),
+    (long, (damping, others)): (Id, (Option<&Damping>, Option<&Forces>)),
     graph: &Graph,
     places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
@@ -106,20 +110,27 @@ pub(crate) fn velocities(
     if let Some(damping) = damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
-    for (_, span) in &energy.requirements {
+    for (requirement, span) in &energy.requirements {
+        if *requirement == Requirement::Conservative {
+            if damping.is_some() || others.is_some() {
+                errors.at_place((*span, *span), if damping.is_some() { DAMPED } else { FORCED });
+            }
+            continue;
+        }
         let place = written(graph, places, long).unwrap_or((*span, *span));
         errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
     }
     errors.or(())
 }
 
-/// The rows of a matrix of damping.
-type Damped = Vec<Vec<Id>>;
-
 const FRICTION_OF_ACTION: &str =
     "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
 
-const NOT_RAYLEIGH: &str = "Rayleigh's function has to be a quadratic form in the velocities, such as `c * v * v / 2.0`; its coefficients may \
-                            read positions, parameters and time";
+const FORCE_WITH_ACTION: &str =
+    "with an action a force would leave no contact map: add its potential to the Lagrangian, such as `+ f(t) * q`";
 
-const NO_REST: &str = "Rayleigh's function has to be a quadratic form in the velocities, so that friction vanishes at rest, but there ∂R/∂v is";
+const NOT_RAYLEIGH: &str = "Rayleigh's function has its least value at rest, but this is a polynomial of odd degree in the velocities, which \
+                            feeds one direction where it brakes the other: write `c * v * v / 2.0`, or `c * v.abs().powi(3) / 3.0`";
+
+const NO_REST: &str =
+    "Rayleigh's function has its least value at rest, so that friction vanishes there, but there ∂R/∂v is";

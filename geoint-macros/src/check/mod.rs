@@ -1,12 +1,16 @@
 //! What the user asked for against what was proven.
 
 mod blame;
+mod constraints;
 mod damping;
+mod first_order;
 mod lagrangian;
 mod pieces;
 mod proofs;
 pub(crate) mod wording;
 
+pub(crate) use constraints::constraints;
+pub(crate) use first_order::first_order;
 pub(crate) use lagrangian::{lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};
@@ -15,7 +19,7 @@ use crate::analyze::{self, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
-use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, DAMPED, FORCED, NOT_QUADRATIC};
 use crate::parse::{Energy, Requirement};
 use blame::blame;
 use damping::flaw_of_damping;
@@ -35,11 +39,12 @@ pub(crate) fn requests(
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
     for (requirement, span) in &energy.requirements {
-        if structure.damping.is_some() {
-            errors.at_place((*span, *span), DAMPED);
+        if !structure.conservative() {
+            errors.at_place((*span, *span), if structure.damping.is_some() { DAMPED } else { FORCED });
             continue;
         }
         let witness = match (requirement, &structure.split) {
+            (Requirement::Conservative, _) => None,
             (_, Split::Coupled(term)) => Some((*term, COUPLED)),
             (Requirement::Separable, Split::Separable(_)) => None,
             (Requirement::QuadraticKinetic, Split::Separable(parts)) => {

@@ -38,27 +38,18 @@ pub(crate) fn pieces(
     errors.or(())
 }
 
-/// Reports a part with an exact flow, and a rest, that were asked for and are not there.
+/// Reports coordinates that were asked for, and in which no part has an exact flow.
 pub(crate) fn division(
     energy: &Energy,
-    (root, groups): (Id, Option<&[(Id, Place)]>),
     found: &Division,
-    graph: &mut Graph,
+    graph: &Graph,
     places: &HashMap<Id, Place>,
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    let asked = match (groups, energy.inner) {
-        (Some(groups), _) => Some(whole(groups)),
-        (None, inner) => inner.map(|(_, span)| (span, span)),
-    };
-    if let (Some(asked), Err(NoExactPart { term, why })) = (asked, found) {
-        let group = groups.and_then(|groups| groups.iter().find(|(group, _)| group == term)).map(|(_, place)| *place);
-        let place = group.or_else(|| written(graph, places, *term)).unwrap_or(asked);
+    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.inner, found) {
+        let place = written(graph, places, *term).unwrap_or((asked, asked));
         errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
-    }
-    if let Some(groups) = groups {
-        adds_up(root, groups, graph, &name, &mut errors);
     }
     errors.or(())
 }

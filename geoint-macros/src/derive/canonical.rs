@@ -2,15 +2,16 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
-use super::perturbed;
+use super::jet::JetKernel;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
+use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
-use crate::messages::{COUPLED, DAMPED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES, NOT_QUADRATIC};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
-use crate::split::Division;
+use crate::split::{Division, Pieces};
 
 /// In so few degrees of freedom a kick with a force gradient is made of the kernel of implicit methods, whose derivative is hardly
 /// more than the one direction that is needed of it: users do not pay for compiling another one.
@@ -20,35 +21,46 @@ const FEW: u32 = 3;
 pub(crate) fn canonical(
     graph: &mut Graph,
     structure: &Structure,
-    division: &Division,
+    (division, pieces): (&Division, Option<&Pieces>),
     partial: &[Partial],
     degrees: u32,
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
-    let drag = structure
-        .damping
-        .as_ref()
-        .and_then(|damping| damping.matrix.iter().flatten().copied().find(|entry| !graph.is_zero(*entry)));
+    let some = |entry: &Id| !graph.is_zero(*entry);
+    let drag = structure.damping.as_ref().and_then(|damping| damping.matrix.iter().flatten().copied().find(some));
+    let forces = structure.forces.iter().flat_map(|forces| [&forces.applied, &forces.friction]);
+    let force = forces.flatten().flatten().copied().find(some);
+    let drag = drag.map(|term| (term, DAMPED)).or(force.map(|term| (term, FORCED)));
     let perturbed = match drag {
-        Some(term) => Err(Missing { marker: "UndampedParts", term, why: DAMPED, pair: None }),
+        Some((term, why)) => Err(Missing { marker: "UndampedParts", term, why, pair: None }),
         None => perturbed::kernels(graph, division, degrees),
     };
     let separable = match (drag, &structure.split) {
-        (Some(term), _) => Err(Missing { marker: "Undamped", term, why: DAMPED, pair: None }),
-        (None, Split::Coupled(term)) => Err(Missing { marker: "Uncoupled", term: *term, why: COUPLED, pair: None }),
+        (Some((term, why)), _) => Err(Missing { marker: "Undamped", term, why, pair: None }),
+        (None, Split::Coupled(term)) => {
+            let why = if matches!(pieces, Some(Ok(_))) { COUPLED_IN_PIECES } else { COUPLED };
+            Err(Missing { marker: "Uncoupled", term: *term, why, pair: None })
+        }
         (None, Split::Separable(parts)) => Ok(parts),
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
-    let rate = structure.damping.as_ref().map(|_| Kernel::new(Levels::One, fields.field.f.clone()));
+    let rate = (!structure.conservative()).then(|| Kernel::new(Levels::One, fields.field.f.clone()));
     // Damping that depends on the state makes a field of a higher degree.
-    let steady = structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
+    let steady = structure.forces.is_none() && structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let proven = [
-        (structure.damping.is_none(), "Conservative"),
+        (structure.conservative(), "Conservative"),
         (structure.conserves_energy(), "Autonomous"),
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
+        (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
+    let force: Vec<Id> = if structure.conservative() {
+        gradient.q.iter().map(|slope| graph.neg(*slope)).collect()
+    } else {
+        fields.field.f[degrees as usize..].to_vec()
+    };
+    let jet = JetKernel::canonical(graph, &gradient, &force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),
@@ -57,10 +69,14 @@ pub(crate) fn canonical(
         splitting: Some(splitting),
         perturbed: Some(perturbed),
         modified,
-        pieces: vec![],
+        pieces: pieces
+            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, NO_CANONICAL_PIECES), false))
+            .into_iter()
+            .collect(),
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(
             graph,
             Roots::of_energy(&structure.energy),

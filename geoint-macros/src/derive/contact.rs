@@ -1,10 +1,11 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
-use super::implicit;
+use super::jet::JetKernel;
 use super::system::{
-    FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, PieceKernel, PiecesOf, System, Undamped,
+    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
 };
+use super::{implicit, pieces};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
@@ -23,13 +24,15 @@ pub(crate) fn contact(
     (degrees, lift): (u32, bool),
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
-    let rate = lift.then(|| Kernel::new(Levels::One, rates_of_lift(graph, energy, &gradient)));
-    let pieces = match found {
-        Ok(found) => Ok(found.iter().map(|piece| kernel(graph, piece, lift)).collect()),
-        Err(term) => Err(Missing { marker: "Splits", term: *term, why: NO_PIECES, pair: None }),
+    let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
+    let jet = match &rates {
+        Some(rates) => JetKernel::of_lift(graph, rates),
+        None => JetKernel::contact(graph, energy, &gradient),
     };
-    let modified = found.as_ref().ok().filter(|_| !lift).map(|pieces| {
-        let modified = split::modified_energy(graph, pieces, degrees);
+    let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
+    let pieces = pieces::kernels(graph, "ContactSplitting", (found, NO_PIECES), lift);
+    let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
+        let modified = split::modified_energy(graph, &found.pieces, degrees);
         Modified::Value(Kernel::new(Levels::One, vec![modified]))
     });
     let splitting = match mechanics {
@@ -46,10 +49,18 @@ pub(crate) fn contact(
         splitting: Some(splitting),
         perturbed: None,
         modified,
-        pieces: vec![PiecesOf { splitting: "ContactSplitting", pieces, symplectic: true, conserves_energy: false }],
-        implicit: Implicit::Contact(if lift { vec![] } else { implicit::steps(graph, energy, degrees) }),
+        pieces: vec![pieces],
+        implicit: Implicit::Contact(if lift {
+            ContactKernels { steps: vec![], stages: None }
+        } else {
+            ContactKernels {
+                steps: implicit::steps(graph, energy, degrees),
+                stages: Some(implicit::stages(graph, energy, &gradient)),
+            }
+        }),
         integrals: None,
         lagrangian: None,
+        jet,
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)
@@ -62,15 +73,6 @@ fn rates_of_lift(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> 
         .apply(graph, energy);
     let by_action = graph.neg(rest);
     gradient.p.iter().copied().chain(gradient.p.iter().map(|_| zero)).chain([by_action]).collect()
-}
-
-fn kernel(graph: &mut Graph, piece: &split::Piece, lift: bool) -> PieceKernel<Kernel> {
-    let mut changed = piece.flow.changed(graph);
-    changed.retain(|(symbol, _)| !(lift && matches!(symbol, Symbol::P(_))));
-    let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
-    let split::Family { name, energies, source, .. } = piece.family;
-    let known = vec![format!("{name}: {energies} ({source})")];
-    PieceKernel { energy: piece.energy, solved: false, known, clock: piece.clock, flow }
 }
 
 fn kick_drift(graph: &mut Graph, mechanics: &Mechanics) -> KickDrift<Kernel> {

@@ -2,6 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::implicit;
+use super::jet::JetKernel;
 use super::proof;
 use super::system::{FieldKernels, Implicit, Integrals, Missing, System};
 use crate::analyze::{self, Damping, MeanValue, claims, search};
@@ -188,6 +189,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         pieces: vec![],
         integrals: integrals(graph, kept, n),
         lagrangian: None,
+        jet: JetKernel::of_field(graph, field),
         domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),
@@ -205,6 +207,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
                 Kernel { levels: Levels::Iterated, routines: vec![implicit::roots(&field), equation, vec![]] }
             }),
             nothing_kept,
+            canonical: None,
             fourth,
             momenta: Kernel::new(Levels::One, vec![]),
         }),

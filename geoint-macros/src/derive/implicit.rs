@@ -1,7 +1,7 @@
 //! The equations of implicit methods.
 
-use super::system::{FieldKernels, StepKernel};
-use crate::analyze::Structure;
+use super::system::{FieldKernels, StageKernel, StepKernel};
+use crate::analyze::{self, Structure};
 use crate::diff::contact::{self, Equation};
 use crate::diff::field::{self, Field, SecondOrder};
 use crate::diff::{self, Gradient};
@@ -51,6 +51,7 @@ impl Fields {
             },
             discrete: Some(Kernel { levels: Levels::Iterated, routines: vec![roots(&discrete), equation, drift] }),
             nothing_kept: None,
+            canonical: None,
             fourth: None,
             momenta: momenta(graph, structure, degrees),
             coordinates: field.unknowns,
@@ -62,7 +63,7 @@ impl Fields {
 /// The gradients of what is kept beside H, but for single coordinates, which are kept anyway.
 fn momenta(graph: &mut Graph, structure: &Structure, degrees: u32) -> Kernel {
     let mut slopes = vec![];
-    for momentum in structure.momenta.iter().filter(|_| structure.damping.is_none()) {
+    for momentum in structure.momenta.iter().filter(|_| structure.conservative()) {
         let gradient = diff::gradient(graph, momentum.value, degrees);
         slopes.extend([gradient.q, gradient.p].concat());
     }
@@ -135,6 +136,32 @@ pub(super) fn steps(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<(&'stati
         (method, step(graph, equation))
     };
     METHODS.into_iter().map(step).collect()
+}
+
+/// The field at a stage of collocation: without s where ∂H/∂s reads time alone, and positions and momenta do not read s.
+pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> StageKernel<Kernel> {
+    let degrees = gradient.q.len() as u32;
+    let mut moved: Vec<Symbol> = (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).collect();
+    let mut rates = gradient.p.clone();
+    rates.extend(gradient.q.iter().map(|slope| graph.neg(*slope)));
+    let mut terms = vec![graph.neg(energy)];
+    for (i, velocity) in (0..degrees).zip(&gradient.p) {
+        let p = graph.symbol(Symbol::P(i));
+        terms.push(graph.mul(p, *velocity));
+    }
+    let action = graph.sum(&terms);
+    let varying = analyze::reads(graph, gradient.s).state();
+    if varying {
+        moved.push(Symbol::S);
+        rates.push(action);
+    }
+    rates.push(gradient.s);
+    let derivatives = diff::jacobian(graph, &rates, &moved).concat();
+    let kernel = Kernel {
+        levels: Levels::Prepared,
+        routines: vec![[rates, derivatives].concat(), vec![gradient.s], vec![action]],
+    };
+    StageKernel { moved, kernel }
 }
 
 /// Φ and 1 − ∂Φ/∂d, and what a solution adds.

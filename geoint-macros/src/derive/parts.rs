@@ -23,6 +23,11 @@ pub(crate) struct Parted {
 }
 
 impl Parted {
+    /// Of an S that is known.
+    pub(crate) fn of_structure(integral: Id, matrix: &[Vec<Id>], poisson: bool) -> Parted {
+        Parted { integral, matrix: matrix.to_vec(), poisson, unique: None }
+    }
+
     /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
     pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
         let x = coordinates(flow.field.len());
@@ -43,6 +48,8 @@ impl Parted {
 pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
     let both = |poisson, autonomous, [by_terms, by_planes]: [Result<_, Missing>; 2]| {
         let pieces = |splitting, pieces, symplectic, conserves_energy| PiecesOf {
+            cost: 0,
+            rejected: vec![],
             splitting,
             pieces,
             symplectic,

@@ -1,12 +1,14 @@
 //! The value that holds what was derived of a system.
 
 use super::domain::Domain;
+use super::jet::JetKernel;
 use super::perturbed::Perturbed;
 use crate::analyze::MeanValue;
+use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
-use crate::legendre::{Legendre, Route};
+use crate::legendre::{Canonical, FirstOrder, Legendre, Route};
 use crate::schedule::{Kernel, Levels, Plan};
-use crate::split::{self, Clock};
+use crate::split::{self, Clock, Rejected};
 
 /// What a system offers.
 #[derive(Debug)]
@@ -34,6 +36,8 @@ pub(crate) struct System<K = Kernel> {
     pub(crate) domain: Domain<K>,
     /// What velocities have to do with it, of a Lagrangian.
     pub(crate) lagrangian: Option<Lagrangian<K>>,
+    /// The Taylor coefficients of the solution.
+    pub(crate) jet: Option<JetKernel<K>>,
 }
 
 /// From velocities to momenta, and back.
@@ -112,6 +116,10 @@ pub(crate) struct PiecesOf<K> {
     /// Its name.
     pub(crate) splitting: &'static str,
     pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
+    /// What flows cost a step, in units of one sum.
+    pub(crate) cost: usize,
+    /// What else was found, and not taken.
+    pub(crate) rejected: Vec<Rejected>,
     /// Whether every flow keeps the structure of phase space.
     pub(crate) symplectic: bool,
     /// Whether every flow keeps H, or the first integral.
@@ -135,10 +143,29 @@ pub(crate) struct PieceKernel<K> {
 pub(crate) enum Implicit<K> {
     /// Of a field.
     Field(FieldKernels<K>),
-    /// Of each method by name.
-    Contact(Vec<(&'static str, StepKernel<K>)>),
+    /// Of contact systems.
+    Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
+    /// With constraints.
+    Constrained(ConstraintKernels<K>),
+}
+
+/// Constraints, and the steps that keep them.
+#[derive(Debug)]
+pub(crate) struct ConstraintKernels<K> {
+    /// g.
+    pub(crate) constraints: Vec<Id>,
+    /// Whether ∂H/∂p is affine in p.
+    pub(crate) quadratic: bool,
+    /// g and G.
+    pub(crate) values: K,
+    /// ∂H/∂p and ∂²H/∂p².
+    pub(crate) velocity: K,
+    /// g, its size, G ∂H/∂p, its size.
+    pub(crate) departure: K,
+    /// Of each method by name: the residual with its derivative; what a solution adds; the origin of unknowns.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
 }
 
 /// A Lagrangian by its derivatives.
@@ -148,9 +175,14 @@ pub(crate) struct VelocityKernels<K> {
     pub(crate) increments: Vec<Symbol>,
     /// ∂L/∂v and M.
     pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
-    /// The equation of the polarised discrete gradient; what it adds to the momenta. Of an L that is quadratic in v.
+    /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
+    pub(crate) keeps: bool,
+    /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
+    /// in v.
     pub(crate) polarised: Result<K, Missing>,
 }
 
@@ -185,6 +217,8 @@ pub(crate) struct FieldKernels<K> {
     pub(crate) discrete: Option<K>,
     /// Why there is no such thing, if there is more to say of it than that nothing is kept.
     pub(crate) nothing_kept: Option<Missing>,
+    /// Canonical coordinates and their rates, with the derivatives of both: what collocation moves if there are such.
+    pub(crate) canonical: Option<K>,
     /// The equation of a step of order 4 of a flow: h·f̄, and 1 − ∂(h·f̄)/∂d.
     pub(crate) fourth: Option<K>,
     /// The gradients of momenta that steps of order 4 of a canonical system keep, one after the other.
@@ -194,6 +228,24 @@ pub(crate) struct FieldKernels<K> {
     /// Whether the equation of a step is linear.
     pub(crate) linear: bool,
     pub(crate) mean_value: MeanValue,
+}
+
+/// The implicit steps of a contact system.
+#[derive(Debug)]
+pub(crate) struct ContactKernels<K> {
+    /// Of each method by name.
+    pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
+    /// Of collocation; nothing if momenta are not followed.
+    pub(crate) stages: Option<StageKernel<K>>,
+}
+
+/// The field of a contact system at a stage.
+#[derive(Debug)]
+pub(crate) struct StageKernel<K> {
+    /// What is solved for: q and p, and s if they read it.
+    pub(crate) moved: Vec<Symbol>,
+    /// Their rates, where that of p is −∂H/∂q, and ∂H/∂s; then the derivatives of all that. ∂H/∂s alone. s' alone.
+    pub(crate) kernel: K,
 }
 
 /// The equation of an implicit step in (q, p, s).
@@ -235,6 +287,20 @@ impl System {
         System { lagrangian: Some(lagrangian), ..self }
     }
 
+    /// The same with what a Lagrangian that is linear in velocities adds.
+    pub(crate) fn of_first_order(mut self, graph: &mut Graph, found: &FirstOrder) -> System {
+        if let (Implicit::Field(field), Some(Canonical { values, rates, .. })) = (&mut self.implicit, &found.canonical)
+        {
+            let [values_by, rates_by] =
+                [values, rates].map(|of| diff::jacobian(graph, of, &field.coordinates).concat());
+            let stage = [values.clone(), rates.clone(), values_by, rates_by].concat();
+            field.canonical = Some(Kernel { levels: Levels::Prepared, routines: vec![stage] });
+        }
+        let kernel = |roots: &[Id]| Kernel::new(Levels::One, roots.to_vec());
+        let (value, momenta) = (kernel(&[found.lagrangian]), kernel(&found.momenta));
+        System { lagrangian: Some(Lagrangian { value, momenta, velocities: None }), ..self }
+    }
+
     /// The statements of all kernels. After that nothing is added to the graph.
     pub(crate) fn scheduled(self, graph: &mut Graph) -> System<Plan> {
         let mut plan = |kernel: Kernel| kernel.plan(graph);
@@ -254,6 +320,7 @@ impl System {
             slopes: self.slopes.map(&mut plan),
             integrals: self.integrals.map(|integrals| integrals.map(&mut plan)),
             lagrangian: self.lagrangian.map(|lagrangian| lagrangian.map(&mut plan)),
+            jet: self.jet.map(|jet| jet.map(&mut plan)),
         }
     }
 }
@@ -300,9 +367,9 @@ impl<K> PieceKernel<K> {
 
 impl<K> PiecesOf<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, symplectic, conserves_energy } = self;
+        let PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy } = self;
         let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, symplectic, conserves_energy }
+        PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy }
     }
 }
 
@@ -330,22 +397,43 @@ impl<K> Implicit<K> {
                 collocation: of(field.collocation),
                 discrete: field.discrete.map(&mut *of),
                 nothing_kept: field.nothing_kept,
+                canonical: field.canonical.map(&mut *of),
                 fourth: field.fourth.map(&mut *of),
                 momenta: of(field.momenta),
                 folded: field.folded,
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised }) => {
-                let (mass, stage) = (of(mass), of(stage));
-                Implicit::Velocities(VelocityKernels { increments, mass, stage, polarised: polarised.map(&mut *of) })
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
+                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+                let polarised = polarised.map(&mut *of);
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
             }
-            Implicit::Contact(steps) => {
-                let step = |(name, step): (_, StepKernel<K>)| {
-                    (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) })
-                };
-                Implicit::Contact(steps.into_iter().map(step).collect())
+            Implicit::Contact(ContactKernels { steps, stages }) => {
+                let steps = mapped(steps, of);
+                let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
+                Implicit::Contact(ContactKernels { steps, stages })
+            }
+            Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
+                Implicit::Constrained(ConstraintKernels {
+                    constraints,
+                    quadratic,
+                    values: of(values),
+                    velocity: of(velocity),
+                    departure: of(departure),
+                    steps: mapped(steps, of),
+                })
             }
         }
     }
+}
+
+/// The equations of steps by the names of methods.
+fn mapped<K, L>(
+    steps: Vec<(&'static str, StepKernel<K>)>,
+    of: &mut impl FnMut(K) -> L,
+) -> Vec<(&'static str, StepKernel<L>)> {
+    let step =
+        |(name, step): (_, StepKernel<K>)| (name, StepKernel { unknowns: step.unknowns, kernel: of(step.kernel) });
+    steps.into_iter().map(step).collect()
 }

@@ -2,8 +2,9 @@
 
 use super::domain::{Domain, Roots};
 use super::system::{Implicit, Missing, System, VelocityKernels};
-use crate::analyze::Damping;
+use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
+use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
 use crate::messages::{FULL_MASS, NOT_POLARISED};
@@ -11,19 +12,25 @@ use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
 
 /// Derives everything that some method needs; `long` is why there is no H.
-pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, damping: Option<&Damping>) -> System {
+pub(crate) fn velocities(
+    graph: &mut Graph,
+    legendre: &Legendre,
+    long: Id,
+    (damping, others): (Option<&Damping>, Option<&Forces>),
+) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let matrix = damping.map(|damping| &damping.matrix[..]);
-    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix };
-    let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
+    let [stage, force] =
+        [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
     let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
     let polarised = if quadratic {
-        let (equation, impulse) = lagrangian::polarised(graph, given);
-        Ok(Kernel { levels: Levels::Iterated, routines: vec![equation, impulse] })
+        let equation = lagrangian::polarised(graph, given);
+        Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
     };
-    let known = [momenta.clone(), mass.concat()].concat();
+    let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
     // What has no velocity in it is divided as slopes divide it.
     let roots = [&[*lagrangian][..], forces, momenta].concat();
     let degrees = momenta.len() as u32;
@@ -39,7 +46,9 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
         implicit: Implicit::Velocities(VelocityKernels {
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: Kernel::new(Levels::One, known),
+            weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
         }),
         integrals: None,
@@ -51,5 +60,6 @@ pub(crate) fn velocities(graph: &mut Graph, legendre: &Legendre, long: Id, dampi
             damping,
         ),
         lagrangian: None,
+        jet: None,
     }
 }

@@ -1,7 +1,7 @@
 //! The differential equation as implicit methods solve it: y' = f(y) and its derivative, with derivatives of H and with
 //! divided differences.
 //!
-//! f = (J − R)∇H with R = diag(0, C) for damping C. If nothing is damped and T is quadratic, it is one of second order in q,
+//! f = (J − R)∇H with R = diag(0, C) for damping C, and with other forces. If nothing is damped and T is quadratic, it is one of second order in q,
 //! with the force f = −∂V/∂q: T is then the same for every method.
 
 use super::forward::jacobian;
@@ -37,7 +37,7 @@ pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structur
     let f = right_side(graph, gradient, structure, |_, entry| entry);
     let unknowns = unknowns(structure, degrees, Symbol::Q, Symbol::P);
     let mut jacobian = jacobian(graph, &f, &unknowns);
-    if structure.damping.is_none() {
+    if structure.conservative() {
         share(graph, &mut jacobian, structure.reduced().is_some());
     }
     Field { unknowns, f, jacobian }
@@ -101,6 +101,11 @@ fn right_side(
                 let drag = graph.mul(coefficient, *velocity);
                 *force = graph.sub(*force, drag);
             }
+        }
+    }
+    if let Some(forces) = &structure.forces {
+        for (force, other) in force.iter_mut().zip(forces.at(graph, &gradient.p, at)) {
+            *force = graph.add(*force, other);
         }
     }
     [gradient.p.clone(), force].concat()

@@ -3,6 +3,7 @@
 use super::field::{middle, taking};
 use super::forward::jacobian;
 use super::gradient::discrete_gradient;
+use crate::analyze::Forces;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 
@@ -19,12 +20,14 @@ pub(crate) struct Given<'a> {
     pub(crate) potential: Id,
     /// C.
     pub(crate) damping: Option<&'a [Vec<Id>]>,
+    pub(crate) others: Option<&'a Forces>,
 }
 
-/// f = ∂L/∂q − Cv.
+/// f = ∂L/∂q − Cv, and other forces.
 pub(crate) fn force(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let velocities: Vec<Id> = (0..given.forces.len() as u32).map(|i| graph.symbol(Symbol::V(i))).collect();
-    rubbed(graph, given.forces, given.damping, &velocities)
+    let force = rubbed(graph, given.forces, given.damping, &velocities);
+    pushed(graph, force, given.others, (&velocities, |_: &mut Graph, force| force))
 }
 
 /// ∂L/∂v, f, and the derivatives of both by q and v, one after the other.
@@ -37,7 +40,7 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let mut forces_by_q = jacobian(graph, &force, &positions);
     let mut forces_by_v = jacobian(graph, &force, &velocities);
     // Of equal derivatives, which may be written differently, one is computed.
-    if given.damping.is_none() {
+    if given.damping.is_none() && given.others.is_none() {
         for i in 0..force.len() {
             for j in 0..force.len() {
                 forces_by_v[i][j] = momenta_by_q[j][i];
@@ -51,9 +54,9 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     [given.momenta.to_vec(), force, matrices.concat()].concat()
 }
 
-/// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ with its derivative, and p₁ − p₀. Time is that of
-/// the middle of the step.
-pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id>) {
+/// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, then the derivatives of both. Time
+/// is that of the middle of the step.
+pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
     let (mut starts, mut ends, mut means, mut increments) = (vec![], vec![], vec![], vec![]);
@@ -72,6 +75,8 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id
         matrix.iter().map(|row| row.iter().map(|entry| there.apply(graph, *entry)).collect()).collect()
     });
     let force = rubbed(graph, &slopes, damping.as_deref(), &means);
+    let mut there = Substitution::new(middle);
+    let force = pushed(graph, force, given.others, (&means, |graph: &mut Graph, force| there.apply(graph, force)));
     let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
         Symbol::Dq(i) => Some(increments[i as usize]),
         _ => None,
@@ -93,20 +98,25 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> (Vec<Id>, Vec<Id
         Symbol::T => Some(late),
         _ => None,
     });
-    let mut residual = vec![];
+    let mut momenta = vec![];
     for i in 0..ends.len() {
         let mut terms = vec![end.apply(graph, given.shift[i])];
         for (entry, v) in given.mass[i].iter().zip(&ends) {
             let entry = end.apply(graph, *entry);
             terms.push(graph.mul(entry, *v));
         }
-        let p = graph.symbol(Symbol::P(i as u32));
-        terms.extend([graph.neg(p), graph.neg(impulse[i])]);
-        residual.push(graph.sum(&terms));
+        momenta.push(graph.sum(&terms));
     }
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
-    let matrix = jacobian(graph, &residual, &unknowns);
-    ([residual, matrix.concat()].concat(), impulse)
+    let [by_d, impulse_by_d] = [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns).concat());
+    let mut residual = vec![];
+    for (i, (momentum, impulse)) in (0..).zip(momenta.iter().zip(&impulse)) {
+        let p = graph.symbol(Symbol::P(i));
+        let [p, impulse] = [p, *impulse].map(|id| graph.neg(id));
+        residual.push(graph.sum(&[*momentum, p, impulse]));
+    }
+    let matrix: Vec<Id> = by_d.iter().zip(&impulse_by_d).map(|(a, b)| graph.sub(*a, *b)).collect();
+    [residual, impulse, matrix, impulse_by_d].concat()
 }
 
 /// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.
@@ -125,6 +135,18 @@ fn polarisation(graph: &mut Graph, given: Given<'_>, (starts, ends): (&[Id], &[I
         }
     }
     graph.sum(&terms)
+}
+
+/// Forces with others, at velocities.
+fn pushed(
+    graph: &mut Graph,
+    forces: Vec<Id>,
+    others: Option<&Forces>,
+    (velocities, place): (&[Id], impl FnMut(&mut Graph, Id) -> Id),
+) -> Vec<Id> {
+    let Some(others) = others else { return forces };
+    let others = others.at(graph, velocities, place);
+    forces.into_iter().zip(others).map(|(force, other)| graph.add(force, other)).collect()
 }
 
 /// Forces less friction Cv.

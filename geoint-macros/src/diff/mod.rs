@@ -1,8 +1,10 @@
 //! Derivations on the graph: gradient, Hessian, divided differences, and the field of implicit methods.
 
+pub(crate) mod constraint;
 pub(crate) mod contact;
 pub(crate) mod field;
 pub(crate) mod flow;
+pub(crate) mod jet;
 pub(crate) mod lagrangian;
 mod force_gradient;
 mod forward;

@@ -153,7 +153,7 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         }
         // Conditions, not terms.
         Function::NotNegative => vec![one],
-        Function::Bounded | Function::AtMost => vec![one, g.zero()],
+        Function::Bounded | Function::AtMost | Function::Provided => vec![one, g.zero()],
         // x + x·change, with change = eᶻ − 1.
         Function::Grown => vec![g.call(Function::Grown, &[one, y, args[2]]), g.zero(), x],
         Function::Root => {
@@ -201,7 +201,11 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             vec![g.scale(Number::HALF.neg(), sine)]
         }
         Function::StumpffC1 => vec![g.call(Function::StumpffC1Derivative, &[x])],
-        Function::KeplerF
+        Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
+        | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate
         | Function::KeplerGRate

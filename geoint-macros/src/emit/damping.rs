@@ -1,7 +1,7 @@
 //! What is emitted, and said, of damped systems alone.
 
 use super::kernel::Context;
-use crate::analyze::Damping;
+use crate::analyze::{Damping, Forces};
 use crate::ir::{Id, Symbol, print::Printer};
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -49,4 +49,42 @@ pub(super) fn section<F: Fn(Symbol) -> String>(
         writeln!(text, "- in a step of `DiscreteGradient` the energy falls by exactly h ∇̄H·C ∇̄H, for every h")?;
     }
     writeln!(text, "- kick and drift do not exist: damping is no part of either")
+}
+
+/// What forces beside the energy do to it.
+pub(super) fn forces<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    forces: &Forces,
+    autonomous: bool,
+) -> std::fmt::Result {
+    writeln!(text, "\nForces beside the energy")?;
+    let mut power = vec![];
+    if let Some(applied) = &forces.applied {
+        writeln!(text, "- F = {}", coefficients(printer, applied))?;
+        power.push("v·F");
+    }
+    if let Some(friction) = &forces.friction {
+        writeln!(text, "- friction −∂R/∂v with ∂R/∂v = {}", coefficients(printer, friction))?;
+        power.push("− v·∂R/∂v");
+    }
+    let power = power.join(" ");
+    writeln!(text, "- they add {power} to dH/dt, with v = ∂H/∂p")?;
+    if autonomous {
+        writeln!(
+            text,
+            "- in a step of `DiscreteGradient` they add exactly h times that at the mean velocity, for every h"
+        )?;
+    }
+    if forces.friction.is_some() {
+        writeln!(text, "- a step in which friction would feed energy is refused")?;
+    }
+    if let Some(potential) = forces.potential {
+        writeln!(
+            text,
+            "- this force has a potential: add {} to L, or take it off H, and the discrete gradient keeps the whole energy",
+            printer.excerpt(potential)
+        )?;
+    }
+    writeln!(text, "- kick and drift do not exist: a force is no part of either")
 }

@@ -272,10 +272,11 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
     let prepared = Literal::usize_unsuffixed(plan.slots[0]);
+    let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
     quote! {
         impl<R: Real> Collocated<R> for #name {
             type Proof = ();
-            type Stages = ByField;
+            type Stages = #stages;
         }
         impl<R: Real> Collocation<R> for #name {
             type Proof = ();

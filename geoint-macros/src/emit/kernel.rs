@@ -86,13 +86,13 @@ impl<'a> Context<'a> {
     }
 
     /// Where the entries of an array of unknowns are: positions or momenta alone, or both, one array after the other; or, with an
-    /// action, all in a row.
+    /// action or multipliers, all in a row.
     pub(crate) fn unknown_places(&self, unknowns: usize) -> Vec<Vec<usize>> {
         let coordinates = self.coordinates();
         if unknowns == coordinates.len() {
             return coordinates;
         }
-        if unknowns == 2 * coordinates.len() + 1 {
+        if unknowns != 2 * coordinates.len() {
             return (0..unknowns).map(|i| vec![i]).collect();
         }
         (0..2).flat_map(|half| coordinates.iter().map(move |place| [&[half], &place[..]].concat())).collect()
@@ -104,7 +104,7 @@ impl<'a> Context<'a> {
         if unknowns == degrees {
             return self.array();
         }
-        if unknowns == 2 * degrees + 1 {
+        if unknowns != 2 * degrees {
             let unknowns = Literal::usize_unsuffixed(unknowns);
             return quote!([R; #unknowns]);
         }
@@ -143,7 +143,7 @@ impl<'a> Context<'a> {
             Symbol::G => quote!(g),
             Symbol::Parameter(i) => self.parameter(i),
             // Increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => TokenStream::new(),
+            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => TokenStream::new(),
         }
     }
 
@@ -180,6 +180,7 @@ impl<'a> Context<'a> {
             Symbol::Dp(i) => format!("d{}", of_role(Role::Momentum, i)),
             Symbol::Ds => format!("d{}", of_role(Role::Action, 0)),
             Symbol::Dv(i) => format!("d{}", of_role(Role::Velocity, i)),
+            Symbol::Multiplier(k) => format!("λ[{k}]"),
             Symbol::Parameter(index) => {
                 let mut rest = index as usize;
                 for argument in self.energy.parameters() {

@@ -80,3 +80,57 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
         }
     }
 }
+
+/// What users call where L is linear in velocities.
+pub(super) fn first_order(context: &Context<'_>, found: &Lagrangian<Plan>) -> TokenStream {
+    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
+    let value = context.values(&found.value, |mut values| values.remove(0));
+    let momenta = context.values(&found.momenta, |values| write("momentum", &places, &values));
+    let Energy { name: plain, float, coordinates, form, .. } = context.energy;
+    let (state, coordinates) = (state(*form), &coordinates.ty);
+    quote! {
+        trait OfVelocities<R: Real> {
+            fn lagrangian(&self, t: R, q: &#array, v: &#array) -> R;
+            fn momentum(&self, t: R, q: &#array) -> #array;
+        }
+        impl<R: Real> OfVelocities<R> for #name {
+            #[inline]
+            fn lagrangian(&self, t: R, q: &#array, v: &#array) -> R {
+                #value
+            }
+            #[inline]
+            fn momentum(&self, t: R, q: &#array) -> #array {
+                let mut momentum = <#array as Array>::zero();
+                #momenta
+                momentum
+            }
+        }
+        impl #plain {
+            /// The state with these positions, at t = 0: velocities follow from them.
+            pub fn at(&self, q: #coordinates) -> #state<#coordinates> {
+                self.at_time(0.0, q)
+            }
+
+            /// The state with these positions at a time.
+            pub fn at_time(&self, t: #float, q: #coordinates) -> #state<#coordinates> {
+                #state::at(t, q)
+            }
+
+            /// The momenta ∂L/∂v, functions of positions.
+            pub fn momentum(&self, t: #float, q: #coordinates) -> #coordinates {
+                Coordinates::from_array(OfVelocities::momentum(self, t, &Coordinates::into_array(q)))
+            }
+
+            /// The velocities of a state.
+            pub fn velocity(&self, state: &#state<#coordinates>) -> #coordinates {
+                self.field(state)
+            }
+
+            /// The Lagrangian.
+            pub fn lagrangian(&self, t: #float, q: #coordinates, v: #coordinates) -> #float {
+                let [q, v] = [q, v].map(Coordinates::into_array);
+                OfVelocities::lagrangian(self, t, &q, &v)
+            }
+        }
+    }
+}

@@ -5,11 +5,14 @@
 
 mod attributes;
 mod bodies;
+mod canonical;
+mod constraints;
 mod damping;
 mod domain;
 mod flow;
 mod flows;
 mod implicit;
+mod jet;
 mod kernel;
 mod lagrangian;
 mod perturbed;
@@ -23,7 +26,8 @@ mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, IMPORTED};
+use crate::lower::VELOCITY;
+use crate::parse::{Energy, Form, IMPORTED, Role};
 use crate::schedule::Plan;
 pub(crate) use kernel::Context;
 use proc_macro2::TokenStream;
@@ -50,23 +54,38 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
         }
         _ => quote!(let _ = #expr;),
     });
+    let used = used.chain(energy.force.iter().map(|force| with_velocity(energy, force)));
     let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();
     let some = !statements.is_empty();
     item.block.stmts.splice(0..0, statements);
     some.then(|| quote!(#item))
 }
 
+/// A force, with the velocity that it may read.
+fn with_velocity(energy: &Energy, force: &syn::Expr) -> TokenStream {
+    let momenta = energy.arguments.iter().find(|(role, _)| *role == Role::Momentum).map(|(_, argument)| &argument.name);
+    let velocity = momenta.map(|momenta| {
+        let velocity = format_ident!("{VELOCITY}", span = proc_macro2::Span::call_site());
+        quote!(#[allow(unused_variables, reason = "generated code")] let #velocity = #momenta;)
+    });
+    quote!(#velocity let _ = #force;)
+}
+
 /// Everything that is emitted beside the user's function, of any form.
 pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>, report: &str) -> TokenStream {
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
-    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), flow), report);
+    let constrained = matches!(system.implicit, Implicit::Constrained(_));
+    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
     let parted = system.perturbed.as_ref().map(|found| perturbed::perturbed(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
-    let lagrangian = system.lagrangian.as_ref().map(|found| lagrangian::lagrangian(context, found));
+    let lagrangian = system.lagrangian.as_ref().map(|found| match form {
+        Form::FirstOrder => lagrangian::first_order(context, found),
+        _ => lagrangian::lagrangian(context, found),
+    });
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
     let implicit = match &system.implicit {
         Implicit::Field(field) => {
@@ -79,18 +98,26 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
                 }),
             };
             let collocation = implicit::collocation(context, field);
-            quote!(#discrete #nothing_kept #fourth #collocation)
+            let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
+            quote!(#discrete #nothing_kept #fourth #collocation #canonical)
         }
+        Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
-        Implicit::Contact(methods) => methods.iter().map(|(method, step)| steps::step(context, method, step)).collect(),
+        Implicit::Contact(kernels) => {
+            let steps = kernels.steps.iter().map(|(method, step)| steps::step(context, method, step));
+            let stages = kernels.stages.as_ref().map(|stages| steps::stages(context, stages));
+            quote!(#(#steps)* #stages)
+        }
     };
-    let around_it = quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit);
+    let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
+    let around_it =
+        quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
     around(context, report, &around_it)
 }
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, (true, None), report);
+    let inherent = system::inherent(context, (true, true, None), report);
     let bodies = bodies::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }

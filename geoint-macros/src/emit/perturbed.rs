@@ -5,8 +5,10 @@ use super::flows::{assign, flow, slots, unsatisfied};
 use super::kernel::Context;
 use super::system::self_type;
 use crate::derive::{FlowKernel, Missing, Perturbed};
-use crate::ir::Graph;
+use crate::ir::{Graph, print::Printer};
+use crate::parse::Role;
 use crate::schedule::Plan;
+use crate::split::OwnMotion;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
@@ -21,6 +23,14 @@ pub(super) fn perturbed(context: &Context<'_>, graph: &Graph, found: &Result<Per
 fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> TokenStream {
     let name = self_type(context);
     let (exact_in_time, repeats) = (found.exact_in_time, found.repeats);
+    let may_end = may_end(context, graph, found);
+    let no_kick = (!found.is_kick).then(|| {
+        let is_exact = found.is_exact;
+        quote! {
+            const REST_IS_KICK: bool = false;
+            const REST_IS_EXACT: bool = #is_exact;
+        }
+    });
     let (exact_type, prepare_exact, exact) = flow(context, "exact", &found.flow);
     let (rest_type, prepare_rest, rest) = flow(context, "rest", &found.kick);
     let inner = found.inner.as_ref().map(|inner| {
@@ -45,6 +55,8 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
             type Proof = ();
             const EXACT_IN_TIME: bool = #exact_in_time;
             const KICKS_REPEAT: bool = #repeats;
+            #no_kick
+            #may_end
             type Exact = #exact_type;
             type Rest = #rest_type;
             #prepare_exact
@@ -55,6 +67,22 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
         }
         #gradient
     }
+}
+
+/// Parts of the flow of A that may end within a step.
+fn may_end(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> TokenStream {
+    // By its path: users' structs may have this name.
+    let runtime = &context.energy.runtime;
+    let part = quote!(#runtime::private::FlowPart);
+    let entries = found.parts.iter().map(|(part_of, coordinates)| {
+        let name = match part_of {
+            OwnMotion::Energy(energy) => Printer::new(graph, |symbol| context.user_name(symbol)).excerpt(*energy),
+            OwnMotion::Orbit(body) => format!("Kepler's motion of {}[{body}]", context.name_of(Role::Position)),
+        };
+        let (first, count) = (coordinates.start, coordinates.len());
+        quote!(#part { name: #name, first: #first, count: #count })
+    });
+    quote!(const PARTS: &'static [#part] = &[#(#entries),*];)
 }
 
 /// A map of all coordinates, in place.

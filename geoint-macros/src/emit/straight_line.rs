@@ -94,9 +94,11 @@ impl Writer<'_> {
                 self.method("sin_cos", x, &[]);
             }
             Statement::Kepler(registers, orbits) => {
+                // A row holds one number of each orbit.
                 let results = self.inside(|writer| {
-                    for registers in registers {
-                        writer.list(Delimiter::Bracket, registers);
+                    for kind in 0..4 {
+                        let row: Vec<Register> = registers.iter().map(|registers| registers[kind]).collect();
+                        writer.list(Delimiter::Bracket, &row);
                         writer.punct(",");
                     }
                 });
@@ -105,20 +107,20 @@ impl Writer<'_> {
                 self.word("slope");
                 self.punct("::");
                 self.word("kepler");
-                let orbits = self.inside(|writer| {
-                    for orbit in orbits {
-                        let numbers = writer.inside(|writer| {
-                            for number in orbit {
-                                writer.operand(number);
+                let rows = self.inside(|writer| {
+                    for kind in 0..5 {
+                        let row = writer.inside(|writer| {
+                            for orbit in orbits {
+                                writer.operand(&orbit[kind]);
                                 writer.punct(",");
                             }
                         });
-                        writer.group(Delimiter::Bracket, numbers);
+                        writer.group(Delimiter::Bracket, row);
                         writer.punct(",");
                     }
                 });
-                let orbits = self.inside(|writer| writer.group(Delimiter::Bracket, orbits));
-                self.group(Delimiter::Parenthesis, orbits);
+                let rows = self.inside(|writer| writer.group(Delimiter::Bracket, rows));
+                self.group(Delimiter::Parenthesis, rows);
             }
             Statement::If { registers, condition, first, second } => {
                 self.list(Delimiter::Bracket, registers);

@@ -3,7 +3,7 @@
 use super::attributes;
 use super::domain::domain;
 use super::kernel::{Context, write};
-use crate::derive::{Modified, System};
+use crate::derive::{Implicit, Modified, System};
 use crate::ir::Graph;
 use crate::parse::{Energy, Form, Leaf, over_scalar};
 use crate::schedule::Plan;
@@ -54,7 +54,7 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
 /// open.
 pub(super) fn inherent(
     context: &Context<'_>,
-    (energy, flow): (bool, Option<TokenStream>),
+    (energy, rates, flow): (bool, bool, Option<TokenStream>),
     report: &str,
 ) -> TokenStream {
     let Energy { name, float, coordinates, form, .. } = context.energy;
@@ -65,6 +65,22 @@ pub(super) fn inherent(
             /// The energy of a state.
             pub fn energy(&self, state: &#state<#coordinates>) -> #float {
                 PhaseSpace::energy(self, state)
+            }
+        }
+    });
+    // An adaptive run guesses its first step from rates.
+    let adaptive = rates.then(|| {
+        quote! {
+            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
+                self,
+                method: M,
+                tolerance: f64,
+                state: #state<#coordinates>,
+            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
+                Adaptive::new(self, method, tolerance, state)
             }
         }
     });
@@ -89,17 +105,7 @@ pub(super) fn inherent(
                 Integrator::new(self, method, h, state)
             }
 
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: #state<#coordinates>,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
-                Adaptive::new(self, method, tolerance, state)
-            }
+            #adaptive
         }
     }
 }
@@ -110,7 +116,7 @@ pub(super) fn state(form: Form) -> TokenStream {
         Form::Hamiltonian | Form::Lagrangian => quote!(State),
         Form::Bodies => quote!(BodyState),
         Form::Contact | Form::Herglotz => quote!(ContactState),
-        Form::Structured | Form::Field => quote!(FlowState),
+        Form::Structured | Form::Field | Form::FirstOrder => quote!(FlowState),
     }
 }
 
@@ -136,6 +142,13 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     let rate = vector_field(context, system);
     let gradient = system.slopes.as_ref().map(|slopes| gradient(context, system, slopes));
     let kept = system.proven.contains(&"Autonomous").then(|| keeps_energy(context, &quote!(CanonicalEnergy), None));
+    let constrained = matches!(system.implicit, Implicit::Constrained(_)).then(|| {
+        quote! {
+            fn unmet(&self, t: R, h: R, z: &#phase) -> ::core::option::Option<Unmet> {
+                unmet(self, t, h, z)
+            }
+        }
+    });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -150,6 +163,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
                 #value
             }
             #domain
+            #constrained
         }
         #rate
         #gradient
@@ -182,6 +196,7 @@ fn vector_field(context: &Context<'_>, system: &System<Plan>) -> Option<TokenStr
     let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
     let body = match (context.energy.form, &system.rate) {
         (form, _) if form.has_action() => return None,
+        _ if matches!(system.implicit, Implicit::Constrained(_)) => return None,
         (Form::Hamiltonian | Form::Lagrangian, Some(rate)) => context.values(rate, |values| halves(context, &values)),
         (_, Some(rate)) => context.values(rate, |values| write("slopes", &context.coordinates(), &values)),
         (Form::Lagrangian, None) if system.slopes.is_none() => quote!(rate_of(self, t, z, slopes);),

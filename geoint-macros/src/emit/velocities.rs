@@ -3,7 +3,7 @@
 use super::flows::unsatisfied;
 use super::implicit::{square, write_field};
 use super::kernel::{Context, write};
-use super::system::{cotangent, self_type};
+use super::system::{cotangent, keeps_energy, self_type};
 use crate::derive::{Missing, VelocityKernels};
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
@@ -12,11 +12,19 @@ use quote::quote;
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
 pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
-    let VelocityKernels { increments, mass, stage, polarised } = kernels;
+    let VelocityKernels { increments, mass, weights, stage, polarised, keeps } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
-    let (n, quadratic) = (places.len(), polarised.is_ok());
+    let (n, quadratic, keeps) = (places.len(), polarised.is_ok(), *keeps);
     let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
+    let semidefinite = weights.as_ref().map(|weights| {
+        let holds = context.values(weights, |weights| quote!(true #(&& !#weights.any_below(0.0))*));
+        quote! {
+            fn is_semidefinite(&self) -> bool {
+                #holds
+            }
+        }
+    });
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
@@ -33,8 +41,10 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
         Err(missing) => not_polarised(context, graph, *missing),
     };
     let cotangent = cotangent(context);
+    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
     quote! {
         #cotangent
+        #kept
         impl<R: Real> Collocated<R> for #name {
             type Proof = ();
             type Stages = ByVelocities;
@@ -44,6 +54,7 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
             const QUADRATIC: bool = #quadratic;
             type Constants = [R; #prepared];
 
+            #semidefinite
             #[inline]
             fn constants(&self) -> [R; #prepared] {
                 #constants
@@ -82,9 +93,15 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
     let parameters = context.stored(plan, 0);
     let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
     let given = (increments, "d");
-    let equation = context
-        .planned(&plan.last[0], given, |values| write_field(context, ["residual", "matrix"], &plan.last[0], &values));
-    let impulse = context.planned(&plan.last[1], given, |values| write("impulse", &places, &values));
+    let (n, squares) = (places.len(), square(&places));
+    let equation = context.planned(&plan.last[0], given, |values| {
+        let (vectors, matrices) = values.split_at(2 * n);
+        let vectors = ["residual", "impulse"].into_iter().zip(vectors.chunks(n));
+        let matrices = ["matrix", "impulse_by_d"].into_iter().zip(matrices.chunks(n * n));
+        let vectors = vectors.map(|(name, values)| write(name, &places, values));
+        let matrices = matrices.map(|(name, values)| write(name, &squares, values));
+        quote!(#(#vectors)* #(#matrices)*)
+    });
     let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: Real> Graded<R> for #name {
@@ -111,16 +128,10 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
                 prepared: &[R; #prepared],
                 start: &[R; #started],
                 d: &#array,
-                residual: &mut #array,
-                matrix: &mut Square<#array>,
+                [residual, impulse]: [&mut #array; 2],
+                [matrix, impulse_by_d]: [&mut Square<#array>; 2],
             ) {
                 #equation
-            }
-            #[inline(always)]
-            fn impulse(&self, prepared: &[R; #prepared], start: &[R; #started], d: &#array) -> #array {
-                let mut impulse = <#array as Array>::zero();
-                #impulse
-                impulse
             }
         }
     }
@@ -148,10 +159,14 @@ fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> Toke
             fn begin(&self, never: &#never, _: R, _: &#phase, _: &#array) -> #never {
                 match *never {}
             }
-            fn equation(&self, never: &#never, _: &#never, _: &#array, _: &mut #array, _: &mut Square<#array>) {
-                match *never {}
-            }
-            fn impulse(&self, never: &#never, _: &#never, _: &#array) -> #array {
+            fn equation(
+                &self,
+                never: &#never,
+                _: &#never,
+                _: &#array,
+                _: [&mut #array; 2],
+                _: [&mut Square<#array>; 2],
+            ) {
                 match *never {}
             }
         }

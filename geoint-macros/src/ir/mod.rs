@@ -4,6 +4,7 @@ mod call;
 #[cfg(test)]
 pub(crate) mod eval;
 pub(crate) mod graph;
+pub(crate) mod collect;
 mod hash;
 mod id;
 pub(crate) mod number;

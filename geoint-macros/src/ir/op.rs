@@ -27,6 +27,8 @@ pub(crate) enum Symbol {
     Ds,
     /// The increment of a velocity over a step.
     Dv(u32),
+    /// The multiplier of a constraint.
+    Multiplier(u32),
 }
 
 impl Symbol {
@@ -166,6 +168,7 @@ functions! {
     // Of damping.
     NotNegative not_negative(x) Neither Everywhere;
     Bounded bounded(x, y) Neither Everywhere;
+    Provided provided(x, y) Neither Everywhere;
     Root root(x) Neither Interval(0.0, INF, "a negative number");
     Sinc sinc(x) Even Everywhere;
     SincDerivative sinc_derivative(x) Odd Everywhere;
@@ -193,6 +196,11 @@ functions! {
     DecayMean decay_mean(r, k) Neither Everywhere;
     AtMost at_most(x, y) Neither Everywhere;
     Grown grown(x, z, change) Neither Everywhere;
+    // Of linear flows in two degrees of freedom.
+    SineAt sine_at(b, c) Neither Everywhere;
+    SineSlope sine_slope(b, c) Neither Everywhere;
+    CosineAt cosine_at(b, c) Neither Everywhere;
+    CosineSlope cosine_slope(b, c) Neither Everywhere;
     // The four results of one call.
     KeplerF kepler_f(square, eta, speed, mu, h) Neither Everywhere;
     KeplerG kepler_g(square, eta, speed, mu, h) Neither Everywhere;
@@ -221,6 +229,10 @@ impl Function {
     /// The functions that one call of Kepler's motion computes together, in order.
     pub(crate) const KEPLER: [Function; 4] =
         [Function::KeplerF, Function::KeplerG, Function::KeplerFRate, Function::KeplerGRate];
+
+    /// Those of linear flows in two degrees of freedom.
+    pub(crate) const LINEAR_FLOW: [Function; 4] =
+        [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
 
     /// The function that shares the work of this one.
     pub(crate) fn partner(self) -> Option<Function> {

@@ -1,29 +1,31 @@
 //! Rayleigh's dissipation function R(q, v, t): the force −∂R/∂v, which is damping −Cv with C = ∂²R/∂v² where R is a quadratic form.
 
-use super::{at_rest, is_velocity, masses};
+use super::{Legendre, at_rest, is_velocity, masses};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 
-/// Why a function is no quadratic form in the velocities.
+/// What a function is.
+#[derive(Debug)]
+pub(crate) enum Friction {
+    /// vᵀCv/2.
+    Damping(Vec<Vec<Id>>),
+    /// No quadratic form: ∂R/∂v.
+    Slopes(Vec<Id>),
+}
+
+/// Why a function is no friction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum NoFriction {
-    /// It is not of degree 2 in them.
-    Degree,
+    /// It is a polynomial of an odd degree in them: it feeds one direction where it brakes the other.
+    Odd,
     /// At rest ∂R/∂v is this, not zero.
     AtRest(Id),
 }
 
-/// The matrix of damping.
-pub(crate) fn friction(
-    graph: &mut Graph,
-    rayleigh: Option<Id>,
-    degrees: u32,
-) -> Result<Option<Vec<Vec<Id>>>, NoFriction> {
+/// The force −∂R/∂v. Whether it takes energy at each velocity is found out at run time.
+pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) -> Result<Option<Friction>, NoFriction> {
     let Some(rayleigh) = rayleigh else { return Ok(None) };
-    if !analyze::is_polynomial_in(graph, &[rayleigh], 2, is_velocity) {
-        return Err(NoFriction::Degree);
-    }
     let slopes = diff::gradient(graph, rayleigh, degrees).v;
     for slope in &slopes {
         let rest = at_rest(graph, *slope, |_| true);
@@ -31,6 +33,33 @@ pub(crate) fn friction(
             return Err(NoFriction::AtRest(rest));
         }
     }
-    let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
-    Ok(Some(masses(graph, &slopes, &symbols)))
+    if analyze::is_polynomial_in(graph, &[rayleigh], 2, is_velocity) {
+        let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
+        return Ok(Some(Friction::Damping(masses(graph, &slopes, &symbols))));
+    }
+    match analyze::degree_in(graph, rayleigh, is_velocity) {
+        Some(degree) if degree % 2 == 1 => Err(NoFriction::Odd),
+        _ => Ok(Some(Friction::Slopes(slopes))),
+    }
+}
+
+/// γ with C = γM, where it reads no state and L has no terms that are linear in v: the force is −γp.
+pub(crate) fn rate(graph: &mut Graph, damping: &[Vec<Id>], Legendre { mass, shift, .. }: &Legendre) -> Option<Id> {
+    let n = mass.len();
+    if !shift.iter().all(|a| graph.is_zero(*a)) {
+        return None;
+    }
+    let (i, j) = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).find(|(i, j)| !graph.is_zero(mass[*i][*j]))?;
+    let rate = graph.div(damping[i][j], mass[i][j]);
+    let rate = super::invariant::simplified(graph, rate);
+    if graph.is_zero(rate) || analyze::reads(graph, rate).state() {
+        return None;
+    }
+    let entries = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));
+    let same = entries().all(|(i, j)| {
+        let expected = graph.mul(rate, mass[i][j]);
+        let rest = graph.sub(damping[i][j], expected);
+        graph.is_zero(rest) || analyze::identity(graph, rest).is_zero()
+    });
+    same.then_some(rate)
 }

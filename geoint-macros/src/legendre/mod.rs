@@ -4,6 +4,7 @@
 //! term of a known conjugate with terms that are linear. What is made is one more energy: everything else follows from that.
 
 mod conjugate;
+mod first_order;
 mod friction;
 mod invariant;
 mod quadratic;
@@ -12,7 +13,8 @@ use crate::analyze;
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Partial, Symbol};
-pub(crate) use friction::{NoFriction, friction};
+pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
+pub(crate) use friction::{Friction, NoFriction, friction, rate};
 
 /// What belongs to a Lagrangian.
 #[derive(Debug)]
@@ -32,6 +34,10 @@ pub(crate) struct Legendre {
     pub(crate) route: Route,
     /// What of L and H is not defined everywhere.
     pub(crate) partial: Vec<Partial>,
+    /// Whether M is negative definite, whatever the parameters are.
+    pub(crate) concave: bool,
+    /// γ of friction γMv.
+    pub(crate) friction: Option<Id>,
 }
 
 /// What steps are derived from.
@@ -123,7 +129,16 @@ pub(crate) fn transform(
             (Route::Energy(energy, velocities), partial)
         }
     };
-    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial })
+    let concave = is_negative(graph, &mass);
+    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial, concave, friction: None })
+}
+
+/// Whether a diagonal matrix is known to be negative definite.
+fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
+    (0..mass.len()).all(|i| {
+        let opposite = graph.neg(mass[i][i]);
+        (0..mass.len()).all(|j| i == j || graph.is_zero(mass[i][j])) && analyze::is_positive(graph, opposite)
+    })
 }
 
 /// M without coordinates on which its entries do not depend.
@@ -209,8 +224,8 @@ fn moves(graph: &Graph, id: Id) -> bool {
     reads.state() || reads.t
 }
 
-/// What of L is not defined everywhere and can be looked at without velocities.
-fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
+/// What of L, or of a force, is not defined everywhere and can be looked at without velocities.
+pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
     let still = |id: &Id| !analyze::reads(graph, *id).v;
     let mut partial = written.to_vec();
     partial.retain(|Partial { node, condition }| still(node) && condition.iter().all(still));

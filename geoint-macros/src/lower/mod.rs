@@ -8,9 +8,11 @@ mod assign;
 mod branch;
 mod call;
 mod constants;
+mod constraint;
 mod damping;
 mod expr;
 mod flow;
+mod force;
 mod language;
 mod loops;
 mod method;
@@ -24,6 +26,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use flow::{Integral, Skew, canonical};
+pub(crate) use force::VELOCITY;
 use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
@@ -46,8 +49,14 @@ pub(crate) struct Lowered {
     pub(crate) keeps: Vec<Integral>,
     /// The square matrix of damping.
     pub(crate) damping: Option<Vec<Vec<Id>>>,
+    /// A force beside the energy, an entry a coordinate.
+    pub(crate) force: Option<Vec<Id>>,
+    /// ∂R/∂v of friction that is no damping: what a Lagrangian has of it.
+    pub(crate) friction: Option<Vec<Id>>,
     /// Rayleigh's dissipation function of a Lagrangian, and where it is written.
     pub(crate) rayleigh: Option<(Id, Place)>,
+    /// The functions that constraints keep at zero, and where they are written.
+    pub(crate) constraints: Vec<(Id, Place)>,
     /// The pieces that the user wants, and where they are written.
     pub(crate) groups: Option<Vec<(Id, Place)>>,
     /// Where nodes were written first: the first and the last token.
@@ -127,6 +136,8 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     };
     let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
     let rayleigh = energy.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
+    let force = energy.force.as_ref().map(|expr| lowering.force(expr, energy));
+    let constraints = energy.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     lowering.note_partial();
     let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
     graph.stop_recording();
@@ -143,6 +154,9 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         keeps,
         damping,
         rayleigh,
+        friction: None,
+        force,
+        constraints,
         groups,
         places,
         partial,

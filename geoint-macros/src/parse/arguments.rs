@@ -157,7 +157,7 @@ fn defaults(form: Form) -> &'static [Default] {
         Form::Bodies => &OF_BODIES,
         Form::Structured | Form::Field => &OF_FLOWS,
         Form::Hamiltonian | Form::Contact => &OF_ENERGIES,
-        Form::Lagrangian | Form::Herglotz => &OF_LAGRANGIANS,
+        Form::Lagrangian | Form::Herglotz | Form::FirstOrder => &OF_LAGRANGIANS,
     }
 }
 

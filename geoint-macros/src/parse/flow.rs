@@ -6,6 +6,7 @@ use syn::parse::ParseStream;
 use syn::{Expr, Token, parenthesized};
 
 /// S of x' = S(x) ∇H.
+#[derive(Clone)]
 pub(crate) struct StructureForm {
     pub(crate) kind: StructureKind,
     /// C of `nambu(C)`; else all that is written.
@@ -28,6 +29,7 @@ pub(crate) enum StructureKind {
 }
 
 /// A function of x that a field keeps.
+#[derive(Clone)]
 pub(crate) struct Kept {
     pub(crate) name: Ident,
     pub(crate) value: Expr,

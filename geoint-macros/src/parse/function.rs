@@ -50,6 +50,7 @@ pub(crate) struct FunctionOptions {
 }
 
 /// A function that an energy may call, with those that it may call.
+#[derive(Clone)]
 pub(crate) struct Function {
     /// The path by which it is named, and called.
     pub(crate) path: String,

@@ -43,6 +43,8 @@ pub(crate) enum Form {
     Lagrangian,
     /// L(q, v, s, t) with the action s among the arguments: a contact system.
     Herglotz,
+    /// L(q, v, t) linear in v: Ω(q) q' = ∇H.
+    FirstOrder,
 }
 
 impl Form {
@@ -52,7 +54,7 @@ impl Form {
             Form::Hamiltonian | Form::Structured | Form::Bodies => "hamiltonian",
             Form::Contact => "contact_hamiltonian",
             Form::Field => "vector_field",
-            Form::Lagrangian | Form::Herglotz => "lagrangian",
+            Form::Lagrangian | Form::Herglotz | Form::FirstOrder => "lagrangian",
         }
     }
 
@@ -65,7 +67,7 @@ impl Form {
 
     /// Whether the state is x alone, without momenta.
     pub(crate) fn is_flow(self) -> bool {
-        matches!(self, Form::Structured | Form::Field)
+        matches!(self, Form::Structured | Form::Field | Form::FirstOrder)
     }
 
     /// Whether the state has an action.
@@ -75,6 +77,7 @@ impl Form {
 }
 
 /// An annotated function, understood up to its body.
+#[derive(Clone)]
 pub(crate) struct Energy {
     pub(crate) form: Form,
     pub(crate) item: ItemFn,
@@ -93,6 +96,10 @@ pub(crate) struct Energy {
     pub(crate) damping: Option<syn::Expr>,
     /// Rayleigh's dissipation function R of a Lagrangian, in terms of the arguments.
     pub(crate) rayleigh: Option<syn::Expr>,
+    /// F of a force that is added, in terms of the arguments.
+    pub(crate) force: Option<syn::Expr>,
+    /// The functions of positions that are kept at zero, in terms of the arguments.
+    pub(crate) constraint: Option<syn::Expr>,
     /// The coordinates in which methods move bodies.
     pub(crate) inner: Option<(Coordinates, Span)>,
     /// How an energy is to be split into pieces, in terms of the arguments.
@@ -155,7 +162,7 @@ impl Energy {
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
         let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
         let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(&self.rayleigh).chain(structure).chain(kept)
+        self.damping.iter().chain(&self.rayleigh).chain(&self.constraint).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -216,6 +223,9 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
     let coordinates = coordinates(form, &item, &options, &arguments, &mut errors);
     let herglotz = form == Form::Lagrangian && arguments.iter().any(|(role, _)| *role == Role::Action);
     let form = if herglotz { Form::Herglotz } else { form };
+    if herglotz && options.constraint.is_some() {
+        errors.at(&options.constraint, "with an action there are no constraints: leave out this, or the argument `s`");
+    }
     if let (Form::Field, Some(x)) = (form, &coordinates) {
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }
@@ -237,6 +247,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 requirements,
                 damping,
                 rayleigh,
+                force,
+                constraint,
                 structure,
                 keeps,
                 split,
@@ -256,6 +268,8 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
                 requirements,
                 damping,
                 rayleigh,
+                force,
+                constraint,
                 structure,
                 keeps,
                 inner,

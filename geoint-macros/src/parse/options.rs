@@ -3,6 +3,7 @@
 use super::flow::{self, Kept, StructureForm};
 use super::outside::Outside;
 use super::{Form, Role};
+use crate::messages::NO_CONSTRAINT;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
 use syn::Token;
 use syn::ext::IdentExt;
@@ -19,6 +20,8 @@ pub(super) struct Options {
     pub(super) requirements: Vec<(Requirement, Span)>,
     pub(super) damping: Option<syn::Expr>,
     pub(super) rayleigh: Option<syn::Expr>,
+    pub(super) force: Option<syn::Expr>,
+    pub(super) constraint: Option<syn::Expr>,
     pub(super) structure: Option<StructureForm>,
     pub(super) keeps: Vec<Kept>,
     pub(super) split: Option<Vec<syn::Expr>>,
@@ -29,8 +32,8 @@ pub(super) struct Options {
 }
 
 const HAMILTONIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `t = argument`, \
-                           `damping = coefficients`, `split = \"A | B\"`, `coordinates = jacobi`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
-                           `require(separable, quadratic_kinetic)`";
+                           `damping = coefficients`, `force = F`, `constraint = [g]`, `split = \"A | B\"`, `coordinates = jacobi` or `heliocentric`, `structure = S` with `x = argument`, `attitude = argument` with `m = argument`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                           `require(separable, quadratic_kinetic, conservative)`";
 
 const CONTACT: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `p = argument`, `s = argument`, \
                        `t = argument`, `split = \"terms | terms\"`, `lift`, `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -39,8 +42,8 @@ const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = arg
                      `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
 
 const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
-                          `rayleigh = R`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
-                          `require(separable, quadratic_kinetic)`";
+                          `rayleigh = R`, `force = F`, `constraint = [g]`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
+                          `require(separable, quadratic_kinetic, conservative)`";
 
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -71,8 +74,10 @@ impl Options {
                         let requirement = match name.to_string().as_str() {
                             "separable" => Requirement::Separable,
                             "quadratic_kinetic" => Requirement::QuadraticKinetic,
+                            "conservative" => Requirement::Conservative,
                             _ => {
-                                let message = "what can be required is `separable` and `quadratic_kinetic`";
+                                let message =
+                                    "what can be required is `separable`, `quadratic_kinetic` and `conservative`";
                                 return Err(syn::Error::new_spanned(name, message));
                             }
                         };
@@ -112,6 +117,18 @@ impl Options {
                     input.parse::<Token![=]>()?;
                     options.rayleigh = Some(input.parse()?);
                 }
+                "force" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    options.force = Some(input.parse()?);
+                }
+                "constraint" if energy && !contact => {
+                    input.parse::<Token![=]>()?;
+                    let constraints: syn::Expr = input.parse()?;
+                    if matches!(&constraints, syn::Expr::Array(array) if array.elems.is_empty()) {
+                        return Err(syn::Error::new_spanned(constraints, NO_CONSTRAINT));
+                    }
+                    options.constraint = Some(constraints);
+                }
                 "damping" if energy => {
                     input.parse::<Token![=]>()?;
                     options.damping = Some(input.parse()?);
@@ -146,7 +163,7 @@ impl Options {
                         Some(Form::Hamiltonian | Form::Structured | Form::Bodies) => HAMILTONIAN,
                         Some(Form::Contact) => CONTACT,
                         Some(Form::Field) => FIELD,
-                        Some(Form::Lagrangian | Form::Herglotz) => LAGRANGIAN,
+                        Some(Form::Lagrangian | Form::Herglotz | Form::FirstOrder) => LAGRANGIAN,
                         None => FUNCTION,
                     };
                     return Err(syn::Error::new_spanned(key, message));
@@ -165,20 +182,27 @@ impl Options {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
         let damped = self.damping.as_ref().map(Spanned::span);
+        let forced = self.force.as_ref().map(Spanned::span);
         let split = self.split.as_ref().and_then(|groups| groups.first()).map(Spanned::span);
         let parted = self.coordinates.map(|(_, span)| span).or(split);
+        let constrained = self.constraint.as_ref().map(Spanned::span);
+        if let Some(span) = constrained
+            && (self.structure.is_some() || role(Role::Attitude).is_some() || parted.is_some() || forced.is_some())
+        {
+            return Err(syn::Error::new(span, CONSTRAINED));
+        }
         let [attitude, m] = [Role::Attitude, Role::AngularMomentum].map(role);
         let wrong = match (&self.structure, attitude) {
             (Some(_), Some(attitude)) => Some((attitude, BODY_WITH_STRUCTURE)),
-            (Some(_), None) => role(Role::Momentum).or(required).or(parted).map(|span| (span, NO_MOMENTA)),
+            (Some(_), None) => role(Role::Momentum).or(required).or(parted).or(forced).map(|span| (span, NO_MOMENTA)),
             (None, None) => {
                 let both = self.coordinates.filter(|_| split.is_some()).map(|(_, span)| (span, TWO_WAYS));
-                let damped = damped.and(parted).map(|span| (span, DAMPED_PARTS));
+                let damped = damped.or(forced).and(parted).map(|span| (span, DAMPED_PARTS));
                 m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
             }
             (None, Some(_)) => {
                 let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
-                let damped = damped.map(|span| (span, DAMPED_BODY));
+                let damped = damped.or(forced).map(|span| (span, DAMPED_BODY));
                 let parted = parted.map(|span| (span, PARTS_OF_BODIES));
                 damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted).or(position)
             }
@@ -201,6 +225,9 @@ fn takes(form: Option<Form>, name: &str) -> bool {
     }
 }
 
+const CONSTRAINED: &str = "constraints are for positions and momenta whose energy is not split: leave out this, or `structure`, `attitude`, \
+                           `split`, `coordinates` and `force`";
+
 const NO_MOMENTA: &str = "with `structure` there are no momenta: the state is `x` alone";
 
 const BODY_WITH_STRUCTURE: &str =
@@ -209,14 +236,15 @@ const BODY_WITH_STRUCTURE: &str =
 const WITHOUT_ATTITUDE: &str =
     "`m = …` names the angular momentum of a rigid body: say which argument is its attitude, `attitude = …`";
 
-const DAMPED_BODY: &str = "rigid bodies are not damped: `damping` is for energies of `q` and `p`";
+const DAMPED_BODY: &str =
+    "rigid bodies are moved by their energy alone: `damping` and `force` are for energies of `q` and `p`";
 
 const ALWAYS_SEPARABLE: &str =
     "with `attitude` the energy has to be T(m) + V(r) with a quadratic T: leave `require` out";
 
 const TWO_WAYS: &str = "`coordinates` says how the energy is split: leave `split` out";
 
-const DAMPED_PARTS: &str = "damping is no part of an exact flow or a kick: leave it out, or this";
+const DAMPED_PARTS: &str = "damping, or a force, is no part of an exact flow or a kick: leave it out, or this";
 
 const PARTS_OF_BODIES: &str = "with `attitude` the parts of the energy are known, T(m) and V(r): leave this out";
 
@@ -251,6 +279,7 @@ impl Parse for Group {
 pub(crate) enum Requirement {
     Separable,
     QuadraticKinetic,
+    Conservative,
 }
 
 /// Coordinates in which methods move the bodies of an energy.
@@ -258,13 +287,20 @@ pub(crate) enum Requirement {
 pub(crate) enum Coordinates {
     /// Each body as seen from the centre of mass of those before it.
     Jacobi,
+    /// Each body as seen from body 0.
+    Heliocentric,
 }
 
 impl Coordinates {
     fn named(name: &Ident) -> syn::Result<Coordinates> {
         match name.to_string().as_str() {
             "jacobi" => Ok(Coordinates::Jacobi),
-            _ => Err(syn::Error::new_spanned(name, "the coordinates of bodies that there are: `coordinates = jacobi`")),
+            "heliocentric" => Ok(Coordinates::Heliocentric),
+            _ => {
+                let message =
+                    "the coordinates of bodies that there are: `coordinates = jacobi`, `coordinates = heliocentric`";
+                Err(syn::Error::new_spanned(name, message))
+            }
         }
     }
 }

@@ -1,8 +1,16 @@
 //! What families of energies, pieces and their flows are.
 
 use super::time::Clock;
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Symbol};
 use crate::schedule::Levels;
+
+/// Which coordinates there are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Space {
+    pub(crate) degrees: u32,
+    /// Whether s is among them: then its flow has to be known, too.
+    pub(crate) action: bool,
+}
 
 /// Terms that are to be one piece.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +20,9 @@ pub(super) struct Group {
     pub(super) clock: Clock,
 }
 
+/// The flow of a group, if it belongs to a family.
+pub(super) type Solve = fn(&mut Graph, &Group) -> Option<Flow>;
+
 /// A family of energies whose flow is known.
 pub(crate) struct Family {
     /// What it is called in reports.
@@ -20,8 +31,10 @@ pub(crate) struct Family {
     pub(crate) energies: &'static str,
     /// Where such energies, or what their flow follows from, can be read about.
     pub(crate) source: &'static str,
+    /// Whether the flow of s is known, so that it serves contact systems.
+    pub(super) action: bool,
     /// The flow, if an energy belongs to the family.
-    pub(super) solve: fn(&mut Graph, &Group) -> Option<Flow>,
+    pub(super) solve: Solve,
 }
 
 impl std::fmt::Debug for Family {
@@ -30,7 +43,7 @@ impl std::fmt::Debug for Family {
     }
 }
 
-/// q, p and s at the end of a flow of length h, in terms of those at its start.
+/// q, p and s at the end of a flow of length h, in terms of those at its start; s stays where its flow is not asked for.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Flow {
     pub(crate) q: Vec<Id>,
@@ -55,6 +68,17 @@ impl Flow {
             _ => None,
         };
         ends.filter(|(end, start)| end != start).filter_map(|(end, start)| Some((symbol(start)?, end))).collect()
+    }
+
+    /// Whether it may end before its time, by functions that are not numbers then.
+    pub(super) fn ends_early(&self, graph: &Graph) -> bool {
+        let stops = |id: &Id| {
+            matches!(
+                graph.node(*id),
+                Node::Call(Function::NotNegative | Function::RecipPositive | Function::AtMost | Function::Powf, _)
+            )
+        };
+        graph.reachable(&self.all()).iter().any(stops)
     }
 
     pub(super) fn all(&self) -> Vec<Id> {

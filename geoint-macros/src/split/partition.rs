@@ -1,93 +1,222 @@
 //! Which terms go together.
 
+use super::atoms::atoms;
 use super::families::{FAMILIES, piece};
-use super::flow::Piece;
-use crate::analyze::{self, Reads};
-use crate::ir::{Graph, Id, Node, Ratio};
+use super::flow::{Piece, Space};
+use super::nystrom::{in_order_of_nystrom, is_nystrom};
+use super::powers::powers_of_forms;
+use crate::analyze::{self, Split, Structure};
+use crate::ir::{Graph, Id};
 use crate::lower::Place;
 use crate::schedule::Kernel;
 use std::collections::BTreeMap;
 
-/// The pieces in the order in which a step goes through them and back, the most expensive one last; or a term that is in no
-/// piece.
-pub(crate) type Pieces = Result<Vec<Piece>, Id>;
+/// A flow waits for the one before it: some sums long.
+const WAIT: usize = 4;
 
-/// With more terms than this those that read the same parts of phase space stay together: all subsets are looked at.
-const MAX_ATOMS: usize = 7;
+/// The pieces; or a term that is in no piece.
+pub(crate) type Pieces = Result<Partition, Id>;
+
+/// H as a sum of pieces.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Partition {
+    /// In the order in which a step goes through them and back.
+    pub(crate) pieces: Vec<Piece>,
+    /// What their flows cost a step, in units of one sum.
+    pub(crate) cost: usize,
+    /// Whether some flow is not defined for every length.
+    ends_early: bool,
+    /// Whether these are two, A and B, with {B, {B, {B, A}}} = 0.
+    pub(crate) nystrom: bool,
+    /// What else was found.
+    pub(crate) rejected: Vec<Rejected>,
+}
+
+/// Pieces that were found and not taken.
+#[derive(Clone, Debug)]
+pub(crate) struct Rejected {
+    pub(crate) energies: Vec<Id>,
+    pub(crate) cost: usize,
+}
 
 /// Splits H; into the groups that the user wants, if there are any.
-pub(crate) fn pieces(graph: &mut Graph, energy: Id, degrees: u32, groups: Option<&[(Id, Place)]>) -> Pieces {
+///
+/// With an action into the fewest pieces. Without one into those whose flows never end, as shears, rather than such as qᵏpⁿ have; then into
+/// those whose flows cost least, which need not be the fewest.
+pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option<&[(Id, Place)]>) -> Pieces {
     if let Some(groups) = groups {
         // In the order given: who groups by hand knows what is to be in the middle.
-        return groups.iter().map(|(group, _)| piece(graph, *group, degrees).ok_or(*group)).collect();
+        let pieces: Result<Vec<Piece>, Id> =
+            groups.iter().map(|(group, _)| piece(graph, *group, space).ok_or(*group)).collect();
+        let mut given = Partition::of(graph, pieces?);
+        // Who groups by hand says what is to be in the middle.
+        given.nystrom = !space.action && is_nystrom(graph, &given.pieces, space.degrees);
+        return Ok(given);
     }
-    let found = fewest(graph, energy, degrees)?;
-    // A kick in the middle leaves the smallest error; of other pieces the most expensive one is best looked at once.
-    let mut pieces: Vec<((bool, usize), Piece)> = vec![];
+    let whole = atoms(graph, energy, space);
+    let mut search = Search::new(&whole, space);
+    let fewest = search.best(graph, energy, Measure::Fewest)?;
+    let mut found = vec![ordered(graph, fewest, Middle::Kick)];
+    if !space.action {
+        let cheapest = search.best(graph, energy, Measure::Cheapest)?;
+        found.push(ordered(graph, cheapest, Middle::Kick));
+        let powers = powers_of_forms(graph, &whole, space)
+            .and_then(|atoms| Search::new(&atoms, space).best(graph, energy, Measure::Cheapest).ok());
+        found.extend(powers.map(|pieces| ordered(graph, pieces, Middle::Mixed)));
+    }
+    let mut found: Vec<Partition> = found.into_iter().map(|pieces| Partition::of(graph, pieces)).collect();
+    found.sort_by_key(|partition| (partition.ends_early, partition.cost, partition.pieces.len()));
+    found.dedup_by_key(|partition| partition.energies());
+    let mut best = found.remove(0);
+    best.rejected = found.iter().map(|other| Rejected { energies: other.energies(), cost: other.cost }).collect();
+    best.nystrom = !space.action && in_order_of_nystrom(graph, &mut best.pieces, space.degrees);
+    Ok(best)
+}
+
+/// The pieces of H(q, p, t) where kick and drift are none, or not the pieces that the user wants.
+pub(crate) fn coupled_pieces(
+    graph: &mut Graph,
+    structure: &Structure,
+    degrees: u32,
+    groups: Option<&[(Id, Place)]>,
+) -> Option<Pieces> {
+    let asked = matches!(structure.split, Split::Coupled(_)) || groups.is_some();
+    let whole = asked && structure.conservative();
+    whole.then(|| pieces(graph, structure.energy, Space { degrees, action: false }, groups))
+}
+
+impl Partition {
+    fn of(graph: &mut Graph, pieces: Vec<Piece>) -> Partition {
+        let costs: Vec<usize> = pieces.iter().map(|piece| WAIT + cost(graph, piece)).collect();
+        // Twice a step, but the last one; the first one is merged with that of the step before.
+        let ends = [costs.first(), costs.last()].into_iter().flatten().sum::<usize>();
+        let cost = if costs.len() > 1 { 2 * costs.iter().sum::<usize>() - ends } else { ends / 2 };
+        let ends_early = pieces.iter().any(|piece| piece.flow.ends_early(graph));
+        Partition { pieces, cost, ends_early, nystrom: false, rejected: vec![] }
+    }
+
+    fn energies(&self) -> Vec<Id> {
+        self.pieces.iter().map(|piece| piece.energy).collect()
+    }
+}
+
+/// What is in the middle of a step.
+#[derive(Clone, Copy)]
+enum Middle {
+    /// A kick: it leaves the smallest error. Else the most expensive piece, which is best gone through once.
+    Kick,
+    /// What reads positions and momenta, around it drifts, around these kicks: of all orders of four shears the best four are such.
+    Mixed,
+}
+
+/// Pieces in the order of half a step.
+fn ordered(graph: &mut Graph, found: Vec<Piece>, middle: Middle) -> Vec<Piece> {
+    let mut pieces: Vec<((usize, usize), Piece)> = vec![];
     for piece in found {
         let reads = analyze::reads(graph, piece.energy);
-        pieces.push(((reads.q && reads.kinds() == 1, cost(graph, &piece)), piece));
+        let rank = match middle {
+            Middle::Kick => usize::from(reads.q && reads.kinds() == 1),
+            Middle::Mixed => reads.kinds() + usize::from(reads.p),
+        };
+        pieces.push(((rank, cost(graph, &piece)), piece));
     }
     pieces.sort_by_key(|(rank, _)| *rank);
-    Ok(pieces.into_iter().map(|(_, piece)| piece).collect())
+    pieces.into_iter().map(|(_, piece)| piece).collect()
+}
+
+/// Which of two partitions is better.
+#[derive(Clone, Copy)]
+enum Measure {
+    /// That with fewer pieces; of equal numbers, that whose rules come first.
+    Fewest,
+    /// That whose flows cost less; of equal costs, that with fewer pieces.
+    Cheapest,
 }
 
 /// A partition of some atoms, by sets of their numbers as bits.
 #[derive(Clone, Debug, Default)]
 struct Choice {
+    cost: usize,
     groups: Vec<usize>,
     /// Of the rules behind the groups, in order.
     ranks: Vec<usize>,
 }
 
 impl Choice {
-    fn with(&self, group: usize, rank: usize) -> Choice {
+    fn with(&self, group: usize, rank: usize, cost: usize) -> Choice {
         let mut ranks = [&self.ranks[..], &[rank]].concat();
         ranks.sort_unstable();
-        Choice { groups: [&self.groups[..], &[group]].concat(), ranks }
+        Choice { cost: self.cost + cost, groups: [&self.groups[..], &[group]].concat(), ranks }
     }
 
-    /// Fewer pieces, or rules that come first.
-    fn is_better_than(&self, other: &Choice) -> bool {
-        (self.groups.len(), &self.ranks) < (other.groups.len(), &other.ranks)
+    fn is_better_than(&self, other: &Choice, measure: Measure) -> bool {
+        let key = |choice: &Choice| match measure {
+            Measure::Fewest => (0, choice.groups.len()),
+            Measure::Cheapest => (choice.cost, choice.groups.len()),
+        };
+        (key(self), &self.ranks) < (key(other), &other.ranks)
     }
 }
 
-/// The smallest number of pieces; of equal numbers, the one whose rules come first.
-fn fewest(graph: &mut Graph, energy: Id, degrees: u32) -> Pieces {
-    let atoms = atoms(graph, energy, degrees);
-    let whole = (1_usize << atoms.len()) - 1;
-    let mut known: BTreeMap<usize, Option<Piece>> = BTreeMap::new();
-    let mut attempt = |graph: &mut Graph, set: usize| {
+/// All sets of atoms, with the pieces that they are and what these cost.
+struct Search<'a> {
+    atoms: &'a [Id],
+    space: Space,
+    known: BTreeMap<usize, Option<(Piece, usize)>>,
+}
+
+impl<'a> Search<'a> {
+    fn new(atoms: &'a [Id], space: Space) -> Search<'a> {
+        Search { atoms, space, known: BTreeMap::new() }
+    }
+
+    fn attempt(&mut self, graph: &mut Graph, set: usize) -> Option<(Piece, usize)> {
+        let Search { atoms, space, known } = self;
         let found = known.entry(set).or_insert_with(|| {
             let terms: Vec<Id> = (0..atoms.len()).filter(|i| set >> i & 1 == 1).map(|i| atoms[i]).collect();
             let energy = graph.sum(&terms);
-            piece(graph, energy, degrees)
+            let piece = piece(graph, energy, *space)?;
+            let cost = if space.action { 0 } else { cost(graph, &piece) };
+            Some((piece, cost))
         });
         found.clone()
-    };
-    // The best choice for every set of atoms.
-    let mut best: Vec<Option<Choice>> = vec![Some(Choice::default())];
-    for set in 1..=whole {
-        // One piece has the lowest atom; that alone, or with others.
-        let lowest = set & set.wrapping_neg();
-        let mut choice: Option<Choice> = None;
-        for others in subsets(set ^ lowest) {
-            let group = others | lowest;
-            if let (Some(piece), Some(rest)) = (attempt(graph, group), &best[set ^ group]) {
-                let new = rest.with(group, rank(&piece));
-                if choice.as_ref().is_none_or(|choice| new.is_better_than(choice)) {
-                    choice = Some(new);
+    }
+
+    /// The best partition; or a term that is in no piece.
+    fn best(&mut self, graph: &mut Graph, energy: Id, measure: Measure) -> Result<Vec<Piece>, Id> {
+        // Without an action no family needs a term that has no flow of its own.
+        if !self.space.action
+            && let Some(alone) = (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none())
+        {
+            return Err(self.atoms[alone]);
+        }
+        let whole = (1_usize << self.atoms.len()) - 1;
+        // The best choice for every set of atoms.
+        let mut best: Vec<Option<Choice>> = vec![Some(Choice::default())];
+        for set in 1..=whole {
+            // One piece has the lowest atom; that alone, or with others.
+            let lowest = set & set.wrapping_neg();
+            let mut choice: Option<Choice> = None;
+            for others in subsets(set ^ lowest) {
+                let group = others | lowest;
+                let Some(rest) = &best[set ^ group] else { continue };
+                if let Some((piece, cost)) = self.attempt(graph, group) {
+                    let new = rest.with(group, rank(&piece), cost);
+                    if choice.as_ref().is_none_or(|choice| new.is_better_than(choice, measure)) {
+                        choice = Some(new);
+                    }
                 }
             }
+            best.push(choice);
         }
-        best.push(choice);
-    }
-    match &best[whole] {
-        Some(Choice { groups, .. }) => Ok(groups.iter().filter_map(|group| attempt(graph, *group)).collect()),
-        None => {
-            let alone = (0..atoms.len()).find(|i| attempt(graph, 1 << i).is_none());
-            Err(alone.map_or(energy, |i| atoms[i]))
+        match &best[whole] {
+            Some(Choice { groups, .. }) => {
+                Ok(groups.iter().filter_map(|group| self.attempt(graph, *group)).map(|(piece, _)| piece).collect())
+            }
+            None => {
+                let alone = (0..self.atoms.len()).find(|i| self.attempt(graph, 1 << i).is_none());
+                Err(alone.map_or(energy, |i| self.atoms[i]))
+            }
         }
     }
 }
@@ -101,84 +230,9 @@ fn rank(piece: &Piece) -> usize {
     FAMILIES.iter().position(|family| std::ptr::eq(family, piece.family)).unwrap_or(FAMILIES.len())
 }
 
-/// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted.
-fn atoms(graph: &mut Graph, energy: Id, degrees: u32) -> Vec<Id> {
-    let mut open = analyze::terms(graph, energy);
-    open.reverse();
-    // What each class reads, and its terms.
-    let mut classes: Vec<(Reads, Vec<Id>)> = vec![];
-    while let Some(term) = open.pop() {
-        let reads = Reads { t: false, ..analyze::reads(graph, term) };
-        if reads.kinds() > 1
-            && piece(graph, term, degrees).is_none()
-            && let Some(parts) = distributed(graph, term)
-        {
-            open.extend(parts);
-            continue;
-        }
-        let class = match classes.iter().position(|(other, _)| *other == reads) {
-            Some(class) => class,
-            None => {
-                classes.push((reads, vec![]));
-                classes.len() - 1
-            }
-        };
-        // What powers of sums were taken apart into meets again.
-        let (_, terms) = &mut classes[class];
-        match terms.iter_mut().find(|other| graph.coefficient(**other).1 == graph.coefficient(term).1) {
-            Some(other) => *other = graph.add(*other, term),
-            None => terms.push(term),
-        }
-    }
-    let apart: usize = classes.iter().map(|(reads, terms)| if reads.kinds() > 1 { terms.len() } else { 1 }).sum();
-    let mut atoms = vec![];
-    for (reads, terms) in classes {
-        if reads.kinds() > 1 && apart <= MAX_ATOMS {
-            atoms.extend(terms);
-        } else {
-            let together = graph.sum(&terms);
-            // What reads one kind alone stays together, unless no rule knows the sum.
-            if apart <= MAX_ATOMS && piece(graph, together, degrees).is_none() {
-                atoms.extend(terms);
-            } else {
-                atoms.push(together);
-            }
-        }
-    }
-    atoms
-}
-
-/// A product with a sum that couples, or a power of one, as a sum of products.
-fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
-    let (c, rest) = graph.coefficient(term);
-    let factors = graph.factors(rest);
-    let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
-        exponent.is_integer()
-            && (1..=MAX_POWER).contains(&exponent.numerator)
-            && matches!(graph.node(*base), Node::Linear(..))
-            && analyze::reads(graph, *base).kinds() > 1
-    };
-    let sum = factors.iter().position(is_coupling_sum)?;
-    let mut others = graph.number(c);
-    for (base, exponent) in factors.iter().enumerate().filter(|(i, _)| *i != sum).map(|(_, factor)| *factor) {
-        let factor = graph.pow(base, exponent);
-        others = graph.mul(others, factor);
-    }
-    let (base, exponent) = factors[sum];
-    let terms = analyze::terms(graph, base);
-    let mut products = vec![others];
-    for _ in 0..exponent.numerator {
-        let pairs = products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term)));
-        products = pairs.collect::<Vec<_>>().into_iter().map(|(product, term)| graph.mul(product, term)).collect();
-    }
-    Some(products)
-}
-
-/// Sums that couple are taken apart up to this power.
-const MAX_POWER: i128 = 4;
-
-/// What a flow costs wherever it is applied, after what is computed once a step.
+/// What a flow costs wherever it is applied, after what is computed once a step: its operations, and one for each coordinate that it
+/// changes, so that two kicks are dearer than one.
 fn cost(graph: &mut Graph, piece: &Piece) -> usize {
-    let ends = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
-    Kernel::new(piece.levels(), ends).plan(graph).operations().weight()
+    let ends: Vec<Id> = piece.flow.changed(graph).into_iter().map(|(_, end)| end).collect();
+    ends.len() + Kernel::new(piece.levels(), ends).plan(graph).operations().weight()
 }

@@ -36,6 +36,7 @@ fn every_function_has_its_derivative() {
     let once = |entry: &Entry| {
         entry.name.ends_with("_derivative") && entry.function != Function::AbsSlopeDerivative
             || Function::KEPLER.contains(&entry.function)
+            || Function::LINEAR_FLOW.contains(&entry.function)
             || entry.function == Function::DecayMean
     };
     for entry in FUNCTIONS.iter().filter(|entry| !once(entry)) {
@@ -47,7 +48,7 @@ fn every_function_has_its_derivative() {
             let x = if entry.public { x } else { 0.5 + x.abs() };
             // Of two in order, the first is below all of that or the second above; so are a number and the square of one.
             let other = match entry.function {
-                Function::AtMost => [4.0, 0.25][place],
+                Function::AtMost | Function::Provided => [4.0, 0.25][place],
                 Function::Bounded => [1e3, 0.25][place],
                 _ => 0.75,
             };

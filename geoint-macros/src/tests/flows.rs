@@ -204,8 +204,8 @@ fn field(graph: &Graph, energy: Id, x: &Place) -> [f64; 5] {
     [p0, p1, -q0 - x[2] * s, -q1 - x[3] * s, x[2] * p0 + x[3] * p1 - value(graph, energy, x, 0.0)]
 }
 
-/// A flow begins where it is, and moves as its energy says.
-fn flows(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
+/// A flow begins where it is, and moves as its energy says, in the first `moving` coordinates.
+fn flows(graph: &mut Graph, piece: &Piece, x: &Place, moving: usize, text: &str) {
     let ends = [&piece.flow.q[..], &piece.flow.p, &[piece.flow.s]].concat();
     let at = |graph: &Graph, h: f64| -> [f64; 5] { std::array::from_fn(|i| value(graph, ends[i], x, h)) };
     let start = at(graph, 1e-13);
@@ -216,7 +216,7 @@ fn flows(graph: &mut Graph, piece: &Piece, x: &Place, text: &str) {
         place[..5].copy_from_slice(&there);
         place[5] += if piece.clock == Clock::Own { h } else { 0.0 };
         let field = field(graph, piece.energy, &place);
-        for i in 0..5 {
+        for i in 0..moving {
             let rate = (after[i] - before[i]) / 2e-5;
             let error =
                 (rate - field[i]).abs() / (1.0 + rate.abs() + field.iter().fold(0.0, |max, x| x.abs().max(max)));
@@ -259,13 +259,57 @@ proptest! {
         let (mut graph, root) = (lowered.graph, lowered.energy);
         let [q0, q1, p0, p1, s] = x;
         let x = [q0, q1, p0, p1, s, 0.6];
-        if let Ok(pieces) = split::pieces(&mut graph, root, 2, None) {
+        if let Ok(found) = split::pieces(&mut graph, root, split::Space { degrees: 2, action: true }, None) {
+            let pieces = found.pieces;
             let whole: f64 = pieces.iter().map(|piece| value(&graph, piece.energy, &x, 0.0)).sum();
             prop_assert!((whole - value(&graph, root, &x, 0.0)).abs() < 1e-12, "{}", sum);
             for piece in &pieces {
-                flows(&mut graph, piece, &x, &sum);
+                flows(&mut graph, piece, &x, 5, &sum);
+                increments(&mut graph, piece, &x, &sum);
+            }
+        }
+    }
+
+    /// The same of polynomials without an action, and of what they are mixed with: but for what moves nothing.
+    #[test]
+    fn canonical_pieces_are_the_energy_and_flow(
+        monomials in prop::collection::vec((prop::array::uniform4(0..3_u32), select(&[1.0, -0.5, 0.75, 2.0][..])), 1..6),
+        others in prop::collection::vec(select(COUPLED), 0..3),
+        x in prop::array::uniform4(-0.5..0.5),
+    ) {
+        let monomial = |(powers, c): &([u32; 4], f64)| {
+            let power = |(name, n): (&str, &u32)| format!(" * {name}.powi({n})");
+            format!("{c:?}") + &["q[0]", "q[1]", "p[0]", "p[1]"].into_iter().zip(powers).filter(|(_, n)| **n > 0).map(power).collect::<String>()
+        };
+        let sum = monomials.iter().map(monomial).chain(others.iter().map(|term| (*term).into())).collect::<Vec<_>>().join(" + ");
+        let item = syn::parse_str(&format!("fn f(q: [f64; 2], p: [f64; 2], t: f64) -> f64 {{ {sum} }}")).expect("a function");
+        let energy = parse::energy(parse::Form::Hamiltonian, Default::default(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let (mut graph, root) = (lowered.graph, lowered.energy);
+        let x = [x[0], x[1], x[2], x[3], 0.0, 0.6];
+        if let Ok(found) = split::pieces(&mut graph, root, split::Space { degrees: 2, action: false }, None) {
+            let [whole, own] = [&[root][..], &found.pieces.iter().map(|piece| piece.energy).collect::<Vec<_>>()]
+                .map(|all| all.iter().map(|energy| value(&graph, *energy, &x, 0.0) - value(&graph, *energy, &[0.0, 0.0, 0.0, 0.0, 0.0, 0.6], 0.0)).sum::<f64>());
+            prop_assert!((whole - own).abs() < 1e-12, "{}", sum);
+            for piece in &found.pieces {
+                flows(&mut graph, piece, &x, 4, &sum);
                 increments(&mut graph, piece, &x, &sum);
             }
         }
     }
 }
+
+/// Terms that couple, of which many are pieces.
+const COUPLED: &[&str] = &[
+    "(p[0] + 0.5 * q[1]).powi(2)",
+    "(p[1] - q[0].sin()).powi(2)",
+    "(1.0 + (p[0] - q[1] * q[1]).powi(2)).sqrt()",
+    "(q[0] + p[0]).powi(4)",
+    "(p[0] * p[0] + q[0] * q[0]).powi(2)",
+    "(q[0] * p[1] - q[1] * p[0]).powi(2)",
+    "(q[0] * p[1]).sin()",
+    "t * q[0] * p[1]",
+    "t.sin() * (q[0] - p[0]).powi(3)",
+    "(q[0] * q[0] + 1.0) * (p[0] * p[0] + 1.0)",
+    "(q[0] * p[0] * q[1]).cos()",
+];

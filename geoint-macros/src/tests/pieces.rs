@@ -10,11 +10,17 @@ fn pieces(item: TokenStream) -> Result<Vec<String>, String> {
     let item = syn::parse2(item).expect("a function");
     let energy = parse::energy(parse::Form::Contact, quote!(), item).unwrap_or_else(|e| panic!("{:?}", e.messages()));
     let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
-    let found = split::pieces(&mut lowered.graph, lowered.energy, energy.degrees(), None);
+    let found = split::pieces(
+        &mut lowered.graph,
+        lowered.energy,
+        split::Space { degrees: energy.degrees(), action: true },
+        None,
+    );
     let context = emit::Context::new(&energy, &lowered.constants);
     let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
     let mut found: Vec<String> = found
         .map_err(|term| printer.formula(term))?
+        .pieces
         .iter()
         .map(|piece| format!("{} ({:?}): {}", piece.family.name, piece.clock, printer.formula(piece.energy)))
         .collect();

@@ -163,7 +163,12 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::StumpffC1
         | Function::StumpffC1Derivative
         | Function::AtMost
+        | Function::Provided
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

@@ -83,7 +83,7 @@ fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
         Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T => 1,
-        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) => 2,
+        Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 2,
     }
 }
 
@@ -143,12 +143,6 @@ fn statements_mean_what_the_graph_means() {
 /// Everything that is derived for the iterations of implicit steps.
 fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
     let fields = match form {
-        Form::Hamiltonian | Form::Structured | Form::Field | Form::Bodies | Form::Lagrangian => {
-            let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
-            let structure = crate::analyze::structure(graph, energy, &shape);
-            let gradient = diff::gradient(graph, energy, 1);
-            vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]
-        }
         Form::Contact | Form::Herglotz => [diff::contact::midpoint, diff::contact::discrete]
             .map(|equation| {
                 let diff::contact::Equation { mut field, end } = equation(graph, energy, 1);
@@ -156,6 +150,12 @@ fn derived(form: Form, graph: &mut crate::ir::Graph, energy: Id) -> Vec<Id> {
                 field
             })
             .into(),
+        _ => {
+            let shape = parse::Shape { extents: vec![], leaf: parse::Leaf::Plain };
+            let structure = crate::analyze::structure(graph, energy, &shape);
+            let gradient = diff::gradient(graph, energy, 1);
+            vec![diff::field::field(graph, &gradient, &structure, 1), diff::field::discrete(graph, &structure, 1)]
+        }
     };
     fields.into_iter().flat_map(|field| [field.f, field.jacobian.concat()].concat()).collect()
 }
@@ -213,7 +213,7 @@ proptest! {
             Symbol::S => point[2],
             Symbol::Dq(_) => 0.3 * point[3],
             Symbol::Dp(_) => 0.3 * point[4],
-            Symbol::Ds | Symbol::Dv(_) => 0.3 * point[5],
+            Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 0.3 * point[5],
             Symbol::T => point[6],
             Symbol::H | Symbol::G => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),

@@ -118,7 +118,12 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::StumpffC1
         | Function::StumpffC1Derivative
         | Function::AtMost
+        | Function::Provided
         | Function::DecayMean
+        | Function::SineAt
+        | Function::SineSlope
+        | Function::CosineAt
+        | Function::CosineSlope
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

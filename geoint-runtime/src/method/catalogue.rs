@@ -35,7 +35,8 @@
 //! ```
 
 use crate::method::Method;
-use crate::method::contact::{ContactDiscreteGradient, ContactLeapfrog, ContactMidpoint};
+use crate::method::constrained::Rattle;
+use crate::method::contact::{ContactDiscreteGradient, ContactGauss, ContactLeapfrog, ContactMidpoint};
 use crate::method::corrected::{Energy, Projection, Relaxation};
 use crate::method::discrete_gradient::{
     CoordinateIncrement, DiscreteGradient, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, ItohAbePair, MeanValue,
@@ -45,13 +46,14 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, Collocation, Conservative, DiscreteField, ForceGradient, ImplicitStep, Mechanical, Perturbed,
-    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, ByField, Collocated, Collocation, Conservative, ConstrainedStep, ContactStages,
+    DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient,
+    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -73,7 +75,7 @@ macro_rules! compositions {
 }
 
 /// Methods for every H(q, p, t).
-pub fn general<S: Collocation<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+pub fn general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ExplicitEuler, RK4, DOP853, ImplicitMidpoint);
     show!(visitor: Gauss::<1>, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<5>, Gauss::<6>);
     compositions!(visitor: ImplicitMidpoint);
@@ -176,6 +178,26 @@ pub fn cubic<S: QuadraticField<R> + Conservative<R>, R: Real>(visitor: &mut impl
     compositions!(visitor: Kahan);
 }
 
+/// Methods for every H(q, p, t) whose pieces have flows in closed form, beside T(p) + V(q).
+pub fn coupled<S: Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: PieceSplitting, BlanesMoan4X.of(PieceSplitting), BlanesMoan6X.of(PieceSplitting));
+    compositions!(visitor: PieceSplitting);
+}
+
+/// Those for two pieces A and B with {B, {B, {B, A}}} = 0.
+pub fn nystrom_pieces<S: NystromPieces<R> + Pieces<PieceSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    show!(visitor: BlanesMoanSrkn14a.of(PieceSplitting), BceRkn17_8.of(PieceSplitting));
+}
+
+/// Methods for systems with constraints.
+pub fn constrained<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: ConstrainedStep<Rattle, R> + ConstrainedStep<DiscreteGradient, R> + Graded<R, Gradient = ByConstraint>,
+{
+    show!(visitor: Rattle, DiscreteGradient);
+    compositions!(visitor: Rattle, DiscreteGradient);
+}
+
 /// Methods for contact systems whose pieces have flows in closed form.
 pub fn pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
@@ -203,8 +225,9 @@ pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
 /// Methods for every contact system.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R>,
+    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>,
 {
+    show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);
     compositions!(visitor: ContactMidpoint, ContactDiscreteGradient);
 }

@@ -82,7 +82,7 @@ impl<const K: usize> Composition<K> {
 /// A symmetric map of order 2.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a symmetric map of order 2, and only those can be composed",
-    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for quadratic fields: `Kahan`",
+    note = "maps for T + V: `StormerVerlet`, `PositionVerlet`; for what is split into pieces: `PieceSplitting`; for quadratic fields: `Kahan`",
     note = "maps for every energy: `ImplicitMidpoint`, `DiscreteGradient`, `Gonzalez`, `MeanValue`, `SymmetrisedItohAbe`, `ItohAbePair`",
     note = "maps for contact systems: `ContactSplitting`, `ContactLeapfrog`, `ContactMidpoint`, `ContactDiscreteGradient`"
 )]

@@ -3,6 +3,7 @@
 pub mod catalogue;
 mod clock;
 pub mod composition;
+pub mod constrained;
 pub mod contact;
 pub mod corrected;
 pub mod discrete_gradient;

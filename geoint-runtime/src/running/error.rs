@@ -44,6 +44,21 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
+    /// The state given to the integrator is off a constraint.
+    OffConstraint {
+        /// Time of the state.
+        t: f64,
+        /// What is not zero: the constraint, or its rate.
+        what: &'static str,
+    },
+    /// The gradients of constraints depend on each other at the state given to the integrator, or on the way of a step: more than one way
+    /// leads on from there.
+    DependentConstraints {
+        /// Time of the last good state.
+        t: f64,
+        /// A constraint that depends on others.
+        what: &'static str,
+    },
     /// An increment is orthogonal to the direction along which it is to change the energy: [`CoordinateIncrement`] has no step.
     ///
     /// [`CoordinateIncrement`]: crate::CoordinateIncrement
@@ -72,6 +87,21 @@ pub enum StepError {
         /// The tolerance as given.
         tolerance: f64,
     },
+    /// A Taylor series of so low an order has no estimate of its error.
+    InvalidOrder {
+        /// The order as given.
+        order: usize,
+    },
+    /// A state was asked for at a time before the last step.
+    TimePassed {
+        /// The time as given.
+        t: f64,
+    },
+    /// A function whose changes of sign are events is not a number, or is zero all along.
+    NoEvent {
+        /// Time of the state at which that is so.
+        t: f64,
+    },
     /// The time to end at was not reached in as many steps as are allowed; the state is the one after them.
     TooManySteps {
         /// Time of the last good state.
@@ -88,6 +118,19 @@ pub enum StepError {
         /// Why it was refused.
         reason: Reason,
     },
+}
+
+impl StepError {
+    /// Of a step from a time on that has no result.
+    pub(super) fn refused(refusal: Refusal, t: f64) -> StepError {
+        match refusal {
+            Refusal::Singular => StepError::Singular { t },
+            Refusal::SingularDirection => StepError::SingularDirection { t },
+            Refusal::DependentConstraints { what } => StepError::DependentConstraints { t, what },
+            Refusal::NotConverged { iterations, correction } => StepError::NotConverged { t, iterations, correction },
+            Refusal::OutsideDomain { what } => StepError::OutsideDomain { t, what },
+        }
+    }
 }
 
 /// Why a step of an adaptive integrator was refused.
@@ -110,6 +153,11 @@ pub enum Reason {
     Singular,
     /// It moves at right angles to the gradient along which it is to change the energy.
     SingularDirection,
+    /// Constraints depend on each other on its way.
+    DependentConstraints {
+        /// A constraint that depends on others.
+        what: &'static str,
+    },
     /// The exact flow of a piece of the energy ends within it.
     Pole {
         /// The piece.
@@ -117,6 +165,10 @@ pub enum Reason {
     },
     /// Its implicit equation was not solved to rounding.
     NotConverged,
+    /// The Taylor series of the solution does not converge in it: there is a pole of the solution, or a collision.
+    Diverges,
+    /// A condition of the energy changes sides at both its ends: the solution does not leave the place where it does.
+    Sliding,
 }
 
 impl From<Refusal> for Reason {
@@ -124,6 +176,7 @@ impl From<Refusal> for Reason {
         match refusal {
             Refusal::Singular => Reason::Singular,
             Refusal::SingularDirection => Reason::SingularDirection,
+            Refusal::DependentConstraints { what } => Reason::DependentConstraints { what },
             Refusal::NotConverged { .. } => Reason::NotConverged,
             Refusal::OutsideDomain { what } => Reason::OutsideDomain { what },
         }
@@ -138,8 +191,11 @@ impl fmt::Display for Reason {
             Reason::NonFinite => write!(f, "it leads to a state that is not finite"),
             Reason::Singular => write!(f, "its equation has no solution, or several"),
             Reason::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Reason::DependentConstraints { what } => write!(f, "constraints depend on each other on its way: {what}"),
             Reason::Pole { piece } => write!(f, "the flow of the piece {piece} ends before it does"),
             Reason::NotConverged => write!(f, "its equation was not solved"),
+            Reason::Diverges => write!(f, "the series of the solution does not converge in it"),
+            Reason::Sliding => write!(f, "a condition of the energy changes sides at both its ends"),
         }
     }
 }
@@ -165,6 +221,13 @@ impl fmt::Display for StepError {
             StepError::Singular { t } => {
                 write!(f, "the step from t = {t} has no solution, or several, at this step size; try a smaller one")
             }
+            StepError::OffConstraint { t, what } => write!(
+                f,
+                "the state at t = {t} is off a constraint: {what} is not 0; `state_on_constraint` gives one that is on it"
+            ),
+            StepError::DependentConstraints { t, what } => {
+                write!(f, "from t = {t} more than one way leads on: this constraint depends on others there: {what}")
+            }
             StepError::SingularDirection { t } => {
                 write!(
                     f,
@@ -182,6 +245,18 @@ impl fmt::Display for StepError {
             ),
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a positive number")
+            }
+            StepError::InvalidOrder { order } => {
+                write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")
+            }
+            StepError::TimePassed { t } => {
+                write!(f, "the time {t} is before the last step: states are known within it, and beyond")
+            }
+            StepError::NoEvent { t } => {
+                write!(
+                    f,
+                    "the function whose changes of sign are events is zero all along, or not a number, at t = {t}"
+                )
             }
             StepError::TooManySteps { t, steps } => {
                 write!(f, "{steps} steps have led no further than t = {t}; allow more, or a larger tolerance")

@@ -1,6 +1,8 @@
 //! A system under a method: fixed steps, steps that adapt, what they return, and why they stop.
 
 mod adaptive;
+mod constraints;
+mod dense;
 mod error;
 mod integrator;
 #[cfg(feature = "alloc")]
@@ -8,15 +10,19 @@ mod named;
 mod output;
 mod run;
 mod step_size;
+mod taylor;
 mod tolerance;
 mod trajectory;
 mod watch;
 
 pub use adaptive::Adaptive;
+pub use constraints::state_on_constraint;
+pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;
 #[cfg(feature = "alloc")]
 pub use named::{DynTrajectory, Named};
 pub use output::{Samples, StatesAt, Until};
 pub use run::Run;
+pub use taylor::TaylorIntegrator;
 pub use trajectory::{Scalar, Trajectory};

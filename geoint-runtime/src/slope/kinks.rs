@@ -22,6 +22,12 @@ pub fn bounded<R: Real>(x: R, y: R) -> R {
     if (y * margin - x * x).any_below(0.0) { R::from_f64(f64::NAN) } else { x }
 }
 
+/// x, provided that y is not negative: NaN if it is.
+#[inline(always)]
+pub fn provided<R: Real>(x: R, y: R) -> R {
+    if y.any_below(0.0) { R::from_f64(f64::NAN) } else { x }
+}
+
 /// x, which must not be above y: NaN if it is.
 #[inline(always)]
 pub fn at_most<R: Real>(x: R, y: R) -> R {

@@ -3,6 +3,7 @@
 use super::linear;
 use super::size::Sizes;
 use crate::scalar::Real;
+use crate::space::vector::product;
 use crate::space::{Array, Square};
 use core::fmt::Debug;
 
@@ -31,31 +32,53 @@ impl<A: Array> Inverse<A> for () {
 #[derive(Clone, Debug)]
 pub struct Inverted<A: Array>(Square<A>);
 
+impl<A: Array> Inverted<A> {
+    /// The inverse, and whether the determinant is positive; `None` where the matrix is singular.
+    pub(crate) fn of(matrix: &Square<A>, sizes: &Sizes<A>) -> Option<(Self, bool)> {
+        let (mut inverse, mut positive) = (A::fill(A::zero()), true);
+        for j in 0..A::LEN {
+            let (mut lu, mut column) = (*matrix, A::zero());
+            column.as_mut_slice()[j] = A::Real::from_f64(1.0);
+            positive = linear::solve(&mut lu, &mut column, sizes)?;
+            for (row, x) in A::entries::<A>(&mut inverse).iter_mut().zip(column.as_slice()) {
+                row.as_mut_slice()[j] = *x;
+            }
+        }
+        Some((Inverted(inverse), positive))
+    }
+
+    /// The inverse of a matrix from that of the same with its rows times these factors.
+    pub(crate) fn of_rows_scaled(mut self, scales: &A) -> Self {
+        for row in A::entries::<A>(&mut self.0) {
+            *row = product(row, scales);
+        }
+        self
+    }
+}
+
 impl<A: Array> Inverse<A> for Inverted<A> {
     const EXISTS: bool = true;
 
     fn new(matrix: impl FnOnce() -> Square<A>) -> Self {
         let matrix = matrix();
-        let (mut inverse, sizes) = (A::fill(A::zero()), Sizes::<A>::of_blocks(&matrix));
-        for j in 0..A::LEN {
-            let (mut lu, mut column) = (matrix, A::zero());
-            column.as_mut_slice()[j] = A::Real::from_f64(1.0);
-            let solved = linear::solve(&mut lu, &mut column, &sizes) == Some(true);
-            for (row, x) in A::entries::<A>(&mut inverse).iter_mut().zip(column.as_slice()) {
-                row.as_mut_slice()[j] = if solved { *x } else { A::Real::from_f64(f64::NAN) };
+        match Inverted::of(&matrix, &Sizes::of_blocks(&matrix)) {
+            Some((inverse, true)) => inverse,
+            _ => {
+                let mut row = A::zero();
+                row.as_mut_slice().fill(A::Real::from_f64(f64::NAN));
+                Inverted(A::fill(row))
             }
         }
-        Inverted(inverse)
     }
 
     #[inline(always)]
     fn times(&self, x: &A) -> A {
-        let mut product = A::zero();
+        let mut sum = A::zero();
         for (i, row) in A::entries_of::<A>(&self.0).iter().enumerate() {
             for (w, x) in row.as_slice().iter().zip(x.as_slice()) {
-                product.as_mut_slice()[i] = w.multiply_add(*x, product.as_slice()[i]);
+                sum.as_mut_slice()[i] = w.multiply_add(*x, sum.as_slice()[i]);
             }
         }
-        product
+        sum
     }
 }

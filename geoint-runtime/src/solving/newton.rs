@@ -69,6 +69,12 @@ pub(crate) struct Found<A> {
 }
 
 impl<A: Array> Found<A> {
+    /// x and what it has lost, for steps that take so long that a `Result` costs nothing beside them.
+    #[inline(always)]
+    pub(crate) fn checked(self) -> Result<(A, A), Refusal> {
+        self.outcome.map(|()| (self.x, self.lost))
+    }
+
     #[inline(always)]
     fn solution(x: A, lost: A) -> Self {
         Found { x, lost, outcome: Ok(()) }

@@ -37,7 +37,7 @@ impl<A: Array> QuasiNewton<A> {
         let mut scale = self.sizes;
         scale.include(origin, &guess);
         let mut noise = A::zero();
-        self.iterate(origin, (guess, &scale), &mut noise, &mut residual)
+        self.iterate(origin, (guess, &scale), None, &mut noise, &mut residual)
             .or_else(|refusal| self.otherwise(origin, (guess, &scale), noise, residual).map_err(|_| refusal))
     }
 
@@ -46,25 +46,26 @@ impl<A: Array> QuasiNewton<A> {
         &mut self,
         origin: &A,
         (guess, scale): (A, &Sizes<A>),
-        mut noise: A,
+        seen: A,
         mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
-        let seen = noise;
-        let mut precise = |x: &A, r: &mut A, matrix: &mut Square<A>| {
-            residual(x, r, matrix)?;
-            differentiate(scale, origin, x, r, &seen, matrix, &mut residual)
-        };
-        self.iterate(origin, (guess, scale), &mut noise, &mut precise).or_else(|_| {
-            let near = damped::approach(origin, 0.0, scale, &mut precise);
-            self.iterate(origin, (near, scale), &mut noise, &mut precise)
+        let mut noise = seen;
+        self.iterate(origin, (guess, scale), Some(&seen), &mut noise, &mut residual).or_else(|_| {
+            let near = damped::approach(origin, 0.0, scale, |x, r, matrix| {
+                residual(x, r, matrix)?;
+                differentiate(scale, origin, (x, r), &seen, matrix, &mut residual)
+            });
+            self.iterate(origin, (near, scale), Some(&seen), &mut noise, &mut residual)
         })
     }
 
-    /// `noise` is that of the residual where the iteration was stuck last.
+    /// The matrix is made of difference quotients if the noise of the residual is given that they have to exceed. `noise` becomes the one where
+    /// the iteration was stuck last.
     fn iterate(
         &mut self,
         origin: &A,
         (mut x, scale): (A, &Sizes<A>),
+        differences: Option<&A>,
         noise: &mut A,
         residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
@@ -73,6 +74,9 @@ impl<A: Array> QuasiNewton<A> {
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
             residual(&x, &mut delta, &mut matrix)?;
+            if let Some(seen) = differences {
+                differentiate(scale, origin, (&x, &delta), seen, &mut matrix, residual)?;
+            }
             let left = delta;
             let positive = linear::solve(&mut matrix, &mut delta, scale).ok_or(Refusal::Singular)?;
             let before = x;
@@ -114,8 +118,7 @@ impl<A: Array> QuasiNewton<A> {
 fn differentiate<A: Array>(
     sizes: &Sizes<A>,
     origin: &A,
-    x: &A,
-    r: &A,
+    (x, r): (&A, &A),
     noise: &A,
     matrix: &mut Square<A>,
     residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,

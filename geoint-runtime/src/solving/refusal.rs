@@ -18,6 +18,11 @@ pub enum Refusal {
     Singular,
     /// An increment is orthogonal to the direction along which it is to change the energy.
     SingularDirection,
+    /// Constraints depend on each other at an end of the step, or on the way.
+    DependentConstraints {
+        /// The formula of one that depends on others.
+        what: &'static str,
+    },
     /// The energy is not defined, or has a pole, on the way.
     OutsideDomain {
         /// The function and the term.
@@ -33,6 +38,9 @@ impl fmt::Display for Refusal {
             }
             Refusal::Singular => write!(f, "its equation has no solution, or several"),
             Refusal::SingularDirection => write!(f, "it moves at right angles to the gradient that it divides by"),
+            Refusal::DependentConstraints { what } => {
+                write!(f, "its constraints depend on each other on the way: {what}")
+            }
             Refusal::OutsideDomain { what } => write!(f, "it evaluates the energy where that is not defined: {what}"),
         }
     }

@@ -16,7 +16,7 @@ pub(crate) const MAX_ITERATIONS: u32 = 100;
 pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 
 /// A relative correction of so many ε that does not shrink any more is rounding.
-const ROUNDINGS: f64 = 64.0;
+pub(crate) const ROUNDINGS: f64 = 64.0;
 
 /// Iterations without a smaller correction than all before. Once may be chance, and corrections that turn round one another shrink on
 /// the whole.
@@ -26,6 +26,10 @@ const MOST_STUCK: u32 = 4;
 /// factor more each time that it is not seen.
 const FARTHER: f64 = 16.0;
 const AND_FARTHER: f64 = 4.0;
+
+/// How often rounding is looked for: it costs more evaluations than a step. Where corrections are stuck again they do not shrink for
+/// another reason.
+const MOST_LOOKS: u32 = 5;
 
 /// What a correction says of the iteration.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +52,7 @@ pub(crate) struct Corrections {
     before: f64,
     smallest: f64,
     stuck: u32,
+    looks: u32,
     /// Of the points at which rounding is looked for, in units of a correction.
     distance: f64,
 }
@@ -60,14 +65,15 @@ impl Corrections {
             before: f64::INFINITY,
             smallest: f64::INFINITY,
             stuck: 0,
+            looks: 0,
             distance: FARTHER,
         }
     }
 
     /// Corrections that follow are relative to something else.
     pub(crate) fn restart(&mut self) {
-        let distance = AND_FARTHER * self.distance;
-        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, distance, ..*self };
+        let (looks, distance) = (self.looks + 1, AND_FARTHER * self.distance);
+        *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
     }
 
     /// Where rounding is looked for that keeps corrections from shrinking, relative to what they correct.
@@ -97,7 +103,7 @@ impl Corrections {
         }
         self.stuck = if relative < self.smallest { 0 } else { self.stuck + 1 };
         self.smallest = self.smallest.min(relative);
-        if self.stuck == MOST_STUCK { Verdict::Stuck } else { Verdict::Continue }
+        if self.stuck == MOST_STUCK && self.looks < MOST_LOOKS { Verdict::Stuck } else { Verdict::Continue }
     }
 
     /// The refusal of an iteration that ends here without a solution.

@@ -57,9 +57,19 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
     }
 
     /// self ← self + w·x.
+    #[inline(always)]
     pub(crate) fn add_scaled(&mut self, w: Z::Real, x: &Self) {
-        for (y, x) in self.numbers_mut().zip(x.numbers()) {
-            *y = w.multiply_add(x, *y);
+        self.z.add_scaled(w, &x.z);
+        for (y, x) in self.s.numbers_mut().iter_mut().zip(x.s.numbers()) {
+            *y = w.multiply_add(*x, *y);
+        }
+    }
+
+    /// self ← w·self.
+    #[inline(always)]
+    pub(crate) fn times(&mut self, w: Z::Real) {
+        for x in self.numbers_mut() {
+            *x *= w;
         }
     }
 

@@ -84,9 +84,9 @@ pub struct Piece {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no pieces for `{M}`",
     label = "this method is for systems that were split into such",
-    note = "`ContactSplitting` is for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
+    note = "`PieceSplitting` is for `#[hamiltonian]` where positions and momenta are coupled; `ContactSplitting` for `#[contact_hamiltonian]`; `PoissonSplitting` for `#[hamiltonian(structure = …)]`; `PlanarSplitting` for \
             that and for `#[vector_field(keeps(…))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
     note = "methods for T(p) + V(q) without dissipation: `StormerVerlet`, `BlanesMoan4`, …"
 )]
 pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
@@ -128,6 +128,17 @@ pub trait Pieces<M, R: Real = f64>: PhaseSpace<R> {
     ) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 
+/// Two pieces A and B, in this order, with {B, {B, {B, A}}} = 0: tables of Runge–Kutta–Nyström type keep their order.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no two pieces A and B with {{B, {{B, {{B, A}}}}}} = 0",
+    label = "Runge–Kutta–Nyström tables would lose their order",
+    note = "tables for any pieces: `BlanesMoan6X.of(PieceSplitting)`, `KahanLi8_17a.of(PieceSplitting)`"
+)]
+pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+}
+
 /// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no implicit steps of `{M}`",
@@ -159,4 +170,35 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     );
     /// What a solution adds to x. Not a number if the step has none.
     fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
+}
+
+/// The field of H as contact Gauss methods evaluate it at their stages. Emitted for every H whose momenta are followed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no contact Gauss methods",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactStages<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.
+    type Moved: Array<Real = R>;
+    /// What depends on parameters only.
+    type StageConstants: Copy + core::fmt::Debug;
+
+    /// What depends on parameters only.
+    fn stage_constants(&self) -> Self::StageConstants;
+    /// ∂H/∂p, −∂H/∂q, and p·∂H/∂p − H if s is among the unknowns; ∂H/∂s; and the derivatives of both.
+    fn stage(
+        &self,
+        constants: &Self::StageConstants,
+        t: R,
+        x: &Self::Moved,
+        values: (&mut Self::Moved, &mut R),
+        derivatives: (&mut Square<Self::Moved>, &mut Self::Moved),
+    );
+    /// ∂H/∂s alone.
+    fn decay(&self, constants: &Self::StageConstants, t: R, x: &Self::Moved) -> R;
+    /// s' = p·∂H/∂p − H.
+    fn action(&self, constants: &Self::StageConstants, t: R, z: &Self::Phase, s: &R) -> R;
 }

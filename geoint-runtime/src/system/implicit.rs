@@ -1,6 +1,6 @@
 //! The differential equation as implicit methods solve it.
 
-use super::{ByField, ByTree, Collocated, Graded, VectorField};
+use super::{ByTree, Collocated, Graded, VectorField};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
@@ -19,11 +19,12 @@ pub trait QuadraticField<R: Real = f64>: Collocation<R> {
 /// The differential equation in the form in which implicit methods solve it: y' = f(y, t) for all coordinates y = z; or, if T is
 /// quadratic, q'' = M⁻¹f(q, t) with the force f = −∂V/∂q.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this method is for those",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
-pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R, Stages = ByField> {
+pub trait Collocation<R: Real = f64>: VectorField<R> + Collocated<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// y: all coordinates, or q alone. f has the same shape.
@@ -70,10 +71,11 @@ pub enum Mean {
 ///
 /// The mean gradient of a quadratic T is that of the mean momentum, so that it needs no kernel of its own.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this method is for those",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
-    note = "methods for every contact Hamiltonian: `ContactMidpoint`, `ContactDiscreteGradient`"
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = ByTree> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

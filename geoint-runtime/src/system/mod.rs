@@ -4,10 +4,13 @@
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
 mod bodies;
+mod canonical;
+mod constraints;
 mod contact;
 mod forms;
 mod implicit;
 mod integrals;
+mod jets;
 mod lagrangian;
 mod modified;
 mod perturbed;
@@ -17,10 +20,14 @@ mod rates;
 mod velocities;
 
 pub use bodies::PrincipalAxes;
-pub use contact::{Clock, Conformal, Contact, ImplicitStep, Mechanical, Piece, Pieces};
-pub use forms::{ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
+pub use canonical::CanonicalForm;
+pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
+pub(crate) use constraints::{on_one_side, projected, tangent};
+pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
+pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use jets::Jets;
 pub use lagrangian::Lagrangian;
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
@@ -29,7 +36,7 @@ mod jumps;
 pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
-pub use separable::{ForceGradient, QuadraticKinetic, Separable};
+pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
 pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
@@ -101,6 +108,12 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     /// the domain without a trace in the next.
     const EXAMINED: bool = false;
 
+    /// What the state of a system with constraints lacks at the start of a run of steps of length `h`.
+    #[inline(always)]
+    fn unmet(&self, _t: R, _h: R, _z: &Self::Phase) -> Option<Unmet> {
+        None
+    }
+
     /// The energy of a state.
     fn energy(&self, state: &StateOf<Self, R>) -> R {
         let (t, z, s) = state.parts();
@@ -128,10 +141,11 @@ pub trait Cotangent<R: Real = f64>: PhaseSpace<R, Phase = [<Self as Cotangent<R>
 
 /// A differential equation z' = f(z, t).
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` or `#[vector_field]` without constraints",
     label = "this is for those alone",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
-            `ContactDiscreteGradient`"
+            `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
@@ -142,10 +156,11 @@ pub trait VectorField<R: Real = f64>: PhaseSpace<R, Action = ()> {
 
 /// A system with an energy H(q, p, t): q' = ∂H/∂p, p' = −∂H/∂q, less C ∂H/∂p if it is damped.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no system of `#[hamiltonian]`",
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
     label = "this is for those alone",
     note = "contact systems have `integrator`, with the methods `ContactSplitting`, `Suzuki4.of(ContactSplitting)`, `ContactMidpoint`, \
-            `ContactDiscreteGradient`"
+            `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait Hamiltonian<R: Real = f64>:
     VectorField<R> + Cotangent<R> + PhaseSpace<R, State = State<<Self as Cotangent<R>>::Coordinates>>

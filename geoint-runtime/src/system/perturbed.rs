@@ -1,6 +1,6 @@
 //! H = A + B: a part with an exact flow, and a rest that is a kick.
 
-use super::Cotangent;
+use super::{Cotangent, FlowPart};
 use crate::scalar::Real;
 use crate::space::PerCoordinate;
 
@@ -23,6 +23,13 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     const EXACT_IN_TIME: bool = false;
     /// Whether a kick by B adds to p what positions alone decide.
     const KICKS_REPEAT: bool = false;
+    /// Whether B is a function of positions and time, so that its flow is a kick. If not,
+    /// [`rest_increments`](Perturbed::rest_increments) says what it adds.
+    const REST_IS_KICK: bool = true;
+    /// Whether [`rest`](Perturbed::rest) is the flow of B. If not, it is a symmetric step of order 2.
+    const REST_IS_EXACT: bool = true;
+    /// Parts of the flow of A that may end within a step.
+    const PARTS: &'static [FlowPart] = &[];
     /// Whether A and B move in other coordinates than those of states.
     const INNER: bool = false;
 
@@ -45,6 +52,19 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     ) -> PerCoordinate<Self::Phase, ()> {
         let mut d: PerCoordinate<Self::Phase, ()> = PerCoordinate::nothing();
         self.exact(flow, t, &mut d.z[0], &mut x.z[1].clone(), &mut d.s);
+        d
+    }
+
+    /// What a kick by B from `x` adds, in the same way.
+    #[inline(always)]
+    fn rest_increments(
+        &self,
+        kick: &Self::Rest,
+        t: R,
+        x: &PerCoordinate<Self::Phase, ()>,
+    ) -> PerCoordinate<Self::Phase, ()> {
+        let mut d: PerCoordinate<Self::Phase, ()> = PerCoordinate::nothing();
+        self.rest(kick, t, &mut x.z[0].clone(), &mut d.z[1], &mut d.s);
         d
     }
 

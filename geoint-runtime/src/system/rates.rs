@@ -5,6 +5,10 @@ use crate::scalar::Real;
 use crate::space::PerCoordinate;
 
 /// A system as a differential equation: every [`VectorField`] and every [`Contact`] system is one. `S` keeps both apart.
+#[diagnostic::on_unimplemented(
+    message = "steps of `{Self}` cannot adapt",
+    label = "an adaptive run begins with the rates of a system, and those of one with constraints follow from multipliers"
+)]
 pub trait Rates<R: Real = f64, S = <Self as PhaseSpace<R>>::Action>: PhaseSpace<R> {
     /// z' and s' at a point.
     fn rates(&self, t: R, x: &PerCoordinate<Self::Phase, Self::Action>) -> PerCoordinate<Self::Phase, Self::Action>;

@@ -2,7 +2,26 @@
 
 use super::Cotangent;
 use crate::scalar::Real;
-use crate::space::PerCoordinate;
+use crate::space::{Array, PerCoordinate};
+
+/// A part of a flow that may end before its time: what it is called, and the coordinates that it moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FlowPart {
+    /// In messages.
+    pub name: &'static str,
+    /// The first of its positions, as they are stored.
+    pub first: usize,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl FlowPart {
+    /// Whether the positions are numbers.
+    pub(crate) fn is_finite<R: Real, Z: Array<Real = R>>(&self, z: &Z) -> bool {
+        let positions = &z.as_slice()[self.first..self.first + self.count];
+        positions.iter().all(|x| x.magnitude() < f64::INFINITY)
+    }
+}
 
 /// H = T(p, t) + V(q, t): each part has an exact flow. In contact systems with damping g·s the parts are T + g·s and V where T is
 /// quadratic, and T and V + g·s where it is not.
@@ -22,8 +41,12 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     const DRIFTS_ARE_EXACT_IN_TIME: bool = false;
     /// Whether a kick, with a force gradient too, adds to p what positions alone decide, and does nothing else.
     const KICKS_REPEAT: bool = false;
+    /// Whether a kick does nothing but add to p. If not, [`kick_increments`](Separable::kick_increments) says what it adds.
+    const KICKS_ADD: bool = true;
     /// Whether a kick where the energy is not defined leaves momenta that are not finite.
     const KICKS_SHOW: bool = false;
+    /// Parts of a drift that may end within a step.
+    const DRIFT_PARTS: &'static [FlowPart] = &[];
     /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not,
     /// [`drift_increments`](Separable::drift_increments) says what it adds.
     const DRIFTS_SHIFT: bool = true;

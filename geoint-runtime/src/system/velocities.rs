@@ -16,6 +16,10 @@ pub trait VelocityForm<R: Real = f64>: Lagrangian<R, Action = ()> + Collocated<R
     /// What depends on parameters only.
     type Constants: Copy + core::fmt::Debug;
 
+    /// Whether M was proven to have no negative direction at any state, for these parameters: its determinant then has one sign.
+    fn is_semidefinite(&self) -> bool {
+        false
+    }
     /// What depends on parameters only.
     fn constants(&self) -> Self::Constants;
     /// p = ∂L/∂v, and M.
@@ -51,17 +55,15 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Graded<R, Gradient = B
     fn parameters(&self, h: R) -> Self::Parameters;
     /// What all evaluations from a point have in common; `t` is the time of the middle of the step.
     fn begin(&self, parameters: &Self::Parameters, t: R, z: &Self::Phase, v: &Self::Array) -> Self::Start;
-    /// M(q₁)v₁ + a(q₁) − p₁, with p₁ as the step gives it, and its derivative by d = v₁ − v₀.
+    /// M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, with p₁ as the step gives it, and the derivatives of both by d = v₁ − v₀.
     fn equation(
         &self,
         parameters: &Self::Parameters,
         start: &Self::Start,
         d: &Self::Array,
-        residual: &mut Self::Array,
-        matrix: &mut Square<Self::Array>,
+        values: [&mut Self::Array; 2],
+        derivatives: [&mut Square<Self::Array>; 2],
     );
-    /// p₁ − p₀.
-    fn impulse(&self, parameters: &Self::Parameters, start: &Self::Start, d: &Self::Array) -> Self::Array;
 }
 
 /// A velocity, and whether the determinant of the mass matrix there is positive.

@@ -45,7 +45,16 @@ pub(crate) fn energy(
     for component in by_q {
         slopes.push(graph.neg(*component));
     }
-    let second = diff::jacobian(graph, &slopes, &variables);
+    antiderivative(graph, (&variables, &slopes), logarithm)
+}
+
+/// F with ∂F/∂x = `slopes` for all variables x, and how that was proven; without a constant.
+pub(crate) fn antiderivative(
+    graph: &mut Graph,
+    (variables, slopes): (&[Symbol], &[Id]),
+    logarithm: Logarithm,
+) -> Result<(Id, Proof), NoEnergy> {
+    let second = diff::jacobian(graph, slopes, variables);
     let mut proof = Proof::Multiplied;
     for i in 0..variables.len() {
         for j in 0..i {
@@ -57,7 +66,7 @@ pub(crate) fn energy(
         }
     }
     let mut energy = graph.zero();
-    for (variable, slope) in variables.iter().zip(&slopes) {
+    for (variable, slope) in variables.iter().zip(slopes) {
         let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
         let rest = graph.sub(*slope, known);
         if identity(graph, rest).is_zero() {
@@ -76,9 +85,9 @@ pub(crate) fn energy(
         };
         energy = graph.add(energy, integral);
     }
-    let found = diff::jacobian(graph, &[energy], &variables).remove(0);
+    let found = diff::jacobian(graph, &[energy], variables).remove(0);
     let mut exact = Proof::Multiplied;
-    for (found, slope) in found.iter().zip(&slopes) {
+    for (found, slope) in found.iter().zip(slopes) {
         let back = graph.neg(*slope);
         match sum_is_zero(graph, &[*found, back]) {
             Identity::Zero(how) => exact = exact.weaker(how),
@@ -93,13 +102,14 @@ type By = (Symbol, Logarithm);
 
 /// ∫ Σ terms dx, or the first term that has none here.
 fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> Result<Id, Id> {
-    let parts: Result<Vec<Id>, Id> = terms.iter().map(|term| antiderivative(graph, *term, by).ok_or(*term)).collect();
+    let parts: Result<Vec<Id>, Id> =
+        terms.iter().map(|term| antiderivative_of_term(graph, *term, by).ok_or(*term)).collect();
     parts.map(|parts| graph.sum(&parts))
 }
 
 /// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; or a power of x times an
 /// exponential or a wave.
-fn antiderivative(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
+fn antiderivative_of_term(graph: &mut Graph, term: Id, by: By) -> Option<Id> {
     let x = by.0;
     let (coefficient, rest) = graph.coefficient(term);
     let mut constant = graph.number(coefficient);
@@ -173,7 +183,7 @@ fn by_parts(graph: &mut Graph, factors: &[(Id, Ratio)], by: By) -> Option<Id> {
     let lower = graph.pow(symbol, Ratio::integer(i128::from(n) - 1));
     let lower = graph.mul(lower, primitive);
     let lower = graph.scale(Number::integer((-n).into()), lower);
-    let rest = antiderivative(graph, lower, by)?;
+    let rest = antiderivative_of_term(graph, lower, by)?;
     Some(graph.add(whole, rest))
 }
 

@@ -132,7 +132,7 @@ fn perturbed(args: &[Sized], function: impl Fn(&[f64]) -> f64) -> Sized {
 fn function_value(function: Function, x: &[f64]) -> f64 {
     match function {
         Function::RecipPositive if x[0] > 0.0 => 1.0 / x[0],
-        Function::NotNegative | Function::Bounded | Function::AtMost => x[0],
+        Function::NotNegative | Function::Bounded | Function::AtMost | Function::Provided => x[0],
         Function::Root => x[0].sqrt(),
         _ if function.entry().public => (function.entry().value)(x),
         _ => f64::NAN,

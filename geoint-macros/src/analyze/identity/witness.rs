@@ -143,7 +143,7 @@ fn exact_function(function: Function, x: &[Ratio]) -> Option<Ratio> {
         (Function::Min, [x, y]) => Some(*x.min(y)),
         (Function::Max, [x, y]) => Some(*x.max(y)),
         (Function::RecipPositive, [x]) if *x > Ratio::ZERO => x.recip(),
-        (Function::NotNegative, [x]) | (Function::Bounded | Function::AtMost, [x, _]) => Some(*x),
+        (Function::NotNegative, [x]) | (Function::Bounded | Function::AtMost | Function::Provided, [x, _]) => Some(*x),
         _ => None,
     }
 }

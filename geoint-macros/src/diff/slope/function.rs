@@ -121,7 +121,12 @@ impl Slopes {
             | Function::AbsSlopeDerivative
             | Function::NotNegative
             | Function::AtMost
+            | Function::Provided
             | Function::DecayMean
+            | Function::SineAt
+            | Function::SineSlope
+            | Function::CosineAt
+            | Function::CosineSlope
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

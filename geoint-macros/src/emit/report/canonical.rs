@@ -2,7 +2,7 @@
 
 use super::super::damping;
 use super::super::kernel::Context;
-use super::counted;
+use super::{counted, pieces};
 use crate::analyze::{self, MeanValue, Split, Structure};
 use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
@@ -73,6 +73,9 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     if let Some(damping) = &structure.damping {
         damping::section(text, printer, damping, structure.autonomous)?;
     }
+    if let Some(forces) = &structure.forces {
+        damping::forces(text, printer, forces, structure.autonomous)?;
+    }
 
     let listed = |name: &str, indices: &[u32]| {
         let one = |i: &u32| {
@@ -86,6 +89,16 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
         .map(|(kept, unread, indices)| (listed(kept, indices), listed(unread, indices)));
     conserved(text, printer, structure, &unread)?;
 
+    for found in &system.pieces {
+        writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
+        pieces::of_energy(text, printer, found)?;
+        if system.proven.contains(&"NystromPieces") {
+            writeln!(
+                text,
+                "- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`"
+            )?;
+        }
+    }
     if let Some(Ok(parts)) = &system.perturbed {
         perturbed(text, printer, parts)?;
     }
@@ -117,7 +130,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     writeln!(text, "- recomputing what depends on parameters and the step size: prepared once")?;
     match structure.split {
-        _ if structure.damping.is_some() => {}
+        _ if !structure.conservative() => {}
         Split::Coupled(_) => writeln!(text, "- kick and drift: they do not exist for this H")?,
         _ if structure.quadratic_parts().is_none() => {
             writeln!(text, "- Runge–Kutta–Nyström tables: they need a quadratic T")?;
@@ -135,13 +148,20 @@ fn perturbed<F: Fn(crate::ir::Symbol) -> String>(
 ) -> std::fmt::Result {
     writeln!(text, "\nA + B, an exact flow and a kick (`Perturbation`, `WisdomHolman`, `Aba10_6_4` …)")?;
     if let Some(inner) = &parts.inner {
-        writeln!(text, "- in coordinates of {}, bodies in the order of the array", inner.name)?;
+        writeln!(text, "- in {}", inner.name)?;
     }
     writeln!(text, "- A = {}", printer.excerpt(parts.exact))?;
     parts.known.iter().try_for_each(|known| writeln!(text, "  {known}"))?;
     writeln!(text, "  {}", counted(parts.flow.kernel.operations()))?;
     writeln!(text, "- B = {}", printer.excerpt(parts.rest))?;
     writeln!(text, "  {}", counted(parts.kick.kernel.operations()))?;
+    match (parts.is_kick, parts.is_exact) {
+        (true, _) => {}
+        (false, true) => {
+            writeln!(text, "  a motion of all bodies alike and a kick, which leave each other as they are")?
+        }
+        (false, false) => writeln!(text, "  half of the motion, the kick, half of the motion: a step of order 2")?,
+    }
     match &parts.gradient_kick {
         Ok(_) => writeln!(text, "- tables of Runge–Kutta–Nyström type and with force gradients keep their order"),
         Err(missing) => {
@@ -197,7 +217,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
 
     let mut discrete: Vec<String> = vec![];
     if !lines.is_empty() {
-        let fourth = if structure.damping.is_none() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
+        let fourth = if structure.conservative() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
         discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
     }
     if structure.switches {
@@ -207,7 +227,7 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
         );
     }
     // It is for systems that keep their energy.
-    if structure.damping.is_none() {
+    if structure.conservative() {
         discrete.push(match structure.mean_value {
             MeanValue::Parts(1) => "`MeanValue` has a closed form: it is `DiscreteGradient`".into(),
             MeanValue::Parts(parts) => {

@@ -2,7 +2,7 @@
 
 use super::super::kernel::Context;
 use super::counted;
-use crate::analyze;
+use crate::analyze::{self, Dissipated};
 use crate::derive::{Implicit, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
@@ -10,11 +10,17 @@ use crate::schedule::Plan;
 use std::fmt::{Result as Written, Write};
 
 /// The report.
-pub(crate) fn contact(context: &Context<'_>, graph: &Graph, energy: (Id, &Gradient), system: &System<Plan>) -> String {
+pub(crate) fn contact(
+    context: &Context<'_>,
+    graph: &Graph,
+    (energy, gradient, dissipated): (Id, &Gradient, Option<&Dissipated>),
+    system: &System<Plan>,
+) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
-    let _ = structure(&mut text, &printer, energy, system)
+    let _ = structure(&mut text, &printer, (energy, gradient), system)
+        .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, gradient.s, found)))
         .and_then(|()| pieces(&mut text, &printer, system))
         .and_then(|()| implicit(&mut text, context.energy.degrees(), system));
     text
@@ -66,24 +72,58 @@ fn structure<F: Fn(Symbol) -> String>(
     }
 }
 
+/// What decays by one factor.
+fn decaying<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    printer: &Printer<'_, F>,
+    rate: Id,
+    Dissipated { cyclic, momenta, energy }: &Dissipated,
+) -> Written {
+    let reads = analyze::reads(printer.graph(), rate);
+    let rate = printer.excerpt(rate);
+    let factor = match (reads.state(), reads.t) {
+        (false, false) => format!("e^(−({rate})·t)"),
+        _ => format!("exp(−∫ ({rate}) dt)"),
+    };
+    writeln!(text, "\nDecaying by the factor {factor}, all alike, so that quotients are constant")?;
+    for i in cyclic {
+        writeln!(text, "- {}: H does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+    }
+    for momentum in momenta {
+        writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;
+    }
+    if *energy {
+        writeln!(text, "- H: it does not read time")?;
+    }
+    if !cyclic.is_empty() || !momenta.is_empty() {
+        writeln!(
+            text,
+            "In a step of a contact map (`ContactGauss`, `ContactMidpoint`) momenta are multiplied by one number, to rounding"
+        )?;
+    }
+    if *energy {
+        writeln!(text, "`ContactDiscreteGradient` multiplies H by what its equation says, to rounding")?;
+    }
+    Ok(())
+}
+
 fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
     writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
-    match system.pieces.first().map(|found| &found.pieces) {
-        Some(Ok(pieces)) => pieces.iter().try_for_each(|piece| super::pieces::piece(text, printer, piece)),
-        Some(Err(missing)) => writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term)),
-        None => Ok(()),
-    }
+    system.pieces.iter().try_for_each(|found| super::pieces::of_energy(text, printer, found))
 }
 
 fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {
     writeln!(text, "\nImplicit steps, for the increments of all positions, momenta and the action")?;
-    let Implicit::Contact(steps) = &system.implicit else { return Ok(()) };
-    for (method, step) in steps {
+    let Implicit::Contact(kernels) = &system.implicit else { return Ok(()) };
+    for (method, step) in &kernels.steps {
         let cost = counted(step.kernel.operations());
         writeln!(text, "- `{method}`, unknowns {}: {cost} an iteration", 2 * degrees + 1)?;
     }
-    if steps.is_empty() {
-        writeln!(text, "- none: the momenta of a lift are not followed")?;
-    }
-    Ok(())
+    let Some(stages) = &kernels.stages else {
+        return writeln!(text, "- none: the momenta of a lift are not followed");
+    };
+    let cost = counted(stages.kernel.operations());
+    let unknowns = stages.moved.len() as u32;
+    let beside = if unknowns == 2 * degrees { ": s follows, and friction costs nothing beside `Gauss`" } else { "" };
+    writeln!(text, "- `ContactGauss`, unknowns {unknowns} a stage: {cost} a stage of an iteration{beside}")
 }

@@ -8,6 +8,7 @@ use crate::check::wording::proven;
 use crate::derive::proof::{Integrals, Structure};
 use crate::derive::{Flow, Implicit, Liouville, MOST_UNKNOWNS, Named, Origin, Parted, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::legendre::FirstOrder;
 use crate::parse::Form;
 use crate::schedule::Plan;
 use std::fmt::{Result as Written, Write};
@@ -19,6 +20,8 @@ pub(crate) enum Source<'a> {
     Structure(&'a Structure),
     /// It was proven of each function, or found.
     Field(OfField<'a>),
+    /// S is the inverse of a skew matrix.
+    Lagrangian(&'a FirstOrder),
 }
 
 /// What is known of a field.
@@ -40,14 +43,19 @@ pub(crate) fn flow(
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
-    let _ = equations(&mut text, context, &printer, flow)
-        .and_then(|()| match source {
-            Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
-            Source::Field(field) => super::field::of_field(&mut text, context, &printer, field),
-        })
-        .and_then(|()| kept(&mut text, &printer, flow, source))
-        .and_then(|()| operations(&mut text, flow, system))
-        .and_then(|()| super::pieces::of_flow(&mut text, &printer, system));
+    let _ = match source {
+        Source::Lagrangian(found) => of_lagrangian(&mut text, &printer, found),
+        Source::Structure(_) | Source::Field(_) => Ok(()),
+    }
+    .and_then(|()| equations(&mut text, context, &printer, flow))
+    .and_then(|()| match source {
+        Source::Structure(structure) => of_structure(&mut text, context, &printer, structure),
+        Source::Field(field) => super::field::of_field(&mut text, context, &printer, field),
+        Source::Lagrangian(found) => of_first_order(&mut text, context, &printer, found),
+    })
+    .and_then(|()| kept(&mut text, &printer, flow, source))
+    .and_then(|()| operations(&mut text, flow, system))
+    .and_then(|()| super::pieces::of_flow(&mut text, &printer, system));
     text
 }
 
@@ -73,11 +81,8 @@ fn of_structure<F: Fn(Symbol) -> String>(
     structure: &Structure,
 ) -> Written {
     writeln!(text, "\nStructure")?;
-    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
     writeln!(text, "- x' = S ∇H with skew S")?;
-    for [i, j] in entries(printer.graph(), &structure.matrix) {
-        writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(structure.matrix[i][j]))?;
-    }
+    brackets(text, context, printer, &structure.matrix)?;
     match &structure.poisson {
         Ok(()) => writeln!(text, "- a Poisson structure: Jacobi's identity holds"),
         Err(([i, j, k], verdict)) => {
@@ -86,6 +91,63 @@ fn of_structure<F: Fn(Symbol) -> String>(
             writeln!(text, "- {word} a Poisson structure: in Jacobi's identity indices ({i}, {j}, {k}){rest}")
         }
     }
+}
+
+/// {xᵢ, xⱼ} for i < j, where that is not zero.
+fn brackets<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    matrix: &[Vec<Id>],
+) -> Written {
+    let name = |i: usize| context.user_name(Symbol::Q(i as u32));
+    entries(printer.graph(), matrix)
+        .into_iter()
+        .try_for_each(|[i, j]| writeln!(text, "- {{{}, {}}} = {}", name(i), name(j), printer.excerpt(matrix[i][j])))
+}
+
+/// L as it is understood.
+fn of_lagrangian<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, found: &FirstOrder) -> Written {
+    writeln!(text, "L = {}", printer.formula(found.lagrangian))?;
+    (0..).zip(&found.momenta).try_for_each(|(i, momentum)| {
+        writeln!(text, "∂L/∂{} = {}", printer.named(Symbol::V(i)), printer.excerpt(*momentum))
+    })?;
+    writeln!(text, "\nL is linear in the velocities, ϑ·v − H: the equations are Ω x' = ∇H, of first order")
+}
+
+fn of_first_order<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    found: &FirstOrder,
+) -> Written {
+    writeln!(text, "\nStructure")?;
+    for [i, j] in entries(printer.graph(), &found.form) {
+        writeln!(text, "- Ω[{i}][{j}] = {}", printer.excerpt(found.form[i][j]))?;
+    }
+    writeln!(text, "- x' = S ∇H with S = Ω⁻¹, a Poisson structure because Ω = dϑ")?;
+    brackets(text, context, printer, &found.structure)?;
+    let Some(canonical) = &found.canonical else {
+        return writeln!(
+            text,
+            "- no canonical coordinates: Ω vanishes on no half of the coordinates, or a change of gauge for it is not elementary; \
+             `Gauss` and `ImplicitMidpoint` are those of x' = S ∇H, which are not symplectic"
+        );
+    };
+    if !printer.graph().is_zero(canonical.gauge) {
+        writeln!(text, "- gauge: ϑ + ∇f with f = {}", printer.excerpt(canonical.gauge))?;
+    }
+    for (place, position) in &canonical.replaced {
+        let [place, position] = [place, position].map(|i| *i);
+        writeln!(
+            text,
+            "- canonical coordinates: {} and, in the place of {}, {}",
+            context.user_name(Symbol::Q(position)),
+            context.user_name(Symbol::Q(place)),
+            printer.excerpt(canonical.values[place as usize])
+        )?;
+    }
+    writeln!(text, "- `Gauss` and `ImplicitMidpoint` are those of canonical coordinates: symplectic")
 }
 
 /// The indices i < j of all entries that are not zero.
@@ -107,8 +169,8 @@ fn kept<F: Fn(Symbol) -> String>(
             (Origin::Listed, Source::Field(field)) => how(field.proofs.kept[i].as_ref()),
             (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
             (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
-            (Origin::Energy, Source::Structure(_)) => "kept, because S is skew".into(),
             (Origin::Energy, Source::Field(_)) => "kept, the energy of the field".into(),
+            (Origin::Energy, _) => "kept, because S is skew".into(),
             (Origin::Assumed, _) | (Origin::Listed, _) => "assumed".into(),
         };
         let name = if *origin == Origin::Found { String::new() } else { format!("{name} = ") };

@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::counted;
-use crate::analyze::{self, Damping};
+use crate::analyze::{self, Damping, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -47,7 +47,22 @@ fn sections<F: Fn(Symbol) -> String>(
     if !graph.is_zero(legendre.potential) {
         writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
     }
-    writeln!(text, "- H is {}\n", mechanical(graph, legendre))
+    writeln!(text, "- H is {}", mechanical(graph, legendre))?;
+    if legendre.concave {
+        writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
+    }
+    if legendre.momenta.iter().any(|momentum| analyze::reads(graph, *momentum).s) {
+        writeln!(text, "- momenta read the action: kick and drift do not exist, contact Gauss methods do")?;
+    }
+    if let Some(rate) = legendre.friction {
+        let rate = printer.excerpt(rate);
+        writeln!(
+            text,
+            "- friction is γ ∂²L/∂v² v with γ = {rate}, so that momenta of coordinates that are not read decay by one factor: with `- ({rate}) * s` \
+             in L in its place, contact methods keep that to rounding"
+        )?;
+    }
+    writeln!(text)
 }
 
 /// What the mass matrix of a part is, entry by entry, or what rule there is.
@@ -107,8 +122,9 @@ fn mechanical(graph: &Graph, legendre: &Legendre) -> &'static str {
         Kinetic::Conjugate { .. } | Kinetic::Open(_) => false,
     };
     match legendre.parts.iter().all(quadratic) {
-        true => {
-            "T + V, with V = −L at rest: what a moving frame adds to L is in V, and H is then not the mechanical energy"
+        true => "T₂ − T₀ + V, with −T₀ + V = −L at rest: T + V, unless a frame that moves has put a T₀ into L",
+        false if legendre.shift.iter().any(|a| !graph.is_zero(*a)) => {
+            "T₂ − T₀ + V; T₁ has the terms that are linear in velocities: where a frame that moves has put them into L, H is not T + V"
         }
         false => "not T + V: L is not T − V with a T that is a quadratic form in the velocities",
     }
@@ -119,11 +135,11 @@ pub(crate) fn velocities(
     context: &Context<'_>,
     graph: &Graph,
     (legendre, long): (&Legendre, Id),
-    (system, damping): (&System<Plan>, Option<&Damping>),
+    (system, friction): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> String {
     let mut text = String::new();
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    let _ = steps(&mut text, context, &printer, (legendre, long), (system, damping));
+    let _ = steps(&mut text, context, &printer, (legendre, long), (system, friction));
     text
 }
 
@@ -132,7 +148,7 @@ fn steps<F: Fn(Symbol) -> String>(
     context: &Context<'_>,
     printer: &Printer<'_, F>,
     (legendre, long): (&Legendre, Id),
-    (system, damping): (&System<Plan>, Option<&Damping>),
+    (system, (damping, others)): (&System<Plan>, (Option<&Damping>, Option<&Forces>)),
 ) -> Written {
     let Implicit::Velocities(kernels) = &system.implicit else { return Ok(()) };
     let v = context.name_of(Role::Velocity);
@@ -148,16 +164,20 @@ fn steps<F: Fn(Symbol) -> String>(
     if let Some(damping) = damping {
         damping::section(text, printer, damping, autonomous)?;
     }
+    if let Some(others) = others {
+        damping::forces(text, printer, others, autonomous)?;
+    }
 
     writeln!(text, "\nConserved by the flow, at least")?;
     let read = analyze::symbols(printer.graph(), legendre.lagrangian);
     let spared = |i: u32| {
         let row = damping.map(|damping| &damping.matrix[i as usize]);
         row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))
+            && others.is_none_or(|others| others.spared[i as usize])
     };
     let cyclic: Vec<u32> =
         (0..context.energy.degrees()).filter(|i| !read.contains(&Symbol::Q(*i)) && spared(*i)).collect();
-    let energy = autonomous && damping.is_none();
+    let energy = autonomous && damping.is_none() && others.is_none();
     if energy {
         writeln!(text, "- the energy")?;
     }

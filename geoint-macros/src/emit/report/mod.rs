@@ -2,6 +2,7 @@
 
 mod bodies;
 mod canonical;
+mod constraints;
 mod contact;
 mod pieces;
 mod field;
@@ -11,6 +12,7 @@ mod lagrangian;
 use crate::schedule::Operations;
 pub(crate) use bodies::bodies;
 pub(crate) use canonical::canonical;
+pub(crate) use constraints::constraints;
 pub(crate) use contact::contact;
 pub(crate) use flow::{OfField, Source, flow};
 pub(crate) use lagrangian::{lagrangian, velocities};

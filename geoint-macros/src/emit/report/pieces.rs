@@ -4,15 +4,36 @@ use super::counted;
 use crate::derive::{PieceKernel, PiecesOf, System};
 use crate::ir::{Symbol, print::Printer};
 use crate::schedule::Plan;
-use crate::split::Clock;
+use crate::split::{Clock, Rejected};
 use std::fmt::{Result as Written, Write};
 
-/// A piece, and how its flow is known.
-pub(super) fn piece<F: Fn(Symbol) -> String>(
+/// The pieces of an energy, and what else was found.
+pub(super) fn of_energy<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    piece: &PieceKernel<Plan>,
+    found: &PiecesOf<Plan>,
 ) -> Written {
+    let pieces = match &found.pieces {
+        Ok(pieces) => pieces,
+        Err(missing) => {
+            return writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term));
+        }
+    };
+    pieces.iter().try_for_each(|each| piece(text, printer, each))?;
+    for Rejected { energies, cost } in &found.rejected {
+        let energies: Vec<String> = energies.iter().map(|energy| printer.excerpt(*energy)).collect();
+        writeln!(
+            text,
+            "- rejected, at a cost of {cost} a step where these have {}: {}",
+            found.cost,
+            energies.join(" | ")
+        )?;
+    }
+    Ok(())
+}
+
+/// A piece, and how its flow is known.
+fn piece<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, piece: &PieceKernel<Plan>) -> Written {
     writeln!(text, "- {}", printer.excerpt(piece.energy))?;
     of_piece(text, piece)
 }
@@ -33,7 +54,7 @@ pub(super) fn of_flow<F: Fn(Symbol) -> String>(
     printer: &Printer<'_, F>,
     system: &System<Plan>,
 ) -> Written {
-    for PiecesOf { splitting, pieces, symplectic, conserves_energy } in &system.pieces {
+    for PiecesOf { splitting, pieces, symplectic, conserves_energy, .. } in &system.pieces {
         writeln!(text, "\nPieces of `{splitting}`, in the order of half a step")?;
         match pieces {
             Ok(pieces) => {

@@ -7,7 +7,11 @@ use super::super::time::Clock;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// The coefficients of every term, if they are constant, and H has no other than these.
-fn coefficients(graph: &mut Graph, group: &Group, allowed: impl Fn(&[(Symbol, i128)]) -> bool) -> Option<Polynomial> {
+pub(super) fn coefficients(
+    graph: &mut Graph,
+    group: &Group,
+    allowed: impl Fn(&[(Symbol, i128)]) -> bool,
+) -> Option<Polynomial> {
     let powers = Polynomial::of(graph, group.energy, &|symbol| symbol.is_coordinate())?;
     let mut steady = true;
     for (monomial, coefficient) in powers.terms() {

@@ -4,10 +4,13 @@
 //! kinetic energy with the oscillators in V.
 
 mod attraction;
+mod bodies;
+mod heliocentric;
 mod jacobi;
 
+use super::atoms::linear_motion;
 use super::families::piece;
-use super::flow::Flow;
+use super::flow::{Flow, Space};
 use super::polynomial::{Polynomial, is_momentum, times_powers};
 use super::time::Clock;
 use crate::analyze::{self, Split, Structure};
@@ -17,21 +20,47 @@ use crate::lower::Place;
 use crate::messages::{NO_EXACT_PART, NO_FLOW_OF_EXACT_PART, NOT_A_KICK, NOT_TWO_PARTS};
 use crate::parse::{Coordinates, Energy};
 use attraction::attraction;
+use heliocentric::HELIOCENTRIC;
+use jacobi::JACOBI;
+use std::ops::Range;
 
 /// A and B, in the coordinates in which methods move.
 #[derive(Clone, Debug)]
 pub(crate) struct Perturbed {
     /// A.
     pub(crate) exact: Id,
-    /// B, which reads positions and time.
-    pub(crate) rest: Id,
+    /// B without what is in `jump`: it reads positions and time.
+    pub(crate) kick: Id,
+    /// The other part of B.
+    pub(crate) jump: Option<Jump>,
     pub(crate) flow: Flow,
     pub(crate) clock: Clock,
+    /// Parts of the flow of A that may end within a step, each with the coordinates that it moves.
+    pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
     /// What is known of the flow of A: the rule, and what it is for.
     pub(crate) known: Vec<String>,
     /// ∂A/∂p, if A is of degree 2 in p with constant coefficients of its squares: then \[B, \[A, B\]\] is a kick. Else the term in the way.
     pub(crate) velocity: Result<Vec<Id>, Id>,
     pub(crate) inner: Option<Inner>,
+}
+
+/// What a part of a flow is called.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OwnMotion {
+    /// By its energy.
+    Energy(Id),
+    /// The orbit of a body.
+    Orbit(usize),
+}
+
+/// A part of the kinetic energy that moves positions alone.
+#[derive(Clone, Debug)]
+pub(crate) struct Jump {
+    pub(crate) energy: Id,
+    /// Of each coordinate, in words of what has the place of momenta.
+    pub(crate) velocity: Vec<Id>,
+    /// Whether kicks leave it as it is and it leaves kicks as they are, so that both together are the flow of B.
+    pub(crate) commutes: bool,
 }
 
 /// Coordinates other than those of the state.
@@ -72,12 +101,16 @@ pub(crate) fn divided(
     }
     let parts = match &structure.split {
         Split::Separable(parts) => parts,
-        Split::Coupled(term) => return Err(NoPart { term: *term, why: NO_EXACT_PART }),
+        Split::Coupled(term) => return coupled(graph, structure.energy, *term, degrees),
     };
-    if let Some((Coordinates::Jacobi, _)) = energy.inner {
+    if let Some((coordinates, _)) = energy.inner {
+        let frame = match coordinates {
+            Coordinates::Jacobi => JACOBI,
+            Coordinates::Heliocentric => HELIOCENTRIC,
+        };
         let shape = &energy.coordinates.shape;
         let attraction = attraction(graph, parts, shape)?;
-        return Ok(jacobi::perturbed(graph, &attraction, shape));
+        return Ok(bodies::perturbed(graph, &frame, &attraction, shape));
     }
     let (bound, rest) = oscillators(graph, parts.potential);
     if graph.is_zero(bound) {
@@ -87,19 +120,36 @@ pub(crate) fn divided(
     of_parts(graph, exact, rest, degrees)
 }
 
+/// The quadratic terms and whatever else reads momenta, and the rest.
+fn coupled(graph: &mut Graph, energy: Id, term: Id, degrees: u32) -> Division {
+    let terms = analyze::terms(graph, energy);
+    let space = Space { degrees, action: false };
+    let (bound, _) = linear_motion(graph, &terms, space).ok_or(NoPart { term, why: NO_EXACT_PART })?;
+    let (exact, rest): (Vec<Id>, Vec<Id>) =
+        terms.into_iter().partition(|term| bound.contains(term) || analyze::reads(graph, *term).p);
+    let [exact, rest] = [exact, rest].map(|terms| graph.sum(&terms));
+    if graph.is_zero(rest) {
+        return Err(NoPart { term, why: NO_EXACT_PART });
+    }
+    of_parts(graph, exact, rest, degrees)
+}
+
 /// A with its flow and B, if they have flows.
 fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     let reads = analyze::reads(graph, rest);
     if reads.p || reads.s {
         return Err(NoPart { term: rest, why: NOT_A_KICK });
     }
-    let found = piece(graph, exact, degrees).ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
+    let found = piece(graph, exact, Space { degrees, action: false })
+        .ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
     Ok(Perturbed {
         exact,
-        rest,
+        kick: rest,
+        jump: None,
         clock: found.clock,
         known: vec![format!("{}: {} ({})", found.family.name, found.family.energies, found.family.source)],
         velocity: velocity(graph, exact, degrees),
+        parts: vec![(OwnMotion::Energy(exact), 0..degrees as usize)],
         flow: found.flow,
         inner: None,
     })

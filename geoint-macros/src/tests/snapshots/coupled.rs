@@ -30,6 +30,16 @@ Discrete gradients
 - `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding
 - `MeanValue::<2>` is exact: Gauss points for a polynomial
 
+Pieces with flows in closed form, in the order of half a step of `PieceSplitting`
+- q[0]²·p[0]²
+  geodesic: f(qᵢ) pᵢ² (separation of variables)
+  exact in time; sums and products 6, functions 2
+- p[0]² + q[1]·p[1]
+  damped oscillator: Σ (a p² + 2e q p + b q²)/2 + c s (A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17)
+  exact in time; sums and products 10
+- rejected, at a cost of 78 a step where these have 70: -q[0]⁴/6 | (q[0] + p[0])⁴/12 | (q[0] - p[0])⁴/12 | (p[0]² + q[1]·p[1]) - p[0]⁴/6
+- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`
+
 Operations (a sine with its cosine counts as two)
 - gradient of H: sums and products 7
 - stage of a Newton iteration of collocation: sums and products 15
@@ -62,16 +72,17 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
         Collocated, BodyState, Collocation, ConformalContact, Conservative,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
-        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
-        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -79,7 +90,7 @@ const _: () = {
     impl Coupled {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
+        pub const REPORT: &'static str = "H = p[0]²·(q[0]² + 1) + q[1]·p[1]\n∂H/∂q[0] = 2·q[0]·p[0]²\n∂H/∂q[1] = p[1]\n∂H/∂p[0] = 2·p[0]·(q[0]² + 1)\n∂H/∂p[1] = q[1]\n\nStructure\n- not separable, q and p are coupled by: p[0]²·(q[0]² + 1)\n- H is a polynomial of degree 4 in q and p\n- H does not depend on time\n\nConserved by the flow, at least\n- the energy\n\nDiscrete gradients\n- `DiscreteGradient` and `FourthOrder(DiscreteGradient)` keep all of that, to rounding\n- `MeanValue::<2>` is exact: Gauss points for a polynomial\n\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`\n- q[0]²·p[0]²\n  geodesic: f(qᵢ) pᵢ² (separation of variables)\n  exact in time; sums and products 6, functions 2\n- p[0]² + q[1]·p[1]\n  damped oscillator: Σ (a p² + 2e q p + b q²)/2 + c s (A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17)\n  exact in time; sums and products 10\n- rejected, at a cost of 78 a step where these have 70: -q[0]⁴/6 | (q[0] + p[0])⁴/12 | (q[0] - p[0])⁴/12 | (p[0]² + q[1]·p[1]) - p[0]⁴/6\n- tables of Runge–Kutta–Nyström type keep their order, `BlanesMoanSrkn14a.of(PieceSplitting)`\n\nOperations (a sine with its cosine counts as two)\n- gradient of H: sums and products 7\n- stage of a Newton iteration of collocation: sums and products 15\n- Newton iteration of the discrete gradient: sums and products 25\n\nImplicit steps\n- `DiscreteGradient`, unknowns 4: Newton's iteration with elimination\n\nSkipped\n- the clock: H does not depend on time\n- recomputing what depends on parameters and the step size: prepared once\n- kick and drift: they do not exist for this H\n";
         /// The energy of a state.
         pub fn energy(&self, state: &State<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -111,6 +122,9 @@ const _: () = {
         type Proof = ();
     }
     impl<R: Real> Autonomous<R> for Coupled {
+        type Proof = ();
+    }
+    impl<R: Real> NystromPieces<R> for Coupled {
         type Proof = ();
     }
     impl<R: Real> PhaseSpace<R> for Coupled {
@@ -183,6 +197,243 @@ const _: () = {
     impl<R: Real> KeepsEnergy<R> for Coupled {
         type Proof = ();
         type Kept = CanonicalEnergy;
+    }
+    impl<R: Real> FlowPieces<PieceSplitting, R> for Coupled {
+        const PIECES: &'static [FlowPiece] = &[
+            FlowPiece {
+                name: "q[0]²·p[0]²",
+                clock: PieceClock::Own,
+                solved: false,
+            },
+            FlowPiece {
+                name: "p[0]² + q[1]·p[1]",
+                clock: PieceClock::Own,
+                solved: false,
+            },
+        ];
+        const SYMPLECTIC: bool = true;
+        const CONSERVES_ENERGY: bool = false;
+        type Proof = ();
+        type Flows = ([R; 2], [R; 6]);
+        type Frozen = ([R; 0], [R; 0]);
+        #[inline]
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 2], [R; 6]) {
+            (
+                {
+                    let h = outer;
+                    let (k0, v0, v1);
+                    k0 = R::from_f64(2.0);
+                    v0 = k0 * h;
+                    v1 = -v0;
+                    [v0, v1]
+                },
+                {
+                    let h = last;
+                    let (
+                        k0,
+                        k1,
+                        k2,
+                        k3,
+                        v0,
+                        v1,
+                        v2,
+                        v3,
+                        v4,
+                        v5,
+                        v6,
+                        v7,
+                        v8,
+                        v9,
+                        v10,
+                        v11,
+                        v12,
+                        v13,
+                        v14,
+                        v15,
+                    );
+                    k0 = R::from_f64(0.0);
+                    k1 = R::from_f64(2.0);
+                    k2 = R::from_f64(0.25);
+                    k3 = R::from_f64(0.5);
+                    v0 = slope::stumpff_c1(k0);
+                    v1 = k1 * h;
+                    v2 = v1 * v0;
+                    v3 = slope::stumpff_c0(k0);
+                    v4 = h * h;
+                    v5 = -v4;
+                    v6 = slope::stumpff_c1(v5);
+                    v7 = h * v6;
+                    v8 = slope::stumpff_c0(v5);
+                    v9 = -v7;
+                    v10 = k2 * v4;
+                    v11 = -v10;
+                    v12 = slope::stumpff_c1(v11);
+                    v13 = v12 * v12;
+                    v14 = k3 * v4;
+                    v15 = v14 * v13;
+                    [v2, v3, v7, v8, v9, v15]
+                },
+            )
+        }
+        #[inline(always)]
+        fn freeze(&self, flows: &([R; 2], [R; 6]), t: R) -> ([R; 0], [R; 0]) {
+            (
+                {
+                    let prepared = &flows.0;
+                    []
+                },
+                {
+                    let prepared = &flows.1;
+                    []
+                },
+            )
+        }
+        #[inline(always)]
+        fn flow(
+            &self,
+            piece: usize,
+            flows: &([R; 2], [R; 6]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            z: &mut [[R; 2]; 2],
+            s: &mut (),
+        ) {
+            let [q, p] = z;
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let (prepared_0, p0, q0, prepared_1, v0, v1, v2, v3, v4, v5, v6, v7);
+                    prepared_0 = prepared[0];
+                    p0 = p[0];
+                    q0 = q[0];
+                    prepared_1 = prepared[1];
+                    v0 = prepared_0 * p0;
+                    v1 = v0 * q0;
+                    v2 = v1.exp();
+                    v3 = q0 * v2;
+                    v4 = prepared_1 * p0;
+                    v5 = v4 * q0;
+                    v6 = v5.exp();
+                    v7 = p0 * v6;
+                    q[0] = v3;
+                    p[0] = v7;
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let (
+                        prepared_0,
+                        p0,
+                        prepared_1,
+                        q0,
+                        prepared_2,
+                        q1,
+                        prepared_3,
+                        prepared_4,
+                        p1,
+                        v0,
+                        v1,
+                        v2,
+                        v3,
+                        v4,
+                        v5,
+                        v6,
+                    );
+                    prepared_0 = prepared[0];
+                    p0 = p[0];
+                    prepared_1 = prepared[1];
+                    q0 = q[0];
+                    prepared_2 = prepared[2];
+                    q1 = q[1];
+                    prepared_3 = prepared[3];
+                    prepared_4 = prepared[4];
+                    p1 = p[1];
+                    v0 = prepared_0 * p0;
+                    v1 = prepared_1.multiply_add(q0, v0);
+                    v2 = prepared_2 * q1;
+                    v3 = prepared_3.multiply_add(q1, v2);
+                    v4 = prepared_1 * p0;
+                    v5 = prepared_4 * p1;
+                    v6 = prepared_3.multiply_add(p1, v5);
+                    q[0] = v1;
+                    q[1] = v3;
+                    p[0] = v4;
+                    p[1] = v6;
+                }
+                _ => {}
+            }
+        }
+        #[inline(always)]
+        fn increments(
+            &self,
+            piece: usize,
+            flows: &([R; 2], [R; 6]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            x: &PerCoordinate<[[R; 2]; 2], ()>,
+        ) -> PerCoordinate<[[R; 2]; 2], ()> {
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let PerCoordinate { z: [q, p], s } = x;
+                    let mut d: PerCoordinate<[[R; 2]; 2], ()> = PerCoordinate::nothing();
+                    let (prepared_0, p0, q0, prepared_1, v0, v1, v2, v3, v4, v5, v6, v7);
+                    prepared_0 = prepared[0];
+                    p0 = p[0];
+                    q0 = q[0];
+                    prepared_1 = prepared[1];
+                    v0 = prepared_0 * p0;
+                    v1 = v0 * q0;
+                    v2 = v1.exp_m1();
+                    v3 = q0 * v2;
+                    v4 = prepared_1 * p0;
+                    v5 = v4 * q0;
+                    v6 = v5.exp_m1();
+                    v7 = p0 * v6;
+                    d.z[0][0] = v3;
+                    d.z[1][0] = v7;
+                    d
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let PerCoordinate { z: [q, p], s } = x;
+                    let mut d: PerCoordinate<[[R; 2]; 2], ()> = PerCoordinate::nothing();
+                    let (
+                        prepared_0,
+                        p0,
+                        prepared_2,
+                        q1,
+                        prepared_5,
+                        prepared_4,
+                        p1,
+                        k7,
+                        v0,
+                        v1,
+                        v2,
+                        v3,
+                        v4,
+                    );
+                    prepared_0 = prepared[0];
+                    p0 = p[0];
+                    prepared_2 = prepared[2];
+                    q1 = q[1];
+                    prepared_5 = prepared[5];
+                    prepared_4 = prepared[4];
+                    p1 = p[1];
+                    k7 = R::from_f64(0.0);
+                    v0 = prepared_0 * p0;
+                    v1 = prepared_2 * q1;
+                    v2 = prepared_5.multiply_add(q1, v1);
+                    v3 = prepared_4 * p1;
+                    v4 = prepared_5.multiply_add(p1, v3);
+                    d.z[0][0] = v0;
+                    d.z[0][1] = v2;
+                    d.z[1][0] = k7;
+                    d.z[1][1] = v4;
+                    d
+                }
+                _ => PerCoordinate::nothing(),
+            }
+        }
     }
     #[diagnostic::on_unimplemented(
         message = "`Coupled`: this term couples positions and momenta, so kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`",

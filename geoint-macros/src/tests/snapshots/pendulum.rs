@@ -75,16 +75,17 @@ const _: () = {
     use ::geoint_runtime::private::{
         Adaptive, Array, Autonomous, ByField, ByPolarisation, ByTree, ByVelocities,
         Collocated, BodyState, Collocation, ConformalContact, Conservative,
-        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PlanarSplitting,
-        PolarisedForm, PoissonSplitting, ContactSplitting, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Hamiltonian,
-        ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy, Inverted,
-        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Real, Separable, Snapshot, Square, State,
-        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, rate_of, slope, velocity_of,
+        ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
+        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting, ContactState,
+        ContactSystem, Coordinates, CotangentSpace, QuadraticField, DifferentialEquation,
+        DiscreteField, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator,
+        KeepsEnergy, Inverted, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Real,
+        Separable, Snapshot, Square, State, VelocityForm, canonical_rate, energy_of,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, slope, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;

@@ -27,10 +27,12 @@
 //! ```
 
 mod discrete_gradient;
+mod gauss;
 mod implicit;
 mod leapfrog;
 mod midpoint;
 
 pub use discrete_gradient::ContactDiscreteGradient;
+pub use gauss::ContactGauss;
 pub use leapfrog::ContactLeapfrog;
 pub use midpoint::ContactMidpoint;

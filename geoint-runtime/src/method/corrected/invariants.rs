@@ -3,9 +3,11 @@
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
-use crate::space::vector::{dot, sum_of_products};
+use crate::space::vector::{dot, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
-use crate::system::{DiscreteField, FirstIntegrals, Hamiltonian, KeepsEnergy};
+use crate::system::{
+    DiscreteField, FirstIntegrals, Hamiltonian, KeepsEnergy, VectorField, VelocityForm, energy_of, velocity_of,
+};
 
 /// H itself.
 ///
@@ -62,6 +64,29 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
         let mut gradient = S::Phase::zero();
         system.gradient(zero(), z, &mut gradient);
         gradient
+    }
+}
+
+/// p·v − L of a Lagrangian that is solved for velocities. Its change is a difference of values: H has no formula whose divided differences
+/// could be taken.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct VelocityEnergy;
+
+impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for VelocityEnergy {
+    type Values = R;
+    const KEEP_ENERGY: bool = true;
+
+    #[inline]
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
+        energy_of(system, zero(), &sum(z, dz)) - energy_of(system, zero(), z)
+    }
+
+    /// ∂H/∂q = −∂L/∂q and ∂H/∂p = v.
+    #[inline]
+    fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
+        let v = velocity_of(system, zero(), z);
+        [opposite(&system.force(&VelocityForm::constants(system), zero(), &z[0], &v)), v]
     }
 }
 

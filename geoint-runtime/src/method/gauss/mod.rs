@@ -21,6 +21,7 @@
 //! # Ok::<(), StepError>(())
 //! ```
 
+mod canonical;
 mod fields;
 mod stages;
 mod tableau;
@@ -39,7 +40,8 @@ use crate::system::Collocated;
 /// Solved for the stage derivatives kᵢ = f(Yᵢ), all together: Yᵢ = y₀ + h Σ aᵢⱼ kⱼ; or, if T is quadratic, for the stage
 /// forces alone: Yᵢ = q₀ + cᵢh q'₀ + h² Σ (A²)ᵢⱼ M⁻¹kⱼ. The reference for energies that are not separable. A Lagrangian whose mass
 /// matrix is full is solved for stage velocities Vᵢ: Qᵢ = q₀ + h Σ aᵢⱼVⱼ, ∂L/∂v(Qᵢ, Vᵢ) = p₀ + h Σ aᵢⱼ ∂L/∂q(Qⱼ, Vⱼ), which is the same
-/// map with half of the unknowns.
+/// map with half of the unknowns. Of a Lagrangian that is linear in velocities, with momenta of which half may be zero, it is moved by
+/// canonical coordinates, positions and momenta ϑ(q), and solved for q: symplectic for Ω = dϑ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const S: usize>;
 

@@ -7,8 +7,8 @@ use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::{Found, Newton};
-use crate::space::vector::{difference, moved, scaled, sum};
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Square, Summation};
 use crate::system::{ByVelocities, Orientation, Poles, VelocityForm, acceleration, row_scale, velocity_near};
 
@@ -24,6 +24,8 @@ pub struct Prepared<P, R, const S: usize> {
     nodes: [R; S],
     /// h·b.
     weights: [R; S],
+    /// The determinant of the mass matrix has one sign everywhere.
+    semidefinite: bool,
 }
 
 /// What a step hands on to the next one.
@@ -49,6 +51,7 @@ where
             coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
             nodes: c.map(|c| R::from_f64(c) * h),
             weights: b.map(|b| R::from_f64(b) * h),
+            semidefinite: system.is_semidefinite(),
         }
     }
 
@@ -66,21 +69,29 @@ where
         probe.visit(t, &z, &());
         let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
-        let Found { x: v, outcome, .. } = newton.solve(&equation, probe);
-        outcome?;
+        let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
+        let (v, _) = newton.solve(&equation, &mut seen).checked()?;
 
-        let Prepared { poles, constants, h, nodes, weights, .. } = prepared;
+        let Prepared { poles, h, coupling, weights, .. } = prepared;
+        // Forces where they were evaluated last, and what the last correction changes them by: its square is rounding.
+        let corrections: [Y::Array; S] = core::array::from_fn(|i| difference(&v[i], &seen.v[i]));
         let (mut change, mut impulse) = (none, none);
         for i in 0..S {
             change.add_scaled(weights[i], &v[i]);
-            let f = system.force(constants, t + nodes[i], &equation.position(i, &v), &v[i]);
-            impulse.add_scaled(weights[i], &f);
+            let mut moved = none;
+            for (a, correction) in coupling[i].iter().zip(&corrections) {
+                moved.add_scaled(*a, correction);
+            }
+            impulse.add_scaled(weights[i], &seen.stages[i].force_after(&moved, &corrections[i]));
         }
+        let Seen { probe, .. } = seen;
         let before = start::<Y, R, C>(x);
         x.add(&[change, impulse]);
         // The end has a velocity, and the mass matrix has not changed its orientation.
-        let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
-        orientation.agrees(end.map(|(_, positive)| positive))?;
+        if !prepared.semidefinite {
+            let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
+            orientation.agrees(end.map(|(_, positive)| positive))?;
+        }
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
@@ -116,15 +127,12 @@ impl<Y: VelocityForm<R>, R: Real, const S: usize> StageVelocities<'_, Y, R, S> {
 
     /// Momentum and force of a stage, and the derivatives of both.
     #[inline(always)]
-    fn stage<P: Probe<Y, R>>(&self, probe: &mut P, i: usize, v: &[Y::Array; S]) -> Stage<Y::Array> {
-        let none = Y::Array::zero();
+    fn stage<P: Probe<Y, R>>(&self, probe: &mut P, i: usize, v: &[Y::Array; S], stage: &mut Stage<Y::Array>) {
         let t = self.t + self.prepared.nodes[i];
         let q = self.position(i, v);
         probe.visit(t, &[q, self.z[1]], &());
-        let mut stage = Stage { momentum: none, force: none, derivatives: [Y::Array::fill(none); 4] };
         let values = [&mut stage.momentum, &mut stage.force];
         self.system.stage(&self.prepared.constants, t, &q, &v[i], values, &mut stage.derivatives);
-        stage
     }
 }
 
@@ -136,7 +144,33 @@ struct Stage<A: Array> {
     derivatives: [Square<A>; 4],
 }
 
-impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], P>
+impl<A: Array> Stage<A> {
+    fn none() -> Self {
+        let none = A::zero();
+        Stage { momentum: none, force: none, derivatives: [A::fill(none); 4] }
+    }
+
+    /// The force after small changes of position and velocity.
+    #[inline(always)]
+    fn force_after(&self, dq: &A, dv: &A) -> A {
+        let mut force = self.force;
+        let rows = A::entries_of::<A>(&self.derivatives[FORCE_BY_Q]).iter();
+        let rows = rows.zip(A::entries_of::<A>(&self.derivatives[FORCE_BY_V]));
+        for (f, (by_q, by_v)) in force.as_mut_slice().iter_mut().zip(rows) {
+            *f += dot(by_q, dq) + dot(by_v, dv);
+        }
+        force
+    }
+}
+
+/// Who watches, and what was evaluated last, at which velocities.
+struct Seen<'a, P, A: Array, const S: usize> {
+    probe: &'a mut P,
+    v: [A; S],
+    stages: [Stage<A>; S],
+}
+
+impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], Seen<'_, P, Y::Array, S>>
     for StageVelocities<'_, Y, R, S>
 {
     const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
@@ -156,15 +190,28 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
     }
 
     #[inline(always)]
-    fn evaluate(&self, probe: &mut P, v: &[Y::Array; S], matrix: &mut Square<[Y::Array; S]>) -> [Y::Array; S] {
-        difference(v, &self.residual(probe, v, matrix))
+    fn evaluate(
+        &self,
+        seen: &mut Seen<'_, P, Y::Array, S>,
+        v: &[Y::Array; S],
+        matrix: &mut Square<[Y::Array; S]>,
+    ) -> [Y::Array; S] {
+        difference(v, &self.residual(seen, v, matrix))
     }
 
     /// What the momentum of each stage is too large by, and its derivative, a row over |Mᵢᵢ|: then it has the unit of the velocity.
     #[inline(always)]
-    fn residual(&self, probe: &mut P, v: &[Y::Array; S], matrix: &mut Square<[Y::Array; S]>) -> [Y::Array; S] {
+    fn residual(
+        &self,
+        Seen { probe, v: last, stages }: &mut Seen<'_, P, Y::Array, S>,
+        v: &[Y::Array; S],
+        matrix: &mut Square<[Y::Array; S]>,
+    ) -> [Y::Array; S] {
         let coupling = &self.prepared.coupling;
-        let mut stages: [Stage<Y::Array>; S] = core::array::from_fn(|i| self.stage(probe, i, v));
+        *last = *v;
+        for (i, stage) in stages.iter_mut().enumerate() {
+            self.stage(*probe, i, v, stage);
+        }
         let rows = <[Y::Array; S]>::entries::<[Y::Array; S]>(matrix);
         core::array::from_fn(|i| {
             let mut residual = difference(&stages[i].momentum, &self.z[1]);

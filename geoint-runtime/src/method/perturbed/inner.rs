@@ -3,7 +3,9 @@
 use crate::method::Probe;
 use crate::scalar::Real;
 use crate::space::PerCoordinate;
-use crate::system::{Cotangent, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable};
+use crate::system::{
+    Cotangent, FlowPart, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable,
+};
 
 /// A system in the coordinates in which its parts A and B move.
 #[derive(Clone, Copy, Debug)]
@@ -42,6 +44,8 @@ impl<S: Perturbed<R>, R: Real> Separable<R> for Inner<S> {
     type Drift = S::Exact;
     const DRIFTS_ARE_EXACT_IN_TIME: bool = S::EXACT_IN_TIME;
     const KICKS_REPEAT: bool = <S as Perturbed<R>>::KICKS_REPEAT;
+    const KICKS_ADD: bool = S::REST_IS_KICK;
+    const DRIFT_PARTS: &'static [FlowPart] = S::PARTS;
     const DRIFTS_SHIFT: bool = false;
 
     #[inline]
@@ -59,6 +63,10 @@ impl<S: Perturbed<R>, R: Real> Separable<R> for Inner<S> {
     #[inline(always)]
     fn drift(&self, flow: &S::Exact, t: R, q: &mut S::Array, p: &mut S::Array, s: &mut ()) {
         self.0.exact(flow, t, q, p, s);
+    }
+    #[inline(always)]
+    fn kick_increments(&self, kick: &S::Rest, t: R, x: &PerCoordinate<S::Phase, ()>) -> PerCoordinate<S::Phase, ()> {
+        self.0.rest_increments(kick, t, x)
     }
     #[inline(always)]
     fn drift_increments(&self, flow: &S::Exact, t: R, x: &PerCoordinate<S::Phase, ()>) -> PerCoordinate<S::Phase, ()> {

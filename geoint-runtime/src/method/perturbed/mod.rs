@@ -46,6 +46,11 @@ use inner::Seen;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Perturbation<M>(pub M);
 
+/// What a table claims where the rest moves by steps of order 2: no more than that order, whatever the size of the rest.
+fn of_rest<S: Perturbed<R>, R: Real>(claims: Claims) -> Claims {
+    if S::REST_IS_EXACT { claims } else { Claims { order: claims.order.min(2), perturbed: &[], ..claims } }
+}
+
 impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturbation<M> {
     type Proof = M::Proof;
     type Prepared = M::Prepared;
@@ -54,7 +59,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     const INNER: bool = S::INNER;
 
     fn claims(&self) -> Claims {
-        self.0.claims()
+        of_rest::<S, R>(self.0.claims())
     }
 
     fn name(&self) -> Name {

@@ -1,6 +1,6 @@
 //! Processed methods: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K with a way before the first one that is gone back after the last.
 
-use super::Perturbation;
+use super::{Perturbation, of_rest};
 use crate::method::perturbed::Inner;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
@@ -103,7 +103,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
         let kernel = self.kernel.0.claims();
         let order = self.orders.iter().copied().min().unwrap_or(kernel.order);
         // The processor is even in h up to what it leaves of the error.
-        Claims { order, symmetric: false, perturbed: self.orders, ..kernel }
+        of_rest::<S, R>(Claims { order, symmetric: false, perturbed: self.orders, ..kernel })
     }
 
     fn name(&self) -> Name {

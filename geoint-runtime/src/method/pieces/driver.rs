@@ -13,6 +13,8 @@ use crate::system::{Clock as PieceClock, Pieces};
 pub trait Splitting: Copy + Default {
     /// What it is called.
     const NAME: &'static str;
+    /// Whether tables merge the first flow of a part of the step with the last one of the part before.
+    const MERGES: bool = false;
 }
 
 /// What a step needs.
@@ -60,8 +62,7 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
 ) -> Result<(), Refusal> {
     let Prepared { flows, merged, half } = prepared;
     let (all, probe) = (S::PIECES.len(), &mut Unwatched);
-    // Flows at frozen time begin anew with every step, and a solution is no flow: two halves of it are not a whole.
-    if all < 2 || S::PIECES[0].clock == PieceClock::Stage || S::PIECES[0].solved {
+    if !merges::<S, M, R>() {
         return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step { system, t: clock.at(n), x, probe }));
     }
     let Some(last) = steps.checked_sub(1) else { return Ok(()) };
@@ -78,13 +79,15 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     Ok(())
 }
 
-/// A splitting as a method, and as a map of compositions.
+/// Whether two flows of the first piece, one after the other, are one: flows at frozen time begin anew with every part of a step, and a
+/// solution is no flow.
+pub(super) fn merges<S: Pieces<M, R>, M, R: Real>() -> bool {
+    S::PIECES.len() > 1 && S::PIECES[0].clock == PieceClock::Own && !S::PIECES[0].solved
+}
+
+/// A splitting as a method.
 macro_rules! splitting {
     ($($name:ident)*) => { $(
-        impl Splitting for $name {
-            const NAME: &'static str = stringify!($name);
-        }
-
         impl<S: Pieces<$name, R>, R: Real> Method<S, R> for $name {
             type Proof = <S as Pieces<$name, R>>::Proof;
             type Prepared = driver::Prepared<S::Flows, R>;
@@ -125,8 +128,6 @@ macro_rules! splitting {
                 driver::advance::<S, $name, R, C>(prepared, system, clock, steps, x)
             }
         }
-
-        substeps!([] $name);
     )* };
 }
 pub(super) use splitting;

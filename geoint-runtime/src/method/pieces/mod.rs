@@ -5,5 +5,5 @@ mod splittings;
 mod table;
 
 pub use driver::Splitting;
-pub use splittings::{ContactSplitting, PlanarSplitting, PoissonSplitting};
-pub use table::PieceComposition;
+pub use splittings::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
+pub use table::{PieceComposition, PieceNystrom};

@@ -1,11 +1,40 @@
 //! The splittings, by what their pieces are.
 
 use super::driver::{self, Splitting, splitting};
-use crate::method::composition::substeps;
+use super::table::PieceComposition;
+use crate::method::composition::{Composition, SymmetricMap, substeps};
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
 use crate::space::{Point, Summation};
 use crate::system::Pieces;
+
+/// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H(q, p, t), for energies whose terms
+/// couple positions and momenta. Order 2, symmetric, symplectic, explicit; the flow of every piece but the last is applied twice a step.
+///
+/// Pieces are found by themselves: charges in magnetic fields, coupled oscillators, polynomials of degree 4, functions of energies with a
+/// known flow; or given by `split = "terms | terms"`. `REPORT` lists them with their rules and what they cost. Of H = T + V they are a
+/// drift and a kick, and methods for these serve it. Where the flow of a piece ends within a step, the step is refused with its name.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// /// A charge in a field that grows with x.
+/// #[hamiltonian]
+/// fn charge(q: [f64; 2], p: [f64; 2], m: f64, b: f64, slope: f64) -> f64 {
+///     let [x, _] = q;
+///     (p[0] * p[0] + (p[1] - b * (x + slope * x * x / 2.0)).powi(2)) / (2.0 * m)
+/// }
+///
+/// let system = Charge { m: 1.5, b: 2.0, slope: 0.1 };
+/// let start = State::new([0.0, 0.0], [0.9, 0.3]);
+/// let mut sim = system.integrator(Suzuki4.of(PieceSplitting), 0.05, start);
+/// let energy = sim.energy();
+/// sim.advance(20_000)?;
+/// assert!((sim.energy() / energy - 1.0).abs() < 1e-6);
+/// # Ok::<(), StepError>(())
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PieceSplitting;
 
 /// e^(h/2 X₁) … e^(h/2 Xₖ₋₁) e^(h Xₖ) e^(h/2 Xₖ₋₁) … e^(h/2 X₁): the exact flows of the pieces of H, with a kick or else the most
 /// expensive flow in the middle. Order 2, symmetric, a contact map; the flow of every piece but the last is applied twice a step.
@@ -76,4 +105,30 @@ pub struct PoissonSplitting;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PlanarSplitting;
 
-splitting!(ContactSplitting PoissonSplitting PlanarSplitting);
+splitting!(PieceSplitting ContactSplitting PoissonSplitting PlanarSplitting);
+substeps!([] ContactSplitting; [] PoissonSplitting; [] PlanarSplitting);
+
+/// Names of splittings.
+macro_rules! named {
+    ($($name:ident $merges:literal;)*) => { $(
+        impl Splitting for $name {
+            const NAME: &'static str = stringify!($name);
+            const MERGES: bool = $merges;
+        }
+    )* };
+}
+
+named! {
+    PieceSplitting true;
+    ContactSplitting false;
+    PoissonSplitting false;
+    PlanarSplitting false;
+}
+
+impl SymmetricMap for PieceSplitting {
+    type Composed<const K: usize> = PieceComposition<K, PieceSplitting>;
+
+    fn compose<const K: usize>(self, composition: Composition<K>) -> PieceComposition<K, PieceSplitting> {
+        PieceComposition::of_steps(&composition)
+    }
+}

@@ -1,12 +1,14 @@
 //! Tables for any number of pieces.
 
-use super::driver::{self, Splitting, pass};
-use super::splittings::ContactSplitting;
+use super::driver::{self, Splitting, merges, pass};
+use super::splittings::{ContactSplitting, PieceSplitting};
+use crate::method::composition::Composition;
+use crate::method::splitting::{DriftFirst, Nystrom, delegate};
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
-use crate::space::Summation;
-use crate::system::Pieces;
+use crate::space::{Point, Summation};
+use crate::system::{NystromPieces, Pieces};
 use core::marker::PhantomData;
 
 /// A table for any number of pieces: Φ*(β_K h) Φ(α_K h) … Φ*(β₁h) Φ(α₁h), K flows of the last piece a step.
@@ -43,6 +45,15 @@ impl<const K: usize> PieceComposition<K> {
     }
 }
 
+impl<const K: usize, M: Splitting> PieceComposition<K, M> {
+    /// A composition of steps of order 2.
+    pub(super) fn of_steps(composition: &Composition<K>) -> Self {
+        let weights = composition.weights().map(|gamma| [0.5 * gamma; 2]);
+        let name = composition.name().of(Name::new(M::NAME));
+        PieceComposition { name, order: composition.order(), weights, splitting: PhantomData }
+    }
+}
+
 impl<const K: usize, M> PieceComposition<K, M> {
     /// The order.
     pub const fn order(&self) -> u32 {
@@ -60,6 +71,8 @@ impl<const K: usize, M> PieceComposition<K, M> {
 pub struct Pair<F, R> {
     forth: F,
     back: F,
+    /// The first piece of Φ* together with that of the next Φ; behind the last pair that of the next step.
+    joint: F,
     /// Where Φ begins, and where it meets Φ*, after the start of the step.
     at: [R; 2],
 }
@@ -80,11 +93,14 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
         core::array::from_fn(|i| {
             let [alpha, beta] = self.weights[i];
+            let next = self.weights[(i + 1) % K][0];
             let before: f64 = self.weights[..i].as_flattened().iter().sum();
             let part = |fraction: f64| R::from_f64(fraction) * h;
+            let flows = |outer: f64, last: f64| system.prepare_flows(part(outer), part(last));
             Pair {
-                forth: system.prepare_flows(part(alpha), part(alpha + beta)),
-                back: system.prepare_flows(part(beta), part(beta)),
+                forth: flows(alpha, alpha + beta),
+                back: flows(beta, beta),
+                joint: flows(beta + next, beta + next),
                 at: [part(before), part(before + alpha)],
             }
         })
@@ -96,16 +112,78 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         (): &mut (),
-        mut step: Step<'_, S, R, C, P>,
+        step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let all = S::PIECES.len();
-        for Pair { forth, back, at: [start, middle] } in prepared {
-            let (start, middle) = (step.t + *start, step.t + *middle);
-            let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
-            step.probe.visit(start, &step.x.z, &step.x.s);
-            pass::<S, M, R, C, P>(0..all, (forth, &frozen[0]), step.part(start));
-            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
+        part::<S, M, R, C, P, K>(prepared, step, [true, true]);
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Phase>>(
+        prepared: &Self::Prepared,
+        (): &mut (),
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        let together = M::MERGES && merges::<S, M, R>();
+        for n in 0..steps {
+            let ends = [!together || n == 0, !together || n + 1 == steps];
+            let step = Step { system, t: clock.at(n), x: &mut *x, probe: &mut Unwatched };
+            part::<S, M, R, C, _, K>(prepared, step, ends);
         }
         Ok(())
     }
 }
+
+/// A step; without its first flow, if the step before has that, and with the first one of the next step, unless it is to end here.
+#[inline(always)]
+fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe<S, R>, const K: usize>(
+    prepared: &[Pair<S::Flows, R>; K],
+    mut step: Step<'_, S, R, C, P>,
+    [begins, ends]: [bool; 2],
+) {
+    let (all, together) = (S::PIECES.len(), M::MERGES && merges::<S, M, R>());
+    for (i, Pair { forth, back, joint, at: [start, middle] }) in prepared.iter().enumerate() {
+        let (start, middle) = (step.t + *start, step.t + *middle);
+        let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
+        step.probe.visit(start, &step.x.z, &step.x.s);
+        let reached = usize::from(together && !(i == 0 && begins));
+        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0]), step.part(start));
+        if together && !(i + 1 == K && ends) {
+            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1]), step.part(middle));
+            let frozen = step.system.freeze(joint, middle);
+            pass::<S, M, R, C, P>(0..1, (joint, &frozen), step.part(middle));
+        } else {
+            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
+        }
+    }
+}
+
+/// A table of Runge–Kutta–Nyström type for two pieces, A outside and B inside, with {B, {B, {B, A}}} = 0: its order conditions use that.
+///
+/// Of a drift and a kick with quadratic T it is the table itself. What else there is of that kind is proven, whatever the pieces are: a
+/// charge in a field that depends on one coordinate, say, where one of the pieces moves one coordinate, and the other one the others.
+/// By [`Nystrom::of`](crate::Nystrom::of).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PieceNystrom<const K: usize>(PieceComposition<K, PieceSplitting>);
+
+impl<const K: usize> Nystrom<K, DriftFirst> {
+    /// The same table for two pieces.
+    pub const fn of(self, _: PieceSplitting) -> PieceNystrom<K> {
+        let table = self.table();
+        let (outer, _, inner) = table.coefficients();
+        let (mut weights, mut back, mut i) = ([[0.0; 2]; K], 0.0, 0);
+        while i < K {
+            let forth = outer[i] - back;
+            back = inner[i] - forth;
+            weights[i] = [forth, back];
+            i += 1;
+        }
+        let name = table.name().of(Name::new(PieceSplitting::NAME));
+        PieceNystrom(PieceComposition { name, order: table.claims().order, weights, splitting: PhantomData })
+    }
+}
+
+delegate!([const K: usize,] PieceNystrom<K>, NystromPieces, PieceComposition<K, PieceSplitting>, |this| this.0, this.0.name);

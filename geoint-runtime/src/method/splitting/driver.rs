@@ -73,11 +73,10 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     fn between<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
-            probe.visit(inner_at.other, &x.z, &x.s);
-            O::inner(&self.inner[i], inner_at, moving(system, x));
+            let (inner, outer) = (&self.inner[i], &self.outer[i]);
+            seen(!O::DRIFT_IS_OUTER, Step { system, t: inner_at.other, x, probe }, |x| O::inner(inner, inner_at, x));
             if i + 1 < K {
-                probe.visit(outer_at.other, &x.z, &x.s);
-                O::outer(&self.outer[i], outer_at, moving(system, x));
+                seen(O::DRIFT_IS_OUTER, Step { system, t: outer_at.other, x, probe }, |x| O::outer(outer, outer_at, x));
             }
         }
     }
@@ -89,8 +88,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         let Step { system, t, x, probe } = step;
         if let Some(last) = &self.last {
             let [_, at] = self.times(t, K - 1);
-            probe.visit(at.other, &x.z, &x.s);
-            O::outer(last, at, moving(system, x));
+            seen(O::DRIFT_IS_OUTER, Step { system, t: at.other, x, probe }, |x| O::outer(last, at, x));
         }
     }
 
@@ -139,8 +137,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
         let Step { system, t, x, probe } = step;
-        probe.visit(t, &x.z, &x.s);
-        O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
+        let at = Times { own: t, other: t };
+        seen(O::DRIFT_IS_OUTER, Step { system, t, x, probe }, |x| O::outer(&self.first, at, x));
         self.finish(Step { system, t, x, probe });
     }
 
@@ -181,6 +179,23 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     #[inline(never)]
     fn end<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
         self.finish(Step { system, t, x, probe: &mut Unwatched });
+    }
+}
+
+/// A flow under the eyes of a probe: a part of a drift that ends before its time is named.
+#[inline(always)]
+fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
+    is_drift: bool,
+    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    flow: impl FnOnce(Moving<'_, S, R, C>),
+) {
+    probe.visit(t, &x.z, &x.s);
+    let named = P::PATIENT && is_drift && x.is_finite();
+    flow(moving(system, x));
+    if named {
+        for part in S::DRIFT_PARTS {
+            probe.flown(part.name, || part.is_finite(&x.z));
+        }
     }
 }
 

@@ -113,6 +113,8 @@ impl<S: ForceGradient<R>, R: Real> Kicks<S, R> for WithGradient {
 ///
 /// Sealed: there are two flows.
 pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
+    /// Whether drifts are the outer flows.
+    const DRIFT_IS_OUTER: bool;
     /// Whether the outer flow adds to the momenta what positions alone decide.
     const REPEATS: bool;
     /// Whether the outer flow, where the energy is not defined, leaves momenta that are not finite.
@@ -134,6 +136,7 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
+    const DRIFT_IS_OUTER: bool = false;
     const REPEATS: bool = S::KICKS_REPEAT;
     const SHOWS: bool = S::KICKS_SHOW;
     type Proof = F::Proof;
@@ -156,6 +159,7 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
+    const DRIFT_IS_OUTER: bool = true;
     const REPEATS: bool = false;
     const SHOWS: bool = false;
     type Proof = F::Proof;
@@ -207,7 +211,7 @@ impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {
             let Moving { system, q, p, s, .. } = self;
             let mut unread = *s;
             F::kick(system, flow, at.other, q, p, if C::ACTION { s } else { &mut unread });
-        } else if S::Action::LEN == 0 {
+        } else if S::Action::LEN == 0 && S::KICKS_ADD {
             let Moving { system, q, p, s, sums, .. } = self;
             sums.add_part(S::Array::LEN, p, |p| F::kick(system, flow, at.other, q, p, s));
         } else {

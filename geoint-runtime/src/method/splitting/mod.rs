@@ -101,4 +101,4 @@ macro_rules! delegate {
         }
     };
 }
-use delegate;
+pub(in crate::method) use delegate;

@@ -38,6 +38,7 @@ impl Splitting<1, KickAndRotations> {
 }
 
 impl<S: PrincipalAxes<R>, R: Real> Order<S, R> for KickAndRotations {
+    const DRIFT_IS_OUTER: bool = false;
     const REPEATS: bool = S::KICKS_REPEAT;
     const SHOWS: bool = false;
     type Proof = <S as PrincipalAxes<R>>::Proof;

@@ -138,7 +138,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self.steps.controller.turn(left < 0.0);
         self.steps.take(left.abs())?;
         // Methods that scale their steps end a little beside it, and take another one.
-        if self.steps.clock.left(t).abs() <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
+        let gap = self.steps.clock.left(t).abs();
+        if gap < f64::INFINITY && gap <= R::epsilon() * (signed(t).abs() + self.step_size().abs()) {
             self.steps.clock = Clock::new(t, zero());
         }
         Ok(true)
@@ -160,6 +161,12 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// See [`StepError`]; the state is then the last good one.
     pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
         (0..n).try_for_each(|_| self.step())
+    }
+
+    /// Goes on from this state, with a first step that is guessed.
+    pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
+        let (t, z, s) = state.parts();
+        self.steps.restart(t, Point::with_action(z, s));
     }
 
     /// Time now.

@@ -47,6 +47,14 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         steps
     }
 
+    /// Goes on from another point.
+    pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
+        (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
+        let backwards = self.size() < 0.0;
+        self.controller.start(self.guess(), self.tolerance.relative);
+        self.controller.turn(backwards);
+    }
+
     pub(super) fn time(&self) -> R {
         self.clock.now(zero())
     }

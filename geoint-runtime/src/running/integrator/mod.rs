@@ -113,6 +113,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         *memory = M::memory();
     }
 
+    /// Goes on from this state, with the same steps.
+    pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
+        let (t, z, s) = state.parts();
+        let steps = &mut self.steps;
+        (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
+        steps.clock = Clock::new(t, steps.clock.step_size());
+    }
+
     /// The step size.
     #[inline(always)]
     pub fn step_size(&self) -> R {

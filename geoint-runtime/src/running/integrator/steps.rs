@@ -1,11 +1,11 @@
 //! How a step of fixed length goes, whether its end is good, and why it is refused.
 
-use crate::method::{Clock, Method, Probe, Refusal, Step, Unwatched};
+use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::StepError;
 use crate::running::watch::{Found, Watch};
 use crate::scalar::{Real, signed};
 use crate::space::{Point, Summation, normalisation, wrong_length};
-use crate::system::{PhaseSpace, has_attitudes, singular_time};
+use crate::system::{PhaseSpace, Unmet, has_attitudes, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -142,12 +142,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         Err(match (outcome, watch.reason(outcome.err())) {
             (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
             (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
-            (Ok(()) | Err(Refusal::OutsideDomain { .. }), None) => StepError::NonFinite { t },
-            (Err(Refusal::Singular), None) => StepError::Singular { t },
-            (Err(Refusal::SingularDirection), None) => StepError::SingularDirection { t },
-            (Err(Refusal::NotConverged { iterations, correction }), None) => {
-                StepError::NotConverged { t, iterations, correction }
-            }
+            (Ok(()), None) => StepError::NonFinite { t },
+            (Err(refusal), None) => StepError::refused(refusal, t),
         })
     }
 
@@ -170,8 +166,12 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if let Some(length) = wrong_length::<S, R>(&self.x.z) {
             return Err(StepError::NotNormalised { t, length });
         }
-        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
-            Some(what) => Err(StepError::OutsideDomain { t, what }),
+        if let Some(what) = self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
+            return Err(StepError::OutsideDomain { t, what });
+        }
+        match self.system.unmet(self.time(), self.clock.step_size(), &self.x.z) {
+            Some(Unmet::Off(what)) => Err(StepError::OffConstraint { t, what }),
+            Some(Unmet::Dependent(what)) => Err(StepError::DependentConstraints { t, what }),
             None => Ok(()),
         }
     }

@@ -1,7 +1,6 @@
 //! The way that always leads to the end of an orbit: a bracket for X, which every step makes smaller.
 
-use super::lanes::Lanes;
-use super::orbit::{Correction, Functions, Orbits, reach};
+use super::orbit::{Correction, Functions, Orbit, RADIUS};
 use super::{SMALL, STRAIGHT};
 use crate::scalar::{Real, zero};
 
@@ -21,20 +20,20 @@ pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
     // Backwards in time is forwards with the other velocity.
     let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
     let forward = [square, sign * eta, speed, mu, sign * h];
-    let mut orbit = Orbits::new(forward.map(|x| Lanes([x])));
+    let mut orbit = Orbit::new(forward);
     let periods = reduced(&mut orbit);
     let x = anomaly(&orbit);
     let g = functions(&orbit, x);
-    let g = g.shifted(orbit.correction(Lanes([x]), &g).change, orbit.beta);
-    let end = orbit.end(&g).map(|Lanes([x])| x);
+    let g = g.shifted(orbit.correction(x, &g).change, orbit.beta);
+    let end = orbit.end(&g);
     let lost = passed_centre(forward, &orbit, &g, periods);
     let [f, g, f_rate, g_rate] = end.map(|x| x + lost);
     [f, sign * g, sign * f_rate, g_rate]
 }
 
 /// Takes whole periods off h, to the nearest; how many.
-fn reduced<R: Real>(orbit: &mut Orbits<R, 1>) -> R {
-    let [Lanes([beta]), Lanes([mu]), Lanes([h])] = [orbit.beta, orbit.mu, orbit.h];
+fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
+    let Orbit { beta, mu, h, .. } = *orbit;
     let bound = zero::<R>().less(beta) & zero::<R>().less(mu);
     let period = mu / (beta * beta.abs().sqrt()) * R::from_f64(core::f64::consts::TAU);
     let mut periods = zero::<R>();
@@ -49,19 +48,16 @@ fn reduced<R: Real>(orbit: &mut Orbits<R, 1>) -> R {
         power *= 0.5;
     }
     let [rest] = R::choose(zero::<R>().less(periods), || [h - periods * period], || [h]);
-    orbit.h = Lanes([rest]);
+    orbit.h = rest;
     periods
 }
 
 /// X at the end of h, which may be negative where a period was taken off.
-fn anomaly<R: Real>(orbit: &Orbits<R, 1>) -> R {
-    let [Lanes([recip]), Lanes([beta]), Lanes([h])] = [orbit.recip, orbit.beta, orbit.h];
+fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
+    let Orbit { recip, beta, h, .. } = *orbit;
     let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
     // How far X is beyond the end: not a number counts as too far.
-    let early = |x: R| {
-        let Lanes([late]) = orbit.late(Lanes([x]), &functions(orbit, x));
-        zero::<R>().less(sign * late)
-    };
+    let early = |x: R| zero::<R>().less(sign * orbit.late(x, &functions(orbit, x)));
     let ellipse = zero::<R>().less(beta);
     let turn = R::from_f64(core::f64::consts::TAU) / beta.abs().sqrt();
     let mut far = either(ellipse, sign * turn, h * recip);
@@ -74,16 +70,15 @@ fn anomaly<R: Real>(orbit: &Orbits<R, 1>) -> R {
         }
     }
     let [mut near, mut last] = [zero::<R>(), far];
-    let Lanes([guess]) = orbit.first_guess();
+    let guess = orbit.first_guess();
     let inside = |x: R, near: R, far: R| (sign * near).less(sign * x) & (sign * x).less(sign * far);
     let middle = |near: R, far: R| (near + far) * R::from_f64(0.5);
     let mut x = either(inside(guess, near, far), guess, middle(near, far));
     for _ in 0..ITERATIONS {
         let g = functions(orbit, x);
-        let Lanes([late]) = orbit.late(Lanes([x]), &g);
-        let before = zero::<R>().less(sign * late);
+        let before = zero::<R>().less(sign * orbit.late(x, &g));
         (near, far) = (either(before, x, near), either(before, far, x));
-        let Correction { newton: Lanes([newton]), change: Lanes([d]) } = orbit.correction(Lanes([x]), &g);
+        let Correction { newton, change: d } = orbit.correction(x, &g);
         // Far beyond the end the slope of time overflows, which looks like a correction of zero.
         let small = newton.abs().less_equal(x.abs() * R::from_f64(SMALL)) & d.abs().less_equal(x.abs());
         let shrinks = (d.abs() + d.abs()).less_equal(last.abs());
@@ -99,26 +94,31 @@ fn anomaly<R: Real>(orbit: &Orbits<R, 1>) -> R {
 }
 
 /// The functions G with as many halvings as X asks for; not a number where they overflow.
-fn functions<R: Real>(orbit: &Orbits<R, 1>, x: R) -> Functions<R, 1> {
-    let Lanes([beta]) = orbit.beta;
+fn functions<R: Real>(orbit: &Orbit<R>, x: R) -> Functions<R> {
+    let beta = orbit.beta;
     let size = (beta * x * x).abs();
     let halvings = (0..MOST_HALVINGS).find(|n| !size.any_above(reach(*n))).unwrap_or(MOST_HALVINGS);
     let far = R::from_f64(reach(MOST_HALVINGS)).less(size);
-    let Functions(g) = orbit.functions(Lanes([x]), halvings);
-    Functions(g.map(|Lanes([g])| Lanes([either(far, R::from_f64(f64::NAN), g)])))
+    let mut y = x * R::from_f64(1.0 / (1_u64 << halvings) as f64);
+    let mut g = orbit.functions(y);
+    for _ in 0..halvings {
+        (g, y) = (g.doubled(y, beta), y + y);
+    }
+    let Functions(g) = g;
+    Functions(g.map(|g| either(far, R::from_f64(f64::NAN), g)))
+}
+
+/// |β|X² up to which halving X so many times leaves no more than [`RADIUS`].
+fn reach(halvings: u32) -> f64 {
+    RADIUS * (1_u64 << (2 * halvings)) as f64
 }
 
 /// Not a number if the orbit is straight and meets the centre within h, else zero. The time goes forwards.
-fn passed_centre<R: Real>(
-    [square, eta, speed, mu, h]: [R; 5],
-    orbit: &Orbits<R, 1>,
-    g: &Functions<R, 1>,
-    periods: R,
-) -> R {
+fn passed_centre<R: Real>([square, eta, speed, mu, h]: [R; 5], orbit: &Orbit<R>, g: &Functions<R>, periods: R) -> R {
     let none = zero::<R>();
     let straight = (square * speed * R::from_f64(1.0 - STRAIGHT * R::epsilon())).less_equal(eta * eta);
-    let [Lanes([beta]), Lanes([zeta])] = [orbit.beta, orbit.zeta];
-    let Functions([Lanes([g0]), Lanes([g1]), _, _]) = *g;
+    let (beta, zeta) = (orbit.beta, orbit.zeta);
+    let Functions([g0, g1, _, _]) = *g;
     let inward = eta.less(none);
     // It fell, and is on its way out.
     let turned = none.less(eta * g0 + zeta * g1) | none.less(periods);

@@ -61,7 +61,7 @@ impl Expansion<'_> {
             (Function::RecipPositive, _) => self.power(x, Ratio::integer(-1)),
             (Function::Root, _) => self.power(x, half),
             // Their other arguments are conditions.
-            (Function::NotNegative | Function::Bounded | Function::AtMost, _) => Ok(x.clone()),
+            (Function::NotNegative | Function::Bounded | Function::AtMost | Function::Provided, _) => Ok(x.clone()),
             (Function::Ln1p, _) => {
                 let sum = self.sum(x.clone(), Ratio::ONE, &one)?;
                 self.call(Function::Ln, &[Rc::new(sum)])

@@ -41,7 +41,9 @@ impl Evaluation<'_> {
             (Function::Root, [x]) => self.ratio_power(*x, Ratio::HALF),
             (Function::RecipPositive, [x]) => self.reciprocal(self.number(*x)?),
             // Their other arguments are conditions.
-            (Function::NotNegative, [x]) | (Function::Bounded | Function::AtMost, [x, _]) => self.number(*x),
+            (Function::NotNegative, [x]) | (Function::Bounded | Function::AtMost | Function::Provided, [x, _]) => {
+                self.number(*x)
+            }
             (Function::Cbrt, [x]) if self.plan.arguments.power_of_root(*x, THIRD).is_some() => {
                 self.ratio_power(*x, THIRD)
             }

@@ -4,8 +4,8 @@ use super::DiscreteGradient;
 use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::{Found, Newton};
-use crate::space::vector::{difference, moved, scaled, sum};
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{ByPolarisation, Orientation, PolarisedForm, Poles, acceleration, row_scale, velocity_near};
 
@@ -15,6 +15,17 @@ pub struct Prepared<P, R> {
     parameters: P,
     poles: Poles,
     h: R,
+    /// The determinant of the mass matrix has one sign everywhere.
+    semidefinite: bool,
+}
+
+/// What is known of a point.
+#[derive(Clone, Copy, Debug)]
+struct Known<Z, A> {
+    z: Z,
+    v: A,
+    /// 1/|Mᵢᵢ|, perhaps of a point before.
+    units: A,
 }
 
 /// What a step hands on to the next one.
@@ -22,6 +33,8 @@ pub struct Prepared<P, R> {
 pub struct Memory<S: PolarisedForm<R>, R: Real> {
     newton: Newton<S::Array>,
     orientation: Orientation,
+    /// The end of the last step.
+    last: Option<Known<S::Phase, S::Array>>,
     sums: Compensated<S::Phase>,
 }
 
@@ -30,47 +43,86 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
     type Memory = Memory<S, R>;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
-        Prepared { parameters: system.parameters(h), poles: Poles::of(system), h }
+        Prepared {
+            parameters: system.parameters(h),
+            poles: Poles::of(system),
+            h,
+            semidefinite: system.is_semidefinite(),
+        }
     }
 
     fn memory() -> Self::Memory {
-        Memory { newton: Newton::new(S::Array::LEN, 1), orientation: Orientation::unknown(), sums: Compensated::new() }
+        Memory {
+            newton: Newton::new(S::Array::LEN, 1),
+            orientation: Orientation::unknown(),
+            last: None,
+            sums: Compensated::new(),
+        }
     }
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { parameters, poles, h }: &Self::Prepared,
-        Memory { newton, orientation, sums }: &mut Self::Memory,
+        Prepared { parameters, poles, h, semidefinite }: &Self::Prepared,
+        Memory { newton, orientation, last, sums }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let (none, z, middle) = (S::Array::zero(), x.z, t + R::from_f64(0.5) * *h);
+        let (z, middle) = (x.z, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
-        let (v, positive) = velocity_near(system, t, &z, none).ok_or(Refusal::Singular)?;
-        let sign = orientation.sign::<R>(|| Some(positive))?;
-        orientation.agrees(Some(positive))?;
+        // A point that nobody has moved since.
+        let known = match *last {
+            Some(known) if known.z == z => known,
+            _ => known(system, t, z, orientation)?,
+        };
+        let Known { v, mut units, .. } = known;
+        units.as_mut_slice()[0] *= orientation.sign::<R>(|| None)?;
         let begun = system.begin(parameters, middle, &z, &v);
-        let (mut p, mut mass) = (none, S::Array::fill(none));
-        system.mass(t, &z[0], &v, &mut p, &mut mass);
-        let mut units = none;
-        for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {
-            units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
-        }
-        units.as_mut_slice()[0] *= sign;
-
         let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
-        let mut deciding = Deciding { probe, end: z };
-        let Found { x: d, outcome, .. } = newton.solve(&equation, &mut deciding);
-        outcome?;
-        let Deciding { probe, end } = deciding;
+        let none = S::Array::zero();
+        let deciding = Deciding { probe, end: z };
+        let mut seen = Seen { deciding, d: none, impulse: none, by_d: S::Array::fill(none) };
+        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+        // The impulse where it was evaluated last, and what the last correction changes it by: its square is rounding.
+        let correction = difference(&d, &seen.d);
+        let mut impulse = seen.impulse;
+        for (p, row) in impulse.as_mut_slice().iter_mut().zip(S::Array::entries_of::<S::Array>(&seen.by_d)) {
+            *p += dot(row, &correction);
+        }
+        let Deciding { probe, end } = seen.deciding;
 
-        let increments = [equation.shift(&d), system.impulse(parameters, &begun, &d)];
+        let increments = [equation.shift(&d), impulse];
         let before = start::<S, R, C>(x);
         x.add_with(sums, &increments, &S::Phase::zero());
         check_conditions(system, middle, &end, x)?;
-        let last = velocity_near(system, t + *h, &x.z, sum(&v, &d));
-        orientation.agrees(last.map(|(_, positive)| positive))?;
+        let mut v = sum(&v, &d);
+        if !semidefinite {
+            let (end, positive) = velocity_near(system, t + *h, &x.z, v).ok_or(Refusal::Singular)?;
+            orientation.agrees(Some(positive))?;
+            v = end;
+        }
+        *last = Some(Known { z: x.z, v, ..known });
         check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
     }
+}
+
+/// v of a point, and units.
+#[cold]
+#[inline(never)]
+fn known<S: PolarisedForm<R>, R: Real>(
+    system: &S,
+    t: R,
+    z: S::Phase,
+    orientation: &mut Orientation,
+) -> Result<Known<S::Phase, S::Array>, Refusal> {
+    let none = S::Array::zero();
+    let (v, positive) = velocity_near(system, t, &z, none).ok_or(Refusal::Singular)?;
+    orientation.sign::<R>(|| Some(positive))?;
+    orientation.agrees(Some(positive))?;
+    let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
+    system.mass(t, &z[0], &v, &mut p, &mut mass);
+    for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {
+        units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
+    }
+    Ok(Known { z, v, units })
 }
 
 /// M(q₁)v₁ + a(q₁) = p₁ for d = v₁ − v₀.
@@ -102,7 +154,15 @@ impl<S: PolarisedForm<R>, R: Real> Equation<'_, S, R> {
     }
 }
 
-impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Deciding<'_, P, S::Phase>>
+/// Who watches, and the impulse that was evaluated last, for which d, with its derivative.
+struct Seen<'a, P, Z, A: Array> {
+    deciding: Deciding<'a, P, Z>,
+    d: A,
+    impulse: A,
+    by_d: Square<A>,
+}
+
+impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'_, P, S::Phase, S::Array>>
     for Equation<'_, S, R>
 {
     /// −2v₀ turns v round: nothing moves.
@@ -118,15 +178,26 @@ impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Decidi
     }
 
     #[inline(always)]
-    fn evaluate(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Array, matrix: &mut Square<S::Array>) -> S::Array {
-        difference(d, &self.residual(watch, d, matrix))
+    fn evaluate(
+        &self,
+        seen: &mut Seen<'_, P, S::Phase, S::Array>,
+        d: &S::Array,
+        matrix: &mut Square<S::Array>,
+    ) -> S::Array {
+        difference(d, &self.residual(seen, d, matrix))
     }
 
     #[inline(always)]
-    fn residual(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Array, matrix: &mut Square<S::Array>) -> S::Array {
-        watch.visit(self.t, &[sum(&self.z[0], &self.shift(d)), self.z[1]]);
+    fn residual(
+        &self,
+        Seen { deciding, d: last, impulse, by_d }: &mut Seen<'_, P, S::Phase, S::Array>,
+        d: &S::Array,
+        matrix: &mut Square<S::Array>,
+    ) -> S::Array {
+        deciding.visit(self.t, &[sum(&self.z[0], &self.shift(d)), self.z[1]]);
         let mut residual = S::Array::zero();
-        self.system.equation(self.parameters, &self.begun, d, &mut residual, matrix);
+        *last = *d;
+        self.system.equation(self.parameters, &self.begun, d, [&mut residual, impulse], [matrix, by_d]);
         let rows = S::Array::entries::<S::Array>(matrix).iter_mut().zip(residual.as_mut_slice());
         for ((row, residual), unit) in rows.zip(self.units.as_slice()) {
             *row = scaled(*unit, row);

@@ -1,0 +1,134 @@
+//! How long does a magnetic bottle hold a charge?
+//!
+//! A field that is stronger at both ends, B = B₀ (1 + z²/L²) along z, with A = (−y, x) B(z)/2: H = |p − A|²/2. A charge turns where its
+//! magnetic moment μ = v⊥²/2B, which is nearly constant, leaves nothing of the velocity along z. Each of the three squares of H is a piece
+//! with a flow of its own: no equation is solved, where implicit methods solve for six unknowns.
+
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, largest, orbit, table};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, StepError};
+use std::error::Error;
+use std::time::Instant;
+
+/// A charge of unit mass: `b` is its gyration frequency in the middle, `l` where that has doubled.
+#[hamiltonian]
+fn bottle(q: [f64; 3], p: [f64; 3], b: f64, l: f64) -> f64 {
+    let [x, y, z] = q;
+    let half = b * (1.0 + z * z / (l * l)) / 2.0;
+    ((p[0] + half * y).powi(2) + (p[1] - half * x).powi(2) + p[2] * p[2]) / 2.0
+}
+
+type Space = State<[f64; 3]>;
+
+/// In rad/s and m.
+const SYSTEM: Bottle = Bottle { b: 10.0, l: 1.0 };
+
+fn start() -> Space {
+    State::new([0.02, 0.0, 0.0], [0.0, 0.5, 0.6])
+}
+
+fn field(z: f64) -> f64 {
+    SYSTEM.b * (1.0 + z * z / (SYSTEM.l * SYSTEM.l))
+}
+
+/// μ = v⊥²/2B.
+fn moment(state: &Space) -> f64 {
+    let [x, y, z] = state.q;
+    let half = field(z) / 2.0;
+    ((state.p[0] + half * y).powi(2) + (state.p[1] - half * x).powi(2)) / (2.0 * field(z))
+}
+
+/// The end of a run of some steps, the largest relative change of the energy, and how long it took.
+fn run<M: Method<Bottle, f64>>(method: M, h: f64, duration: f64) -> Result<(Space, f64, f64), StepError> {
+    let mut sim = SYSTEM.integrator(method, h, start());
+    let (energy, clock) = (sim.energy(), Instant::now());
+    sim.advance((duration / h).round() as u64)?;
+    Ok((sim.state(), sim.energy() / energy - 1.0, clock.elapsed().as_secs_f64()))
+}
+
+fn distance(a: &Space, b: &Space) -> f64 {
+    largest((0..3).flat_map(|i| [a.q[i] - b.q[i], a.p[i] - b.p[i]]))
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", Bottle::REPORT);
+    // Where the moment of the start leaves no velocity along z: 2μB = v².
+    let (mu, speed) = (moment(&start()), SYSTEM.energy(&start()) * 2.0);
+    let turn = SYSTEM.l * (speed / (2.0 * mu * SYSTEM.b) - 1.0).sqrt();
+    let long = orbit(SYSTEM, BlanesMoan6X.of(PieceSplitting), 0.05, start(), 2000.0)?;
+    let moments: Vec<f64> = long.iter().map(moment).collect();
+    let reached = largest(long.iter().map(|state| state.q[2]));
+    let passages = long.windows(2).filter(|pair| pair[0].q[2] * pair[1].q[2] < 0.0).count();
+    println!("2000 s: {passages} passages, as far as {reached:.3} m, where μ has {turn:.3} m\n");
+    let [least, most] = [f64::min as fn(f64, f64) -> f64, f64::max].map(|of| moments.iter().copied().reduce(of));
+    let (least, most) = (least.unwrap_or(f64::NAN), most.unwrap_or(f64::NAN));
+    claim(
+        "the charge is held, and turns where its moment says, to 5 %",
+        passages > 200 && (reached / turn - 1.0).abs() < 0.05,
+    )?;
+    claim(&format!("the moment stays between {:.2} and {:.2} of its start", least / mu, most / mu), {
+        least > 0.7 * mu && most < 1.4 * mu
+    })?;
+
+    let duration = 50.0;
+    let (truth, ..) = run(SofroniouSpaletta10_35.of(PieceSplitting), 0.01, duration)?;
+    let row = |name: &str, h: f64, (end, energy, seconds): (Space, f64, f64)| {
+        let error = distance(&end, &truth);
+        (
+            [
+                name.into(),
+                format!("{h}"),
+                format!("{error:.1e}"),
+                format!("{energy:.1e}"),
+                format!("{:.2}", 1e3 * seconds),
+            ],
+            error,
+            seconds,
+        )
+    };
+    let runs = [
+        row("Gauss::<4>", 0.05, run(Gauss::<4>, 0.05, duration)?),
+        row("Gauss::<6>", 0.1, run(Gauss::<6>, 0.1, duration)?),
+        row("BlanesMoan6X", 0.0125, run(BlanesMoan6X.of(PieceSplitting), 0.0125, duration)?),
+        row("KahanLi8_17a", 0.02, run(KahanLi8_17a.of(PieceSplitting), 0.02, duration)?),
+    ];
+    println!("{duration} s, against the finest steps\n");
+    println!(
+        "{}",
+        table(["method", "h in s", "error", "of the energy", "ms"], &runs.each_ref().map(|(row, ..)| row.clone()))
+    );
+    claim("all come to the same end", runs.iter().all(|(_, error, _)| *error < 1e-4))?;
+
+    let few: Vec<&Space> = long.iter().take_while(|state| state.t <= 14.0).collect();
+    let path = few.iter().map(|state| (state.q[2], state.q[0])).collect();
+    let along = |of: &dyn Fn(&Space) -> f64| few.iter().map(|state| (state.t, of(state))).collect::<Vec<_>>();
+    figure(
+        "bottle.svg",
+        (300, 300),
+        &[
+            Panel::new(
+                "In the bottle",
+                "the field is along z, 10 (1 + z²) rad/s",
+                [Axis::linear("z in m", -1.7..1.7), Axis::linear("x in m", -0.12..0.2)],
+                vec![Curve::line("14 s", palette::BLUE, path).width(0.7)],
+            ),
+            Panel::new(
+                "There and back",
+                "dotted: where v² = 2μB",
+                [Axis::linear("time in s", 0.0..14.0), Axis::linear("z in m", -1.7..1.7)],
+                vec![
+                    Curve::line("z", palette::BLUE, along(&|state| state.q[2])),
+                    Curve::line("turning points of μ", palette::GREY, vec![(0.0, turn), (14.0, turn)]),
+                    Curve::line("", palette::GREY, vec![(0.0, -turn), (14.0, -turn)]),
+                ],
+            ),
+            Panel::new(
+                "The magnetic moment",
+                "over that of the start",
+                [Axis::linear("time in s", 0.0..14.0), Axis::linear("μ", 0.7..1.4)],
+                vec![Curve::line("v⊥²/2B", palette::VERMILION, along(&|state| moment(state) / mu))],
+            ),
+        ],
+    )
+}

@@ -1,0 +1,119 @@
+//! How does a ball come to rest, impact by impact? Events end steps, and the state changes there.
+//!
+//! At each impact the ball loses a part of its speed; between impacts it falls freely. A Taylor series
+//! has the impact as the zero of a polynomial; a splitting finds it by a step of part of the length.
+
+use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
+use geoint_examples::{claim, table};
+use geoint_runtime::prelude::*;
+use std::error::Error;
+
+/// A ball above the ground; q in m, p in kg m/s.
+#[hamiltonian]
+fn ball(q: f64, p: f64, m: f64, g: f64) -> f64 {
+    p * p / (2.0 * m) + m * g * q
+}
+
+const BALL: Ball = Ball { m: 0.16, g: 9.81 };
+const START: State<f64> = State { t: 0.0, q: 2.0, p: 0.0 };
+/// The part of the speed that is left after an impact.
+const RESTITUTION: f64 = 0.85;
+const IMPACTS: usize = 12;
+
+/// Impacts: when, and the energy afterwards.
+type Impacts = Vec<(f64, f64)>;
+
+/// The ball after an impact.
+fn reflected(impact: State<f64>) -> State<f64> {
+    State { q: 0.0, p: -RESTITUTION * impact.p, ..impact }
+}
+
+fn by_series() -> Result<Impacts, StepError> {
+    let mut sim = BALL.taylor(Taylor::default(), START);
+    let mut impacts = vec![];
+    while impacts.len() < IMPACTS {
+        let Some(impact) = sim.until_event(100.0, Direction::Down, |state| state.q)? else { break };
+        sim.set_state(reflected(impact.state));
+        impacts.push((sim.time(), sim.energy()));
+    }
+    Ok(impacts)
+}
+
+fn by_steps(h: f64) -> Result<Impacts, StepError> {
+    let mut sim = BALL.integrator(StormerVerlet, h, START);
+    let mut impacts = vec![];
+    while impacts.len() < IMPACTS {
+        let Some(impact) = sim.until_event(100.0, Direction::Down, |state| state.q)? else { break };
+        sim.set_state(reflected(impact.state));
+        impacts.push((sim.time(), sim.energy()));
+    }
+    Ok(impacts)
+}
+
+/// Flights last a geometric sequence of times.
+fn exact() -> Impacts {
+    let fall = (2.0 * START.q / BALL.g).sqrt();
+    let mut t = fall;
+    (0..IMPACTS)
+        .map(|n| {
+            let speed = RESTITUTION.powi(n as i32 + 1);
+            let impact = (t, BALL.energy(&START) * speed * speed);
+            t += 2.0 * fall * speed;
+            impact
+        })
+        .collect()
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let (series, steps, exact) = (by_series()?, by_steps(0.01)?, exact());
+    let row = |n: &usize| {
+        let (t, energy) = exact[*n];
+        let [a, b] = [&series, &steps].map(|found| format!("{:.1e}", (found[*n].0 - t).abs()));
+        [format!("{}", n + 1), format!("{t:.6} s"), format!("{energy:.6} J"), a, b]
+    };
+    let head = ["impact", "time", "energy left", "series: error of the time", "steps of 0.01 s"];
+    println!("{}", table(head, &[0, 1, 2, 5, 8, 11].iter().map(row).collect::<Vec<_>>()));
+    let error = |found: &Impacts, of: fn(&(f64, f64)) -> f64| {
+        found.iter().zip(&exact).map(|(a, b)| (of(a) / of(b) - 1.0).abs()).fold(0.0, f64::max)
+    };
+    claim("both find twelve impacts", series.len() == IMPACTS && steps.len() == IMPACTS)?;
+    claim("times are right to 10⁻¹⁴ by series, and energies to 10⁻¹³", {
+        error(&series, |impact| impact.0) < 1e-14 && error(&series, |impact| impact.1) < 1e-13
+    })?;
+    claim("Störmer–Verlet falls exactly, so that its impacts are as good: 10⁻¹³", {
+        error(&steps, |impact| impact.0) < 1e-13
+    })?;
+    draw()
+}
+
+fn draw() -> Result<(), Box<dyn Error>> {
+    let mut sim = BALL.taylor(Taylor::default(), START);
+    let (mut heights, mut energies) = (vec![], vec![]);
+    let dt = 0.01;
+    for n in 0..700 {
+        let t = dt * f64::from(n);
+        while sim.time() < t {
+            if let Some(impact) = sim.until_event(t, Direction::Down, |state| state.q)? {
+                sim.set_state(reflected(impact.state));
+            }
+        }
+        heights.push((t, sim.state().q));
+        energies.push((t, sim.energy()));
+    }
+    let note = "Taylor series; impacts keep 0.85 of the speed";
+    let panels = [
+        Panel::new(
+            "A ball that comes to rest",
+            note,
+            [Axis::linear("time in s", 0.0..7.0), Axis::linear("height in m", 0.0..2.2)],
+            vec![Curve::line("height", palette::BLUE, heights)],
+        ),
+        Panel::new(
+            "Its energy, impact by impact",
+            note,
+            [Axis::linear("time in s", 0.0..7.0), Axis::linear("energy in J", 0.0..3.4)],
+            vec![Curve::line("energy", palette::VERMILION, energies)],
+        ),
+    ];
+    figure("bouncing.svg", (370, 300), &panels)
+}

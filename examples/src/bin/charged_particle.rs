@@ -1,0 +1,159 @@
+//! How fast does a charge drift across a field that grows, and what is left of that after a million gyrations?
+//!
+//! A charge in the plane across B(x) = B₀ (1 + x/L), with A = (0, ∫B dx): H = (pₓ² + (p_y − A(x))²)/2m. Positions and momenta are coupled, so
+//! there are no kicks and drifts; but each of the two squares reads coordinates that stay under its own flow, and both flows are shears.
+//! {B, {B, {B, A}}} = 0 for them, so that tables of Runge–Kutta–Nyström type keep their order.
+//!
+//! The angle θ of the velocity turns by −B dt, and p_y stays, so that the period and the drift along y are integrals over θ:
+//! ∮ dθ/B and ∮ v sin θ dθ/B with B = B₀ √(1 + 2(p_y − m v sin θ)/(m B₀ L)), for unit charge and mass. A sum over 64 angles has all digits.
+
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
+use geoint_examples::{claim, orbit, table};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, StepError};
+use std::error::Error;
+use std::f64::consts::TAU;
+use std::time::Instant;
+
+/// A charge of unit mass: `b` is its gyration frequency at x = 0, which doubles within a length `l`.
+#[hamiltonian]
+fn charge(q: [f64; 2], p: [f64; 2], b: f64, l: f64) -> f64 {
+    let [x, _] = q;
+    (p[0] * p[0] + (p[1] - b * (x + x * x / (2.0 * l))).powi(2)) / 2.0
+}
+
+type Plane = State<[f64; 2]>;
+
+/// In rad/s and m.
+const SYSTEM: Charge = Charge { b: 2.0, l: 5.0 };
+const SPEED: f64 = 1.0;
+const GYRATIONS: u32 = 1_000_000;
+
+/// A gyration: how long it takes, and how far it takes the charge along y.
+fn gyration() -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    const ANGLES: u32 = 64;
+    for i in 0..ANGLES {
+        let theta = TAU * f64::from(i) / f64::from(ANGLES);
+        let field = SYSTEM.b * (1.0 - 2.0 * SPEED * theta.sin() / (SYSTEM.b * SYSTEM.l)).sqrt();
+        sums[0] += TAU / f64::from(ANGLES) / field;
+        sums[1] += TAU / f64::from(ANGLES) * SPEED * theta.sin() / field;
+    }
+    sums
+}
+
+/// p_y = 0: at x = 0 the charge moves along x.
+fn start() -> Plane {
+    State::new([0.0, 0.0], [SPEED, 0.0])
+}
+
+/// What a method makes of the drift.
+struct Run {
+    name: String,
+    ink: Ink,
+    steps: u32,
+    /// Gyrations, and the drift so far over that of the flow.
+    drift: Vec<(f64, f64)>,
+    energy: f64,
+    seconds: f64,
+}
+
+fn run<M: Method<Charge, f64>>(method: M, steps: u32, ink: Ink) -> Result<Run, StepError> {
+    let [period, drift] = gyration();
+    let mut sim = SYSTEM.integrator(method, period / f64::from(steps), start());
+    let (energy, clock) = (sim.energy(), Instant::now());
+    let (mut samples, mut done) = (vec![], 0);
+    for decade in 0..6 {
+        for part in 1..=9 {
+            let next = part * 10_u32.pow(decade);
+            sim.advance(u64::from((next - done) * steps))?;
+            done = next;
+            samples.push((f64::from(done), sim.state().q[1] / (f64::from(done) * drift)));
+        }
+    }
+    sim.advance(u64::from((GYRATIONS - done) * steps))?;
+    samples.push((f64::from(GYRATIONS), sim.state().q[1] / (f64::from(GYRATIONS) * drift)));
+    Ok(Run {
+        name: method.name().to_string(),
+        ink,
+        steps,
+        drift: samples,
+        energy: sim.energy() / energy - 1.0,
+        seconds: clock.elapsed().as_secs_f64(),
+    })
+}
+
+impl Run {
+    fn error(&self) -> f64 {
+        self.drift.last().map_or(f64::NAN, |(_, ratio)| ratio - 1.0)
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    println!("{}", Charge::REPORT);
+    let [period, drift] = gyration();
+    println!("a gyration takes {period:.6} s and leads {drift:.6} m along y; leading order {:.6} m\n", {
+        -period * SPEED * SPEED / (2.0 * SYSTEM.b * SYSTEM.l)
+    });
+    let runs = [
+        run(RK4, 40, palette::VERMILION)?,
+        run(PieceSplitting, 40, palette::ORANGE)?,
+        run(Suzuki4.of(PieceSplitting), 16, palette::GREEN)?,
+        run(BlanesMoanSrkn14a.of(PieceSplitting), 10, palette::SKY)?,
+        run(BceRkn17_8.of(PieceSplitting), 12, palette::BLUE)?,
+    ];
+    let rows = runs.each_ref().map(|run| {
+        [
+            run.name.clone(),
+            run.steps.to_string(),
+            format!("{:.1e}", run.error()),
+            format!("{:.1e}", run.energy),
+            format!("{:.1}", run.seconds),
+        ]
+    });
+    println!("{GYRATIONS} gyrations\n");
+    println!("{}", table(["method", "steps a gyration", "error of the drift", "of the energy", "s"], &rows));
+    let [rk4, second, fourth, sixth, eighth] = runs.each_ref();
+    claim("RK4 stops the charge", rk4.energy < -0.5)?;
+    claim("pieces keep the energy", [second, fourth, sixth, eighth].iter().all(|run| run.energy.abs() < 2e-2))?;
+    claim("and the drift: with twelve steps a gyration to 1e-6 after a million", {
+        second.error().abs() < 0.05 && fourth.error().abs() < 0.05 && eighth.error().abs() < 1e-6
+    })?;
+
+    let path = |states: &[Plane]| states.iter().map(|x| (x.q[1], x.q[0])).collect::<Vec<_>>();
+    let duration = 12.0 * period;
+    let smooth = orbit(SYSTEM, BceRkn17_8.of(PieceSplitting), period / 200.0, start(), duration)?;
+    let coarse = orbit(SYSTEM, BceRkn17_8.of(PieceSplitting), period / 12.0, start(), duration)?;
+    let lost = orbit(SYSTEM, RK4, period / 8.0, start(), duration)?;
+    let paths = vec![
+        Curve::line("the flow", palette::GREY, path(&smooth)).width(0.8),
+        Curve::dots("BceRkn17_8, 12 steps a gyration", palette::BLUE, path(&coarse)).marked(2.6).open(),
+        Curve::line("RK4, 8 steps a gyration", palette::VERMILION, path(&lost)).width(0.8),
+    ];
+    let drifts = runs
+        .iter()
+        .map(|run| {
+            let error = run.drift.iter().map(|(n, ratio)| (*n, (ratio - 1.0).abs())).collect();
+            Curve::line(format!("{}, {} steps", run.name, run.steps), run.ink, error)
+        })
+        .collect();
+    figure(
+        "charged_particle.svg",
+        (380, 300),
+        &[
+            Panel::new(
+                "Gyration and drift",
+                "the field grows to the right, unit charge and mass",
+                [Axis::linear("y in m", -4.5..1.0), Axis::linear("x in m", -0.8..0.8)],
+                paths,
+            )
+            .named_above(),
+            Panel::new(
+                "Error of the drift",
+                "relative to that of the flow",
+                [Axis::decades("gyrations", 0.0..6.0), Axis::decades("error", -10.0..0.5)],
+                drifts,
+            ),
+        ],
+    )
+}

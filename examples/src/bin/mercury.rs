@@ -1,0 +1,147 @@
+//! By how much does Mercury's perihelion turn in a century by general relativity, and who can see that?
+//!
+//! The first correction to Newton's law turns the ellipse as a term −3(GM)²m/(c²r²) of the energy does: 42.98″ in a century, half a millionth
+//! of a turn on each orbit. A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105. Kepler's motion, solved exactly,
+//! does not turn at all; what is left is the term itself. A step of Störmer and Verlet turns the ellipse by itself.
+
+use geoint_examples::plot::{Axis, Curve, Ink, Panel, figure, palette};
+use geoint_examples::{claim, table};
+use geoint_runtime::Method;
+use geoint_runtime::prelude::*;
+use std::error::Error;
+
+/// The Sun and a planet in a plane; q in AU, p in solar masses · AU/d, m in solar masses, g in AU³/(d² solar mass), c in AU/d.
+#[hamiltonian(coordinates = jacobi)]
+fn relativistic(q: [[f64; 2]; 2], p: [[f64; 2]; 2], m: [f64; 2], g: f64, c: f64) -> f64 {
+    let kinetic = |i: usize| (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
+    let square = (q[1][0] - q[0][0]).powi(2) + (q[1][1] - q[0][1]).powi(2);
+    let newton = g * m[0] * m[1] / square.sqrt();
+    kinetic(0) + kinetic(1) - newton - 3.0 * (g * m[0] / c).powi(2) * m[1] / square
+}
+
+const SYSTEM: Relativistic =
+    Relativistic { m: [1.0, 1.0 / 6_023_600.0], g: 2.959_122_082_855_911e-4, c: 173.144_632_684_669_3 };
+
+/// Of Mercury's orbit, in AU.
+const SEMI_MAJOR_AXIS: f64 = 0.387_098_93;
+const ECCENTRICITY: f64 = 0.205_630_69;
+
+const CENTURY: f64 = 36_525.0;
+
+/// The mass that attracts, times the constant of gravity.
+fn attraction() -> f64 {
+    SYSTEM.g * (SYSTEM.m[0] + SYSTEM.m[1])
+}
+
+/// Mercury's year.
+fn period() -> f64 {
+    std::f64::consts::TAU * (SEMI_MAJOR_AXIS.powi(3) / attraction()).sqrt()
+}
+
+/// 6πGM/(c²a(1 − e²)) an orbit, in seconds of arc a century.
+fn predicted() -> f64 {
+    let orbit = 6.0 * std::f64::consts::PI * SYSTEM.g * SYSTEM.m[0]
+        / (SYSTEM.c.powi(2) * SEMI_MAJOR_AXIS * (1.0 - ECCENTRICITY.powi(2)));
+    orbit.to_degrees() * 3600.0 * CENTURY / period()
+}
+
+/// In the perihelion, with the centre of mass at rest.
+fn start() -> State<[[f64; 2]; 2]> {
+    let distance = SEMI_MAJOR_AXIS * (1.0 - ECCENTRICITY);
+    let speed = (attraction() / SEMI_MAJOR_AXIS * (1.0 + ECCENTRICITY) / (1.0 - ECCENTRICITY)).sqrt();
+    let [sun, planet] = SYSTEM.m;
+    let momentum = speed * sun * planet / (sun + planet);
+    let q = [[-distance * planet / (sun + planet), 0.0], [distance * sun / (sun + planet), 0.0]];
+    State::new(q, [[0.0, -momentum], [0.0, momentum]])
+}
+
+/// The direction of the perihelion as Newton's law would have it, in seconds of arc: that of Laplace's vector.
+fn perihelion(state: &State<[[f64; 2]; 2]>) -> f64 {
+    let relative = |i: usize| {
+        let velocity = |body: usize| state.p[body][i] / SYSTEM.m[body];
+        (state.q[1][i] - state.q[0][i], velocity(1) - velocity(0))
+    };
+    let [(x, u), (y, v)] = [relative(0), relative(1)];
+    let (moment, distance) = (x * v - y * u, x.hypot(y));
+    let vector = (v * moment / attraction() - x / distance, -u * moment / attraction() - y / distance);
+    vector.1.atan2(vector.0).to_degrees() * 3600.0
+}
+
+/// What a method makes of a century.
+struct Run {
+    name: String,
+    steps_an_orbit: u64,
+    /// Years, and seconds of arc; one each orbit.
+    turned: Vec<(f64, f64)>,
+    energy_error: f64,
+}
+
+impl Run {
+    /// Seconds of arc a century: the slope of the line that fits best.
+    fn rate(&self) -> f64 {
+        let mean = |of: &dyn Fn(&(f64, f64)) -> f64| self.turned.iter().map(of).sum::<f64>() / self.turned.len() as f64;
+        let (time, angle) = (mean(&|x| x.0), mean(&|x| x.1));
+        100.0 * mean(&|x| (x.0 - time) * (x.1 - angle)) / mean(&|x| (x.0 - time).powi(2))
+    }
+}
+
+fn run<M: Method<Relativistic, f64>>(method: M, steps_an_orbit: u64) -> Result<Run, StepError> {
+    let mut sim = SYSTEM.integrator(method, period() / steps_an_orbit as f64, start());
+    let energy = sim.energy();
+    let (mut turned, mut energy_error) = (vec![], 0.0_f64);
+    for state in sim.sampled(steps_an_orbit).take((CENTURY / period()) as usize) {
+        let state = state?;
+        turned.push((state.t / 365.25, perihelion(&state)));
+        energy_error = energy_error.max((SYSTEM.energy(&state) / energy - 1.0).abs());
+    }
+    Ok(Run { name: method.name().to_string(), steps_an_orbit, turned, energy_error })
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let runs = [
+        run(StormerVerlet, 10_000)?,
+        run(BlanesMoan4, 200)?,
+        run(BlanesMoanSrkn14a, 40)?,
+        run(WisdomHolman, 40)?,
+        run(Saba4, 4)?,
+    ];
+    println!("Mercury, a century; predicted are {:.2}″\n", predicted());
+    let rows: Vec<_> = runs
+        .iter()
+        .map(|run| {
+            [
+                run.name.clone(),
+                run.steps_an_orbit.to_string(),
+                format!("{:.3}″", run.rate()),
+                format!("{:+.1e}", run.rate() / predicted() - 1.0),
+                format!("{:.1e}", run.energy_error),
+            ]
+        })
+        .collect();
+    println!("{}", table(["method", "steps an orbit", "perihelion", "relative error", "energy error"], &rows));
+
+    let [verlet, .., holman, saba] = &runs;
+    let off = |run: &Run| (run.rate() / predicted() - 1.0).abs();
+    claim("general relativity predicts 42.98″", (predicted() - 42.98).abs() < 0.01)?;
+    claim("40 steps of Wisdom and Holman an orbit have them to 0.1 %", off(holman) < 1e-3)?;
+    claim("and so have 4 steps of four kicks", off(saba) < 1e-3)?;
+    claim("10 000 steps of Störmer and Verlet an orbit do not", off(verlet) > 1e-2)?;
+    println!();
+    draw(&runs)
+}
+
+fn draw(runs: &[Run]) -> Result<(), Box<dyn Error>> {
+    let inks: [Ink; 5] = [palette::VERMILION, palette::ORANGE, palette::PURPLE, palette::GREEN, palette::BLUE];
+    let curve = |(run, ink): (&Run, Ink)| {
+        let points = run.turned.iter().step_by(20).copied().collect();
+        Curve::line(format!("{}, {} steps an orbit", run.name, run.steps_an_orbit), ink, points)
+    };
+    let exact = Curve::line("general relativity", palette::GREY, vec![(0.0, 0.0), (100.0, predicted())]);
+    let panel = Panel::new(
+        "Mercury's perihelion",
+        "its direction since the start, by the first correction to Newton's law",
+        [Axis::linear("time (years)", 0.0..100.0), Axis::linear("angle (″)", -25.0..50.0)],
+        std::iter::once(exact).chain(runs.iter().zip(inks).map(curve)).collect(),
+    );
+    figure("mercury.svg", (520, 360), &[panel])
+}

@@ -1,0 +1,170 @@
+//! The terms of H that are put together to pieces.
+
+use super::families::piece;
+use super::flow::Space;
+use super::polynomial::{Monomial, Polynomial, degree, times_powers};
+use crate::analyze::{self, Reads};
+use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+
+/// With more terms than this those that read the same parts of phase space stay together: all subsets are tried.
+const MAX_ATOMS: usize = 7;
+
+/// Sums that couple are taken apart up to this power.
+const MAX_POWER: i128 = 4;
+
+/// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted; without an action those that are
+/// quadratic are parted from the others, or all together where some of them couple.
+pub(super) fn atoms(graph: &mut Graph, energy: Id, space: Space) -> Vec<Id> {
+    let mut open = analyze::terms(graph, energy);
+    open.reverse();
+    let mut classes = Classes(vec![]);
+    while let Some(term) = open.pop() {
+        let reads = Reads { t: false, ..analyze::reads(graph, term) };
+        if reads.kinds() > 1
+            && piece(graph, term, space).is_none()
+            && let Some(parts) = distributed(graph, term, space)
+        {
+            open.extend(parts);
+            continue;
+        }
+        // What moves nothing is in no piece.
+        if space.action || reads.state() {
+            classes.add(graph, reads, term);
+        }
+    }
+    let mut atoms = vec![];
+    if !space.action {
+        atoms.extend(classes.take_linear_motion(graph, space));
+        classes.part_potential(graph);
+    }
+    let apart = atoms.len() + classes.apart();
+    for (reads, terms) in classes.0 {
+        if reads.kinds() > 1 && apart <= MAX_ATOMS {
+            atoms.extend(terms);
+        } else {
+            let together = graph.sum(&terms);
+            // What reads one kind alone stays together, unless no rule knows the sum.
+            if apart <= MAX_ATOMS && piece(graph, together, space).is_none() {
+                atoms.extend(terms);
+            } else {
+                atoms.push(together);
+            }
+        }
+    }
+    atoms
+}
+
+/// What each class of terms reads, and its terms.
+struct Classes(Vec<(Reads, Vec<Id>)>);
+
+impl Classes {
+    fn add(&mut self, graph: &mut Graph, reads: Reads, term: Id) {
+        let class = match self.0.iter().position(|(other, _)| *other == reads) {
+            Some(class) => class,
+            None => {
+                self.0.push((reads, vec![]));
+                self.0.len() - 1
+            }
+        };
+        // What powers of sums were taken apart into meets again.
+        let (_, terms) = &mut self.0[class];
+        match terms.iter_mut().find(|other| graph.coefficient(**other).1 == graph.coefficient(term).1) {
+            Some(other) => *other = graph.add(*other, term),
+            None => terms.push(term),
+        }
+    }
+
+    /// How many atoms there are, if what couples comes apart.
+    fn apart(&self) -> usize {
+        self.0.iter().map(|(reads, terms)| if reads.kinds() > 1 { terms.len() } else { 1 }).sum()
+    }
+
+    /// The quadratic terms, if some of them couple and their flow is known: that is linear, and without an error if they stay together,
+    /// however fast it is.
+    fn take_linear_motion(&mut self, graph: &mut Graph, space: Space) -> Option<Id> {
+        let all: Vec<Id> = self.0.iter().flat_map(|(_, terms)| terms.clone()).collect();
+        let (taken, together) = linear_motion(graph, &all, space)?;
+        for (_, terms) in &mut self.0 {
+            terms.retain(|term| !taken.contains(term));
+        }
+        self.0.retain(|(_, terms)| !terms.is_empty());
+        Some(together)
+    }
+
+    /// The quadratic terms of a potential may go with those of the momenta.
+    fn part_potential(&mut self, graph: &mut Graph) {
+        let potential = Reads { q: true, ..Reads::default() };
+        let Some(class) = self.0.iter().position(|(reads, _)| *reads == potential) else { return };
+        let terms = self.0[class].1.clone();
+        let (bound, rest): (Vec<Id>, Vec<Id>) = terms.into_iter().partition(|term| is_quadratic(graph, *term));
+        if !bound.is_empty() && !rest.is_empty() {
+            self.0[class].1 = bound;
+            self.0.insert(class + 1, (potential, rest));
+        }
+    }
+}
+
+/// The quadratic terms if some of them couple, and their sum; those of positions alone are left out where only without them its flow is
+/// known.
+pub(super) fn linear_motion(graph: &mut Graph, terms: &[Id], space: Space) -> Option<(Vec<Id>, Id)> {
+    let mut taken: Vec<Id> = terms.iter().copied().filter(|term| is_quadratic(graph, *term)).collect();
+    if !taken.iter().any(|term| analyze::reads(graph, *term).kinds() > 1) {
+        return None;
+    }
+    for _ in 0..2 {
+        let together = graph.sum(&taken);
+        if piece(graph, together, space).is_some() {
+            return Some((taken, together));
+        }
+        taken.retain(|term| analyze::reads(graph, *term).p);
+    }
+    None
+}
+
+/// Whether a term is of degree 2 in the coordinates.
+pub(super) fn is_quadratic(graph: &mut Graph, term: Id) -> bool {
+    let Some(powers) = Polynomial::of(graph, term, &Symbol::is_coordinate) else { return false };
+    powers.has_only(|monomial| is_whole(monomial) && degree(monomial.values().copied()) == Some(Ratio::integer(2)))
+}
+
+/// Whether no exponent is negative or a fraction.
+pub(super) fn is_whole(monomial: &Monomial) -> bool {
+    monomial.values().all(|power| power.is_integer() && power.numerator > 0)
+}
+
+/// A product with a sum that couples, or a power of one, as a sum of products; without an action every polynomial that couples.
+fn distributed(graph: &mut Graph, term: Id, space: Space) -> Option<Vec<Id>> {
+    let (c, rest) = graph.coefficient(term);
+    let factors = graph.factors(rest);
+    let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
+        exponent.is_integer()
+            && (1..=MAX_POWER).contains(&exponent.numerator)
+            && matches!(graph.node(*base), Node::Linear(..))
+            && analyze::reads(graph, *base).kinds() > 1
+    };
+    let Some(sum) = factors.iter().position(is_coupling_sum) else {
+        return if space.action { None } else { monomials(graph, term) };
+    };
+    let mut others = graph.number(c);
+    for (base, exponent) in factors.iter().enumerate().filter(|(i, _)| *i != sum).map(|(_, factor)| *factor) {
+        let factor = graph.pow(base, exponent);
+        others = graph.mul(others, factor);
+    }
+    let (base, exponent) = factors[sum];
+    let terms = analyze::terms(graph, base);
+    let mut products = vec![others];
+    for _ in 0..exponent.numerator {
+        let pairs = products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term)));
+        products = pairs.collect::<Vec<_>>().into_iter().map(|(product, term)| graph.mul(product, term)).collect();
+    }
+    Some(products)
+}
+
+/// The terms of a product of sums of powers.
+fn monomials(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
+    let powers = Polynomial::of(graph, term, &Symbol::is_coordinate)?;
+    if powers.single().is_some() || !powers.has_only(is_whole) {
+        return None;
+    }
+    Some(powers.into_terms().map(|(monomial, coefficient)| times_powers(graph, coefficient, &monomial)).collect())
+}

@@ -1,0 +1,34 @@
+//! Positions that are bound to g(q) = 0: mechanisms in Cartesian coordinates, closed chains.
+//!
+//! ```
+//! use geoint_runtime::prelude::*;
+//!
+//! /// A spherical pendulum without angles: a mass m at a distance l of the origin.
+//! #[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - l * l) / 2.0])]
+//! fn spherical_pendulum(q: [f64; 3], p: [f64; 3], m: f64, l: f64, g: f64) -> f64 {
+//!     (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) + m * g * q[2]
+//! }
+//!
+//! let system = SphericalPendulum { m: 0.7, l: 1.3, g: 9.81 };
+//! // Somewhere near: the nearest state of a pendulum.
+//! let start = system.state_on_constraint(&State::new([1.0, 0.0, -0.8], [0.0, 1.5, 0.0]))?;
+//! for _ in 0..2 {
+//!     let mut rattle = system.integrator(Rattle, 0.01, start);
+//!     let mut gradient = system.integrator(DiscreteGradient, 0.01, start);
+//!     let energy = gradient.energy();
+//!     rattle.advance(1000)?;
+//!     gradient.advance(1000)?;
+//!     assert!((gradient.energy() - energy).abs() < 1e-12);
+//!     for q in [rattle.state().q, gradient.state().q] {
+//!         let length = q.iter().map(|x| x * x).sum::<f64>().sqrt();
+//!         assert!((length - 1.3).abs() < 1e-15);
+//!     }
+//! }
+//! # Ok::<(), StepError>(())
+//! ```
+
+mod gradient;
+mod rattle;
+mod step;
+
+pub use rattle::Rattle;

@@ -1,0 +1,208 @@
+//! States between the ends of steps, and what happens there. Output never changes the steps of a run.
+
+mod crossings;
+mod roots;
+mod samples;
+mod taylor;
+
+pub use crossings::{Crossing, Crossings, Direction};
+pub use samples::{SampledAt, SampledEvery};
+pub use taylor::TaylorCrossings;
+
+use super::trajectory::{Scalar, Trajectory};
+use super::{Adaptive, Integrator, StepError, TaylorIntegrator};
+use crate::method::Method;
+use crate::scalar::{Real, signed};
+use crate::space::{Array, Summation};
+use crate::system::{Jets, PhaseSpace, Rates, StateOf};
+use crate::taylor::TaylorMethod;
+
+/// A run that knows its states between the ends of its steps.
+///
+/// Runs by Taylor series evaluate the polynomial of a step. All others take a step of part of the length from where the step begins: the
+/// state has the order of the method, and a symplectic map leads to it. The run itself goes on with whole steps.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// #[hamiltonian]
+/// fn oscillator(q: f64, p: f64) -> f64 {
+///     p * p / 2.0 + q * q / 2.0
+/// }
+///
+/// let mut sim = Oscillator.integrator(BlanesMoan4, 0.1, State::new(1.0, 0.0));
+/// for state in sim.sampled_every(0.25).take(5) {
+///     let state = state?;
+///     assert!((state.q - state.t.cos()).abs() < 1e-6);
+/// }
+/// // q falls through 0 at π/2 + 2πn.
+/// let mut sim = Oscillator.integrator(BlanesMoan4, 0.1, State::new(1.0, 0.0));
+/// let times: Result<Vec<f64>, _> =
+///     sim.crossings(Direction::Down, |state| state.q).take(3).map(|crossing| Ok(crossing?.state.t)).collect();
+/// for (n, t) in times?.into_iter().enumerate() {
+///     assert!((t - std::f64::consts::PI * (0.5 + 2.0 * n as f64)).abs() < 1e-4);
+/// }
+/// # Ok::<(), StepError>(())
+/// ```
+pub trait Dense: Trajectory + Clone {
+    /// Goes on from this state, with all settings as they are: after an impact, or a kick.
+    fn set_state(&mut self, state: Self::State);
+
+    /// One step that ends at the time `t`, or more if it cannot be taken in one.
+    ///
+    /// # Errors
+    /// See [`StepError`].
+    fn end_at(&mut self, t: Scalar<Self>) -> Result<(), StepError>;
+
+    /// The state at a time within the next step, the run left as it is; of runs by Taylor series within the last one. `None` elsewhere.
+    fn at(&self, t: Scalar<Self>) -> Option<Self::State>;
+
+    /// Whether the next step leads back in time.
+    fn steps_backwards(&self) -> bool {
+        false
+    }
+
+    /// The state at a time in the step that led from `before` to `after`.
+    ///
+    /// # Errors
+    /// See [`StepError`].
+    fn between(before: &Self, _after: &Self, t: Scalar<Self>) -> Result<Self::State, StepError> {
+        let mut copy = before.clone();
+        copy.end_at(t)?;
+        Ok(copy.state())
+    }
+
+    /// The states at now, now + `dt`, now + 2 `dt`, …, without end; back in time if `dt` < 0.
+    fn sampled_every(&mut self, dt: Scalar<Self>) -> SampledEvery<'_, Self> {
+        SampledEvery::new(self, dt)
+    }
+
+    /// The states at these times, one after the other in the direction of the run.
+    ///
+    /// A time that lies before the last step is an error: [`StepError::TimePassed`].
+    fn sampled_at<I: IntoIterator<Item = Scalar<Self>>>(&mut self, times: I) -> SampledAt<'_, Self, I::IntoIter> {
+        SampledAt::new(self, times.into_iter())
+    }
+
+    /// Where `g` changes sign from one step to the next: a number, or an array of them, all in order of time. Without end, unless
+    /// [`Crossings::until`] gives one. Forwards, or in the direction in which an integrator steps.
+    ///
+    /// Two changes within one step are not seen. Runs by Taylor series have [`crossings`](crate::TaylorIntegrator::crossings) that see them.
+    fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
+        &mut self,
+        direction: Direction,
+        g: F,
+    ) -> Crossings<'_, Self, F, G> {
+        Crossings::new(self, direction, g)
+    }
+
+    /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
+    ///
+    /// `None` if that does not happen: the run is then at `t`, or with fixed steps up to a step before.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    fn until_event<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
+        &mut self,
+        t: Scalar<Self>,
+        direction: Direction,
+        g: F,
+    ) -> Result<Option<Crossing<Self::State>>, StepError> {
+        let found = Crossings::new(self, direction, g).until(t).next().transpose()?;
+        if let Some(found) = found {
+            self.set_state(found.state);
+        }
+        Ok(found)
+    }
+}
+
+impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense for Integrator<S, M, R, C> {
+    fn set_state(&mut self, state: StateOf<S, R>) {
+        self.restart(state);
+    }
+
+    fn at(&self, t: R) -> Option<StateOf<S, R>> {
+        let (after, h) = (signed(t - self.time()), signed(self.step_size()));
+        ahead(self, t, after * h.signum(), h.abs())
+    }
+
+    fn steps_backwards(&self) -> bool {
+        self.step_size().any_below(0.0)
+    }
+
+    fn end_at(&mut self, t: R) -> Result<(), StepError> {
+        let h = self.step_size();
+        // Methods that scale their steps end a little beside it.
+        for _ in 0..4 {
+            if self.time() == t {
+                break;
+            }
+            self.set_step_size(t - self.time());
+            if !self.step_towards(t)? {
+                self.step()?;
+            }
+        }
+        self.set_step_size(h);
+        Ok(())
+    }
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S, M, R> {
+    fn set_state(&mut self, state: StateOf<S, R>) {
+        self.restart(state);
+    }
+
+    fn at(&self, t: R) -> Option<StateOf<S, R>> {
+        let (after, h) = (signed(t - self.time()), self.step_size());
+        ahead(self, t, after * h.signum(), h.abs())
+    }
+
+    fn steps_backwards(&self) -> bool {
+        self.step_size() < 0.0
+    }
+
+    fn end_at(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+}
+
+impl<S: Jets<R>, M: TaylorMethod, R: Real> Dense for TaylorIntegrator<S, M, R> {
+    fn set_state(&mut self, state: StateOf<S, R>) {
+        self.restart(state);
+    }
+
+    fn at(&self, t: R) -> Option<StateOf<S, R>> {
+        self.at(t)
+    }
+
+    fn end_at(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+
+    fn steps_backwards(&self) -> bool {
+        self.step_size() < 0.0
+    }
+
+    fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {
+        after.at(t).ok_or(StepError::TimePassed { t: signed(t) })
+    }
+}
+
+/// The state so long after now, if that is within a step of length `h`.
+fn ahead<T: Dense>(run: &T, t: Scalar<T>, after: f64, h: f64) -> Option<T::State> {
+    if after == 0.0 {
+        return Some(run.state());
+    }
+    let mut copy = run.clone();
+    (after > 0.0 && after <= h && copy.end_at(t).is_ok()).then(|| copy.state())
+}
+
+/// Whether a run at the time `now` has come to `t`.
+fn has_reached<R: Real>(now: R, t: R, backwards: bool) -> bool {
+    if backwards { !(now - t).any_above(0.0) } else { !(now - t).any_below(0.0) }
+}
+
+/// A step without an end.
+fn step<T: Dense>(run: &mut T, backwards: bool) -> Result<bool, StepError> {
+    run.step_towards(Scalar::<T>::from_f64(if backwards { f64::NEG_INFINITY } else { f64::INFINITY }))
+}

@@ -1,0 +1,118 @@
+//! States at given times.
+
+use super::{Dense, has_reached, step};
+use crate::running::StepError;
+use crate::running::trajectory::Scalar;
+use crate::scalar::{Real, signed};
+
+/// A run and where its last step began.
+#[derive(Debug)]
+struct Between<'a, T: Dense> {
+    run: &'a mut T,
+    before: T,
+    backwards: bool,
+    failed: bool,
+}
+
+impl<'a, T: Dense> Between<'a, T> {
+    fn new(run: &'a mut T, backwards: bool) -> Self {
+        let before = run.clone();
+        Between { run, before, backwards, failed: false }
+    }
+
+    /// The state at the time `t`; nothing if the run goes the other way.
+    fn at(&mut self, t: Scalar<T>) -> Result<Option<T::State>, StepError> {
+        if !t.magnitude().is_finite() {
+            return Err(StepError::InvalidStepSize { h: signed(t - self.run.time()) });
+        }
+        if has_reached(self.before.time(), t, self.backwards) && self.before.time() != t {
+            return Err(StepError::TimePassed { t: signed(t) });
+        }
+        while !has_reached(self.run.time(), t, self.backwards) {
+            self.before = self.run.clone();
+            if !step(self.run, self.backwards)? {
+                return Ok(None);
+            }
+        }
+        if self.run.time() == t {
+            return Ok(Some(self.run.state()));
+        }
+        T::between(&self.before, self.run, t).map(Some)
+    }
+
+    fn next(&mut self, t: Scalar<T>) -> Option<Result<T::State, StepError>> {
+        let outcome = self.at(t).transpose();
+        self.failed = !matches!(outcome, Some(Ok(_)));
+        outcome
+    }
+}
+
+/// States at equal distances in time; ends with the first error.
+#[derive(Debug)]
+pub struct SampledEvery<'a, T: Dense> {
+    between: Between<'a, T>,
+    start: Scalar<T>,
+    dt: Scalar<T>,
+    taken: u64,
+}
+
+impl<'a, T: Dense> SampledEvery<'a, T> {
+    pub(super) fn new(run: &'a mut T, dt: Scalar<T>) -> Self {
+        let start = run.time();
+        SampledEvery { between: Between::new(run, dt.any_below(0.0)), start, dt, taken: 0 }
+    }
+}
+
+impl<T: Dense> Iterator for SampledEvery<'_, T> {
+    type Item = Result<T::State, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.between.failed {
+            return None;
+        }
+        if self.dt.magnitude() == 0.0 {
+            self.between.failed = true;
+            return Some(Err(StepError::InvalidStepSize { h: 0.0 }));
+        }
+        // Never a running sum.
+        let t = Scalar::<T>::time([self.start, Scalar::<T>::from_f64(0.0)], self.taken, self.dt);
+        self.taken += 1;
+        self.between.next(t)
+    }
+}
+
+/// States at given times; ends with them, or after the first error.
+#[derive(Debug)]
+pub struct SampledAt<'a, T: Dense, I: Iterator<Item = Scalar<T>>> {
+    /// The direction is known with the first time that is not now.
+    between: Option<Between<'a, T>>,
+    run: Option<&'a mut T>,
+    times: I,
+}
+
+impl<'a, T: Dense, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
+    pub(super) fn new(run: &'a mut T, times: I) -> Self {
+        SampledAt { between: None, run: Some(run), times }
+    }
+}
+
+impl<T: Dense, I: Iterator<Item = Scalar<T>>> Iterator for SampledAt<'_, T, I> {
+    type Item = Result<T::State, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.between.as_ref().is_some_and(|between| between.failed) {
+            return None;
+        }
+        let t = self.times.next()?;
+        if let Some(run) = self.run.take() {
+            if run.time() == t {
+                let state = run.state();
+                self.run = Some(run);
+                return Some(Ok(state));
+            }
+            let backwards = (t - run.time()).any_below(0.0);
+            self.between = Some(Between::new(run, backwards));
+        }
+        self.between.as_mut()?.next(t)
+    }
+}

@@ -1,0 +1,270 @@
+//! Steps by Taylor series of the solution.
+//!
+//! Nothing is kept exactly, and everything to the tolerance. The coefficients at the end of a step are computed with the step: they are
+//! those of the next one, and their first order tells whether the polynomial led to a solution.
+
+pub(in crate::running) mod steps;
+
+use crate::running::dense::{Crossing, Direction, TaylorCrossings};
+use crate::running::error::StepError;
+use crate::running::step_size::Bounds;
+use crate::running::trajectory::Trajectory;
+use crate::scalar::{Real, signed};
+use crate::space::{Array, Point, Snapshot};
+use crate::system::{Jets, StateOf};
+use crate::taylor::TaylorMethod;
+use core::fmt::{self, Debug, Formatter};
+use steps::Steps;
+
+/// A system by Taylor series of its solution: a plain value, no borrow, no allocation.
+///
+/// Steps are as long as the last coefficients allow ([`Taylor`](crate::Taylor), [`TaylorOrder`](crate::TaylorOrder)), or all of one length
+/// ([`TaylorFixed`](crate::TaylorFixed)). After each step the rates at its end are compared with those of its polynomial; where they
+/// differ by much more than the tolerance, at poles that the last coefficients do not show, the step is repeated with half the length.
+/// Where a condition of the energy changes sides the step ends. Sums of coordinates and of time are compensated.
+///
+/// ```
+/// use geoint_runtime::prelude::*;
+///
+/// #[hamiltonian]
+/// fn kepler(q: [f64; 2], p: [f64; 2]) -> f64 {
+///     (p[0] * p[0] + p[1] * p[1]) / 2.0 - 1.0 / (q[0] * q[0] + q[1] * q[1]).sqrt()
+/// }
+///
+/// let mut sim = Kepler.taylor(Taylor::default(), State::new([0.4, 0.0], [0.0, 2.0]));
+/// let energy = sim.energy();
+/// sim.advance_to(200.0 * std::f64::consts::PI)?;
+/// assert!((sim.energy() - energy).abs() < 1e-14);
+/// // The polynomial of the last step.
+/// let before = sim.at(628.3).expect("within the last step");
+/// assert!((Kepler.energy(&before) - energy).abs() < 1e-14);
+/// # Ok::<(), StepError>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod, R: Real = f64> {
+    pub(in crate::running) steps: Steps<S, M, R>,
+    /// Steps on the way to a time.
+    most_steps: u64,
+}
+
+impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
+    /// A system by Taylor series of its solution, from `state` on.
+    ///
+    /// Nothing is checked yet: an unusable tolerance, order or state is reported by the first step.
+    pub fn new(system: S, method: M, state: StateOf<S, R>) -> Self {
+        let (t, z, s) = state.parts();
+        TaylorIntegrator { steps: Steps::new((system, method), t, Point::with_action(z, s)), most_steps: u64::MAX }
+    }
+
+    /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
+    ///
+    /// The last step on the way to a given time may be shorter.
+    pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
+        self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
+        self
+    }
+
+    /// At most so many steps in one [`advance_to`](Self::advance_to). Without this there is no limit.
+    pub fn steps_at_most(mut self, steps: u64) -> Self {
+        self.most_steps = steps;
+        self
+    }
+
+    /// One step; forwards, or in the direction of the last one.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged.
+    pub fn step(&mut self) -> Result<(), StepError> {
+        self.steps.check_start()?;
+        self.steps.take(f64::INFINITY)
+    }
+
+    /// `n` steps.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        (0..n).try_for_each(|_| self.step())
+    }
+
+    /// Steps to the time `t`, before or after now: the last one ends there.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
+    pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        let left = self.steps.clock.left(t);
+        if left.is_infinite() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        let last = self.steps().saturating_add(self.most_steps);
+        while self.time() != t {
+            if self.steps() >= last {
+                return Err(StepError::TooManySteps { t: signed(self.time()), steps: self.most_steps });
+            }
+            self.step_towards(t)?;
+        }
+        Ok(())
+    }
+
+    /// One step to the time `t`, before or after now, or towards it; `false` if that is now.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then unchanged. A `t` that is not a number is a step size that is none.
+    pub fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        if self.time() == t {
+            return Ok(false);
+        }
+        self.steps.check_start()?;
+        let left = self.steps.clock.left(t);
+        if left.is_nan() {
+            return Err(StepError::InvalidStepSize { h: left });
+        }
+        self.steps.backwards = left < 0.0;
+        self.steps.take(left.abs())?;
+        if left.is_finite() && self.steps.clock.left(t).abs() <= R::epsilon() * signed(t).abs() {
+            self.steps.clock.name(t);
+        }
+        Ok(true)
+    }
+
+    /// The state at a time within the last step, by its polynomial; `None` before and after, or if no step was taken.
+    pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
+        self.steps.at(t)
+    }
+
+    /// Goes on from this state.
+    pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
+        let (t, z, s) = state.parts();
+        self.steps.restart(t, Point::with_action(z, s));
+    }
+
+    /// Where `g` changes sign: a number, or an array of them, all in order of time, also twice within one step. Without end, unless
+    /// [`TaylorCrossings::until`] gives one. Forwards, or in the direction of the last step.
+    ///
+    /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which stand for the coordinates along a step: written as
+    /// it is for numbers. Its zeros are those of a polynomial, all of them.
+    ///
+    /// ```
+    /// use geoint_runtime::prelude::*;
+    ///
+    /// #[hamiltonian]
+    /// fn oscillator(q: f64, p: f64) -> f64 {
+    ///     p * p / 2.0 + q * q / 2.0
+    /// }
+    ///
+    /// let mut sim = Oscillator.taylor(Taylor::default(), State::new(0.0, 1.0));
+    /// for (n, crossing) in sim.crossings(Direction::Any, |state| state.q * state.p).take(8).enumerate() {
+    ///     let t = crossing?.state.t;
+    ///     assert!((t - std::f64::consts::FRAC_PI_2 * (n + 1) as f64).abs() < 1e-14);
+    /// }
+    /// # Ok::<(), StepError>(())
+    /// ```
+    pub fn crossings<G, F>(&mut self, direction: Direction, g: F) -> TaylorCrossings<'_, S, M, R, F, G>
+    where
+        G: Array<Real = M::Series<R>>,
+        F: Fn(&S::Over<M::Series<R>>) -> G,
+    {
+        TaylorCrossings::new(self, direction, g)
+    }
+
+    /// Steps to where `g` changes sign first, but not beyond the time `t`: the run is then there, and goes on from there.
+    ///
+    /// `None` if that does not happen: the run is then at `t`.
+    ///
+    /// # Errors
+    /// See [`StepError`]; the state is then the last good one.
+    pub fn until_event<G, F>(
+        &mut self,
+        t: R,
+        direction: Direction,
+        g: F,
+    ) -> Result<Option<Crossing<StateOf<S, R>>>, StepError>
+    where
+        G: Array<Real = M::Series<R>>,
+        F: Fn(&S::Over<M::Series<R>>) -> G,
+    {
+        let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose()?;
+        if let Some(found) = found {
+            self.restart(found.state);
+        }
+        Ok(found)
+    }
+
+    /// Time now.
+    pub fn time(&self) -> R {
+        self.steps.time()
+    }
+
+    /// The state now.
+    pub fn state(&self) -> StateOf<S, R> {
+        S::State::of(self.time(), self.steps.x.z, self.steps.x.s)
+    }
+
+    /// The energy now.
+    pub fn energy(&self) -> R {
+        self.steps.system.hamiltonian(self.time(), &self.steps.x.z, &self.steps.x.s)
+    }
+
+    /// The length of the last step; zero before the first one.
+    pub fn step_size(&self) -> f64 {
+        self.steps.last_step()
+    }
+
+    /// The number of steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps.taken
+    }
+
+    /// The order of the series.
+    pub fn order(&self) -> usize {
+        self.steps.order
+    }
+
+    /// The system with its parameters.
+    pub fn system(&self) -> &S {
+        &self.steps.system
+    }
+
+    /// The method.
+    pub fn method(&self) -> &M {
+        &self.steps.method
+    }
+}
+
+impl<S: Jets<R> + Debug, M: TaylorMethod, R: Real> Debug for TaylorIntegrator<S, M, R> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Steps { system, method, clock, x, taken, order, .. } = &self.steps;
+        let mut run = f.debug_struct("TaylorIntegrator");
+        run.field("system", system).field("method", method).field("order", order).field("clock", clock).field("x", x);
+        run.field("steps", taken).finish_non_exhaustive()
+    }
+}
+
+impl<S: Jets<R>, M: TaylorMethod, R: Real> Trajectory for TaylorIntegrator<S, M, R> {
+    type State = StateOf<S, R>;
+
+    fn step(&mut self) -> Result<(), StepError> {
+        self.step()
+    }
+    fn advance(&mut self, n: u64) -> Result<(), StepError> {
+        self.advance(n)
+    }
+    fn step_towards(&mut self, t: R) -> Result<bool, StepError> {
+        self.step_towards(t)
+    }
+    fn advance_to(&mut self, t: R) -> Result<(), StepError> {
+        self.advance_to(t)
+    }
+    fn time(&self) -> R {
+        self.time()
+    }
+    fn state(&self) -> Self::State {
+        self.state()
+    }
+    fn energy(&self) -> R {
+        self.energy()
+    }
+    fn steps(&self) -> u64 {
+        self.steps()
+    }
+}

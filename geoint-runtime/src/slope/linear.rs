@@ -1,0 +1,94 @@
+//! Linear flows in two degrees of freedom: x' = Mx with M = JS, whose square N has N² = −bN − c.
+//!
+//! With z₁ and z₂ the roots of z² + bz + c, of any signs, equal or complex: the straight lines through both values of
+//! S(z) = sinh √z/√z and of D(z) = (cosh √z − 1)/z. They are S and D as polynomials in z modulo z² + bz + c.
+
+use super::{factorial, series, stumpff_c1};
+use crate::scalar::Real;
+
+/// u + v·z modulo z² + bz + c.
+type Line<R> = [R; 2];
+
+fn times<R: Real>([u, v]: Line<R>, [x, y]: Line<R>, [b, c]: [R; 2]) -> Line<R> {
+    let square = v * y;
+    [u * x - c * square, u * y + v * x - b * square]
+}
+
+/// The lines of S and of D.
+fn lines<R: Real>(b: R, c: R) -> [Line<R>; 2] {
+    let [sixteenth, quarter] = [0.0625, 0.25].map(R::from_f64);
+    let discriminant = quarter * b * b - c;
+    let apart = (sixteenth * b * b).less(discriminant) & quarter.less(discriminant);
+    let [s, t, d, e] = R::choose(apart, || by_roots(b, c, discriminant), || by_series(b, c));
+    [[s, t], [d, e]]
+}
+
+/// By the values at both roots, where these are apart.
+fn by_roots<R: Real>(b: R, c: R, discriminant: R) -> [R; 4] {
+    let [half, quarter] = [0.5, 0.25].map(R::from_f64);
+    // The larger root first: nothing cancels.
+    let large = -(half * b + b.signum() * discriminant.sqrt());
+    let small = c / large;
+    let line = |of: &dyn Fn(R) -> R| {
+        let [at_large, at_small] = [of(large), of(small)];
+        let slope = (at_large - at_small) / (large - small);
+        [at_small - small * slope, slope]
+    };
+    let [s, t] = line(&|z| stumpff_c1(-z));
+    let [d, e] = line(&|z| {
+        let sine = stumpff_c1(-quarter * z);
+        half * sine * sine
+    });
+    [s, t, d, e]
+}
+
+/// By series for a quarter of z, and again, and back by S(4z) = S (1 + zD), D(4z) = S²/2: nothing is divided by z₁ − z₂.
+fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
+    let [zero, one, half, quarter] = [0.0, 1.0, 0.5, 0.25].map(R::from_f64);
+    if !((b * zero).magnitude() == 0.0 && (c * zero).magnitude() == 0.0) {
+        let none = b * zero + c * zero;
+        return [none; 4];
+    }
+    let (mut roots, mut quarters) = ([b, c], 0_u32);
+    while roots[0].magnitude() > 0.5 || roots[1].magnitude() > 0.25 {
+        roots = [roots[0] * quarter, roots[1] * quarter * quarter];
+        quarters += 1;
+    }
+    let z = [zero, one];
+    let sum = |coefficients: &[f64]| {
+        coefficients.iter().rev().fold([zero; 2], |sum, c| {
+            let [u, v] = times(sum, z, roots);
+            [u + R::from_f64(*c), v]
+        })
+    };
+    let mut s = sum(series!(10, |k| 1.0 / factorial(2 * k + 1)));
+    let mut d = sum(series!(10, |k| 1.0 / factorial(2 * k + 2)));
+    for _ in 0..quarters {
+        let [u, v] = times(d, z, roots);
+        let (next, [x, y]) = (times(s, [one + u, v], roots), times(s, s, roots));
+        s = [next[0], quarter * next[1]];
+        d = [half * x, half * quarter * y];
+        roots = [roots[0] / quarter, roots[1] / quarter / quarter];
+    }
+    [s[0], s[1], d[0], d[1]]
+}
+
+/// The line of S at z = 0.
+pub fn sine_at<R: Real>(b: R, c: R) -> R {
+    lines(b, c)[0][0]
+}
+
+/// The slope of the line of S.
+pub fn sine_slope<R: Real>(b: R, c: R) -> R {
+    lines(b, c)[0][1]
+}
+
+/// The line of D at z = 0.
+pub fn cosine_at<R: Real>(b: R, c: R) -> R {
+    lines(b, c)[1][0]
+}
+
+/// The slope of the line of D.
+pub fn cosine_slope<R: Real>(b: R, c: R) -> R {
+    lines(b, c)[1][1]
+}

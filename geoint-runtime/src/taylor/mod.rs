@@ -1,0 +1,12 @@
+//! Taylor series: recurrences of coefficients, orders, the length of a step, polynomials.
+
+mod estimate;
+mod method;
+mod polynomial;
+pub mod recurrence;
+mod roots;
+
+pub(crate) use estimate::Estimate;
+pub use method::{Steps, Taylor, TaylorFixed, TaylorMethod, TaylorOrder};
+pub(crate) use polynomial::{increment, increment_and_rate};
+pub(crate) use roots::{MOST, Roots, roots};

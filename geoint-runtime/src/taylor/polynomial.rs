@@ -1,0 +1,47 @@
+//! The polynomial of a step.
+
+use crate::scalar::Real;
+use crate::space::{Action, Array, PerCoordinate};
+
+/// x(h) − x(0) from the coefficients of orders 1, 2, …: odd and even ones apart, each a polynomial in h².
+#[inline(always)]
+pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
+    let [h, square] = [h, h * h].map(Z::Real::from_f64);
+    let mut sums = [PerCoordinate::<Z, S>::zero(); 2];
+    for (k, coefficient) in jet.iter().enumerate().rev() {
+        times_and_add(&mut sums[k % 2], square, coefficient);
+    }
+    let [mut odd, even] = sums;
+    odd.add_scaled(h, &even);
+    odd.times(h);
+    odd
+}
+
+/// The same, with its derivative by h.
+#[inline(always)]
+pub(crate) fn increment_and_rate<Z: Array, S: Action<Z::Real>>(
+    jet: &[PerCoordinate<Z, S>],
+    h: f64,
+) -> (PerCoordinate<Z, S>, PerCoordinate<Z, S>) {
+    let [length, square] = [h, h * h].map(Z::Real::from_f64);
+    let mut rates = [PerCoordinate::<Z, S>::zero(); 2];
+    for (k, coefficient) in jet.iter().enumerate().rev() {
+        let mut scaled = *coefficient;
+        scaled.times(Z::Real::from_f64((k + 1) as f64));
+        times_and_add(&mut rates[k % 2], square, &scaled);
+    }
+    let [mut rate, even] = rates;
+    rate.add_scaled(length, &even);
+    (increment(jet, h), rate)
+}
+
+/// y ← w·y + x.
+#[inline(always)]
+fn times_and_add<Z: Array, S: Action<Z::Real>>(y: &mut PerCoordinate<Z, S>, w: Z::Real, x: &PerCoordinate<Z, S>) {
+    for (y, x) in y.z.as_mut_slice().iter_mut().zip(x.z.as_slice()) {
+        *y = w.multiply_add(*y, *x);
+    }
+    for (y, x) in y.s.numbers_mut().iter_mut().zip(x.s.numbers()) {
+        *y = w.multiply_add(*y, *x);
+    }
+}

@@ -1,0 +1,156 @@
+//! Coefficients of order n ≥ 1 of a series from those of its operands, for the kernels that are emitted.
+//!
+//! Coefficients are normalised: u⁽ⁿ⁾/n!. Sums Σ uⱼwₙ₋ⱼ begin in the middle, with coefficients that are known for long, in two chains,
+//! and those of order n come last: then each operation adds one multiplication to what a next coefficient waits for. With j from 0 on
+//! the double pendulum takes four times as long.
+//!
+//! What is divided by at every order is divided by: the rounding of a reciprocal, made once, would count n times. It may be multiplied with
+//! the coefficient of order n, which is smaller and must not wait.
+//!
+//! R. E. Moore, *Interval Analysis* (1966) ch. 11; À. Jorba & M. Zou, Exp. Math. 14 (2005) 99; for powers see also R. D. Neidinger,
+//! SIAM Rev. 52 (2010) 545.
+
+use crate::scalar::{Real, zero};
+use crate::space::Array;
+
+/// a·b + c, entry by entry.
+#[inline(always)]
+fn fused<A: Array>(a: A, b: A, mut c: A) -> A {
+    for (c, (a, b)) in c.as_mut_slice().iter_mut().zip(a.as_slice().iter().zip(b.as_slice())) {
+        *c = a.multiply_add(*b, *c);
+    }
+    c
+}
+
+/// x·y, entry by entry.
+#[inline(always)]
+fn times<A: Array>(mut x: A, y: A) -> A {
+    for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *x *= *y;
+    }
+    x
+}
+
+/// x + y.
+#[inline(always)]
+fn plus<A: Array>(mut x: A, y: A) -> A {
+    for (x, y) in x.as_mut_slice().iter_mut().zip(y.as_slice()) {
+        *x += *y;
+    }
+    x
+}
+
+/// c·x.
+#[inline(always)]
+fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
+    for x in x.as_mut_slice() {
+        *x *= c;
+    }
+    x
+}
+
+/// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
+#[inline(always)]
+pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
+    let (u, w) = (&u[..n], &w[..n]);
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n.is_multiple_of(2) {
+        first = times(u[n / 2], w[n / 2]);
+    }
+    for j in (1..n.div_ceil(2)).rev() {
+        first = fused(u[j], w[n - j], first);
+        second = fused(u[n - j], w[j], second);
+    }
+    plus(first, second)
+}
+
+/// Σ uⱼuₙ₋ⱼ over 0 < j < n.
+#[inline(always)]
+pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
+    let u = &u[..n];
+    let mut half = A::zero();
+    for j in (1..n.div_ceil(2)).rev() {
+        half = fused(u[j], u[n - j], half);
+    }
+    let double = plus(half, half);
+    if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
+}
+
+/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
+#[inline(always)]
+pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
+    let (u, y) = (&u[..n], &y[..n]);
+    let whole = A::Real::from_f64(n as f64);
+    let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n.is_multiple_of(2) {
+        first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
+    }
+    for j in (1..n.div_ceil(2)).rev() {
+        first = fused(scaled(factor(j), u[j]), y[n - j], first);
+        second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
+    }
+    plus(first, second)
+}
+
+/// Of a function a + b·t.
+#[inline(always)]
+pub fn affine<R: Real>(slope: R, n: usize) -> R {
+    if n == 1 { slope } else { zero() }
+}
+
+/// u·w, from u₀, w₀, uₙ, wₙ and the sum.
+#[inline(always)]
+pub fn product<R: Real>([u, w]: [R; 2], [un, wn]: [R; 2], sum: R) -> R {
+    u.multiply_add(wn, un.multiply_add(w, sum))
+}
+
+/// u², from u₀, uₙ and the sum.
+#[inline(always)]
+pub fn square<R: Real>(u: R, un: R, sum: R) -> R {
+    (u + u).multiply_add(un, sum)
+}
+
+/// y with y·w = u, from w₀, y₀, 1/w₀, uₙ, wₙ and the sum.
+#[inline(always)]
+pub fn quotient<R: Real>([w, y, over]: [R; 3], [un, wn]: [R; 2], sum: R) -> R {
+    un.multiply_add(over, (-(y * over)).multiply_add(wn, -(sum / w)))
+}
+
+/// y with y·w = 1, from w₀, y₀, wₙ and the sum.
+#[inline(always)]
+pub fn reciprocal<R: Real>([w, y]: [R; 2], wn: R, sum: R) -> R {
+    (-(y * y)).multiply_add(wn, -(sum / w))
+}
+
+/// y with y² = u, from y₀, 1/(2y₀), uₙ and the sum.
+#[inline(always)]
+pub fn root<R: Real>([y, over]: [R; 2], un: R, sum: R) -> R {
+    un.multiply_add(over, -(sum / (y + y)))
+}
+
+/// y with y'·u = α·y·u', from u₀, α·y₀/u₀, uₙ and the sum.
+#[inline(always)]
+pub fn power<R: Real>([u, ratio]: [R; 2], un: R, sum: R, n: usize) -> R {
+    un.multiply_add(ratio, sum / (R::from_f64(n as f64) * u))
+}
+
+/// y with y' = d·u', from d₀, uₙ and the sum with j·uⱼ.
+#[inline(always)]
+pub fn integral<R: Real>(d: R, un: R, sum: R, n: usize) -> R {
+    un.multiply_add(d, sum * R::from_f64(1.0 / n as f64))
+}
+
+/// y with y'·d = u', from d₀, 1/d₀, uₙ and the sum with j·yⱼ.
+#[inline(always)]
+pub fn quadrature<R: Real>([d, over]: [R; 2], un: R, sum: R, n: usize) -> R {
+    un.multiply_add(over, -(sum / (R::from_f64(n as f64) * d)))
+}
+
+/// The angle a of the point (x, y), with r²a' = x·y' − y·x', from y₀, x₀, r₀², 1/r₀², yₙ, xₙ and the sums of j·yⱼ with x, of j·xⱼ with y and of
+/// j·aⱼ with r².
+#[inline(always)]
+pub fn angle<R: Real>([y, x, square, over]: [R; 4], [yn, xn]: [R; 2], [first, second, third]: [R; 3], n: usize) -> R {
+    let last = yn.multiply_add(x, -(xn * y));
+    last.multiply_add(over, (first - second - third) / (R::from_f64(n as f64) * square))
+}

@@ -1,0 +1,266 @@
+//! All roots of a polynomial in (0, 1], in order.
+//!
+//! In Bernstein's form the number of changes of sign is that of the roots, or larger by an even number. Intervals with one change have
+//! one root, which a safeguarded Newton iteration finds; others are halved.
+
+/// Polynomials have at most so many coefficients.
+pub(crate) const MOST: usize = 33;
+
+/// Intervals with several changes of sign are not halved more often: two roots are then closer than 10⁻⁷.
+const DEEPEST: u32 = 24;
+
+/// The roots of a polynomial, and its sign before the first of them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Roots {
+    roots: [f64; MOST],
+    len: usize,
+    /// The sign right after 0; zero for the polynomial that is zero.
+    pub(crate) sign: f64,
+}
+
+impl Roots {
+    /// The roots in order; the polynomial changes sign at each.
+    pub(crate) fn as_slice(&self) -> &[f64] {
+        &self.roots[..self.len]
+    }
+}
+
+/// The roots of Σ gₖτᵏ in (0, 1].
+///
+/// A g₀ that is no more than rounding is a root at 0, which does not count.
+#[inline]
+pub(crate) fn roots(g: &[f64]) -> Roots {
+    let rest: f64 = g[1..].iter().map(|g| g.abs()).sum();
+    let none = |sign: f64| Roots { roots: [0.0; MOST], len: 0, sign };
+    // Almost every step ends here.
+    if g[0].abs() > rest {
+        return none(g[0].signum());
+    }
+    if !(rest > 0.0 && g[0].abs() + rest < f64::INFINITY) {
+        return none(0.0);
+    }
+    isolate(g, rest)
+}
+
+/// An interval, and the polynomial on it in Bernstein's form.
+#[derive(Clone, Copy)]
+struct Piece {
+    from: f64,
+    width: f64,
+    depth: u32,
+    b: [f64; MOST],
+}
+
+#[inline(never)]
+fn isolate(g: &[f64], rest: f64) -> Roots {
+    // Without the roots at 0, and without what is zero at the end.
+    let small = 8.0 * f64::EPSILON * rest;
+    let mut g = if g[0].abs() <= small { &g[1..] } else { g };
+    while let [zero, later @ ..] = g
+        && *zero == 0.0
+    {
+        g = later;
+    }
+    while let [earlier @ .., zero] = g
+        && *zero == 0.0
+    {
+        g = earlier;
+    }
+    let mut found = Roots { roots: [0.0; MOST], len: 0, sign: g.first().map_or(0.0, |g| g.signum()) };
+    let n = g.len().min(MOST);
+    if n < 2 {
+        return found;
+    }
+    let mut pieces = [Piece { from: 0.0, width: 1.0, depth: 0, b: bernstein(&g[..n]) }; DEEPEST as usize + 2];
+    let mut open = 1;
+    // The sign before the next root.
+    let mut sign = found.sign;
+    while open > 0 {
+        open -= 1;
+        let piece = pieces[open];
+        let changes = changes(&piece.b[..n]);
+        let end = piece.b[n - 1];
+        match changes {
+            0 if end == 0.0 || end.signum() == sign => {}
+            // A root in the joint of two intervals, or one that rounding hides.
+            0 => sign = found.push(piece.from, sign),
+            1 => sign = found.push(solve(g, piece, sign), sign),
+            _ if piece.depth == DEEPEST => {
+                if end != 0.0 && end.signum() != sign {
+                    sign = found.push(piece.from + 0.5 * piece.width, sign);
+                }
+            }
+            _ => {
+                let [left, right] = halves(piece, n);
+                (pieces[open], pieces[open + 1]) = (right, left);
+                open += 2;
+            }
+        }
+    }
+    found
+}
+
+impl Roots {
+    /// A root, behind which the sign is the other one.
+    fn push(&mut self, root: f64, sign: f64) -> f64 {
+        if self.len < MOST {
+            self.roots[self.len] = root;
+            self.len += 1;
+        }
+        -sign
+    }
+}
+
+/// Σ gₖτᵏ in Bernstein's form.
+fn bernstein(g: &[f64]) -> [f64; MOST] {
+    let (mut b, n) = ([0.0; MOST], g.len() - 1);
+    let mut binomial = 1.0;
+    for (k, g) in g.iter().enumerate() {
+        b[k] = g / binomial;
+        binomial *= (n - k) as f64 / (k + 1) as f64;
+    }
+    for first in 1..=n {
+        for i in (first..=n).rev() {
+            b[i] += b[i - 1];
+        }
+    }
+    b
+}
+
+/// Changes of sign, where zeros do not count.
+fn changes(b: &[f64]) -> usize {
+    let (mut count, mut last) = (0, 0.0);
+    for b in b.iter().filter(|b| **b != 0.0) {
+        count += usize::from(last * b.signum() < 0.0);
+        last = b.signum();
+    }
+    count
+}
+
+/// Both halves of an interval, by de Casteljau's scheme.
+fn halves(piece: Piece, n: usize) -> [Piece; 2] {
+    let (width, depth) = (0.5 * piece.width, piece.depth + 1);
+    let mut left = Piece { from: piece.from, width, depth, b: piece.b };
+    let mut right = Piece { from: piece.from + width, width, depth, b: piece.b };
+    for k in 1..n {
+        for i in 0..n - k {
+            right.b[i] = 0.5 * (right.b[i] + right.b[i + 1]);
+        }
+        left.b[k] = right.b[0];
+    }
+    // What is left of each round at its end is the right half, read backwards: the rounds have put it in place.
+    [left, right]
+}
+
+/// The only root in an interval, before which the polynomial has this sign.
+fn solve(g: &[f64], piece: Piece, sign: f64) -> f64 {
+    let (mut low, mut high) = (piece.from, piece.from + piece.width);
+    let mut x = 0.5 * (low + high);
+    for _ in 0..100 {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for g in g.iter().rev() {
+            slope = slope * x + value;
+            value = value * x + g;
+        }
+        if value * sign > 0.0 {
+            low = x;
+        } else {
+            high = x;
+        }
+        let newton = x - value / slope;
+        let next = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= f64::EPSILON * x || value == 0.0 {
+            return if value == 0.0 { x } else { next };
+        }
+        x = next;
+    }
+    x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Π (τ − root)·q for roots, with a factor without any.
+    fn polynomial(roots: &[f64], degree: usize, noise: &mut impl FnMut() -> f64) -> Vec<f64> {
+        let mut g = vec![1.0];
+        let times = |g: &[f64], a: f64, b: f64, c: f64| {
+            let mut product = vec![0.0; g.len() + 2];
+            for (i, g) in g.iter().enumerate() {
+                product[i] += a * g;
+                product[i + 1] += b * g;
+                product[i + 2] += c * g;
+            }
+            while product.last() == Some(&0.0) {
+                product.pop();
+            }
+            product
+        };
+        for root in roots {
+            g = times(&g, -root, 1.0, 0.0);
+        }
+        while g.len() + 2 <= degree + 1 {
+            // No real root: the discriminant is negative.
+            let (a, b) = (1.0 + noise(), 0.6 * (noise() - 0.5));
+            g = times(&g, a, b, 0.3 + 0.4 * noise());
+        }
+        g
+    }
+
+    #[test]
+    fn no_root_is_missed() {
+        let mut state = 7_u64;
+        let mut noise = move || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let (mut worst, mut worst_pair) = (0.0_f64, 0.0_f64);
+        for i in 0..20_000 {
+            let count = i % 4;
+            let mut expected: Vec<f64> = (0..count).map(|_| 0.02 + 0.96 * noise()).collect();
+            let pair = i % 8 == 6;
+            if pair {
+                expected[1] = expected[0] + 1e-5;
+            }
+            expected.sort_by(f64::total_cmp);
+            if !pair && expected.windows(2).any(|w| w[1] - w[0] < 1e-3) {
+                continue;
+            }
+            let g = polynomial(&expected, 20, &mut noise);
+            let found = roots(&g);
+            assert_eq!(found.as_slice().len(), expected.len(), "{expected:?} {:?}", found.as_slice());
+            for (found, expected) in found.as_slice().iter().zip(&expected) {
+                let error = (found - expected).abs();
+                let slope: f64 = (1..g.len()).map(|k| k as f64 * g[k] * expected.powi(k as i32 - 1)).sum();
+                let scale: f64 = g.iter().enumerate().map(|(k, g)| g.abs() * expected.powi(k as i32)).sum();
+                if pair {
+                    worst_pair = worst_pair.max(error);
+                }
+                worst = worst.max(error * slope.abs() / scale);
+            }
+        }
+        assert!(worst < 4e-15, "{worst:e}");
+        assert!(worst_pair < 1e-9, "{worst_pair:e}");
+    }
+
+    #[test]
+    fn roots_at_the_ends() {
+        // τ(τ − 1/2): the one at 0 does not count.
+        let found = roots(&[0.0, -0.5, 1.0]);
+        assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
+        let found = roots(&[1e-18, -0.5, 1.0]);
+        assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
+        // 1 − τ, which has not changed sign yet at the end.
+        assert_eq!(roots(&[1.0, -1.0]).as_slice(), []);
+        assert_eq!(roots(&[1.0, -0.999]).as_slice(), []);
+        assert_eq!(roots(&[0.0, 0.0, 0.0]).sign, 0.0);
+        assert_eq!(roots(&[f64::NAN, 1.0]).as_slice(), []);
+        let mut fall = [0.0; 20];
+        (fall[1], fall[2]) = (357.0, -48612.0);
+        let found = roots(&fall);
+        assert_eq!((found.as_slice().len(), found.sign), (1, 1.0));
+        assert!((found.as_slice()[0] - 357.0 / 48612.0).abs() < 1e-17);
+        // A double root is no change of sign.
+        assert_eq!(roots(&[0.25, -1.0, 1.0]).as_slice(), []);
+    }
+}

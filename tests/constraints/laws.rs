@@ -1,0 +1,151 @@
+//! What stays as it is.
+
+use crate::systems::*;
+use geoint_runtime::prelude::*;
+
+const SPHERICAL: SphericalPendulum = SphericalPendulum { m: 1.0, l: 1.0, g: 9.81 };
+
+/// The polar angle 1 from below, turning about the vertical.
+fn turning() -> State<[f64; 3]> {
+    State::new([1.0_f64.sin(), 0.0, -1.0_f64.cos()], [0.0, 2.0 * 1.0_f64.sin(), 0.0])
+}
+
+fn momentum(State { q, p, .. }: &State<[f64; 3]>) -> f64 {
+    q[0] * p[1] - q[1] * p[0]
+}
+
+#[test]
+fn the_spherical_pendulum_keeps_its_momentum() {
+    let report = SphericalPendulum::<f64>::REPORT;
+    assert!(
+        report.contains("angular momentum: p[0]·q[1] - p[1]·q[0]") || report.contains("q[0]·p[1] - q[1]·p[0]"),
+        "{report}"
+    );
+    assert!(!report.contains("λ["), "{report}");
+    // θ and φ at t = 3 to twenty digits.
+    let (theta, phi) = (0.849050422962852410407386_f64, 10.868062174150498807318_f64);
+    let exact = [theta.sin() * phi.cos(), theta.sin() * phi.sin(), -theta.cos()];
+    macro_rules! keeps {
+        ($($method:expr => $energy:literal),*) => { $(
+            let errors = [0.02, 0.01, 0.005].map(|h| {
+                let sim = run(SPHERICAL, $method, h, turning(), 3.0);
+                assert!((momentum(&sim.state()) - momentum(&turning())).abs() < 1e-14);
+                assert!((sim.energy() - SPHERICAL.energy(&turning())).abs() < $energy);
+                let q = sim.state().q;
+                (0..3).fold(0.0, |far, i| f64::max(far, (q[i] - exact[i]).abs()))
+            });
+            assert!(orders(&errors).iter().all(|order| (order - 2.0).abs() < 0.1), "{errors:?}");
+        )* };
+    }
+    keeps!(Rattle => 1e-1, DiscreteGradient => 3e-14);
+}
+
+/// By how much the velocity leads away from the sphere does not grow; made tangent it would change the energy by O(h⁴).
+#[test]
+fn momenta_come_back_to_the_constraint() -> Result<(), StepError> {
+    let mut sim = SPHERICAL.integrator(DiscreteGradient, 0.02, turning());
+    let mut normal = vec![];
+    for _ in 0..5000 {
+        sim.step()?;
+        let State { q, p, .. } = sim.state();
+        normal.push((q[0] * p[0] + q[1] * p[1] + q[2] * p[2]).abs());
+    }
+    let most = |part: &[f64]| part.iter().copied().fold(0.0, f64::max);
+    let (first, last) = (most(&normal[..500]), most(&normal[4500..]));
+    assert!((first / 1.01e-3 - 1.0).abs() < 0.05 && (last / 1.01e-3 - 1.0).abs() < 0.05, "{first:e} {last:e}");
+    for (h, expected) in [(0.02, 5.1e-7), (0.01, 3.2e-8), (0.005, 2.0e-9)] {
+        let mut sim = SPHERICAL.integrator(DiscreteGradient, h, turning());
+        let mut changed = 0.0_f64;
+        for _ in 0..(3.0 / h) as u64 {
+            sim.step()?;
+            let shown = sim.state_on_constraint()?;
+            changed = changed.max((SPHERICAL.energy(&shown) - SPHERICAL.energy(&turning())).abs());
+        }
+        assert!((changed / expected - 1.0).abs() < 0.05, "{changed:e}");
+    }
+    Ok(())
+}
+
+/// h v̄·C v̄ with the mean velocity of a step.
+#[test]
+fn friction_takes_what_it_says() -> Result<(), StepError> {
+    let system = Rubbed { m: M, l: L, g: 9.81, c: 0.3 };
+    let State { q, .. } = released();
+    let mut sim = system.integrator(DiscreteGradient, 0.02, system.at(q, [0.0; 4]));
+    for _ in 0..500 {
+        let (before, energy) = (sim.state(), sim.energy());
+        sim.step()?;
+        let after = sim.state();
+        let lost: f64 = (0..4).map(|i| 0.3 * (after.q[i] - before.q[i]).powi(2) / 0.02).sum();
+        assert!((sim.energy() - energy + lost).abs() < 1e-13, "{:e}", sim.energy() - energy + lost);
+    }
+    let exact = run(system, KahanLi8_17a.of(Rattle), 0.01, system.at(q, [0.0; 4]), 1.0).state();
+    let errors = [0.02, 0.01, 0.005].map(|h| far(&run(system, Rattle, h, system.at(q, [0.0; 4]), 1.0).state(), &exact));
+    assert!(orders(&errors).iter().all(|order| (order - 2.0).abs() < 0.1), "{errors:?}");
+    Ok(())
+}
+
+/// One and the same steps from L and from H: the mass matrix is diagonal.
+#[test]
+fn a_lagrangian_has_the_same_steps() -> Result<(), StepError> {
+    let of_velocities = OfVelocities { m: M, l: L, g: 9.81 };
+    assert_eq!(of_velocities.at(released().q, [0.0; 4]).p, [0.0; 4]);
+    macro_rules! same {
+        ($($method:expr),*) => { $(
+            let mut one = DOUBLE.integrator($method, 0.02, released());
+            let mut other = of_velocities.integrator($method, 0.02, released());
+            one.advance(300)?;
+            other.advance(300)?;
+            assert!(far(&one.state(), &other.state()) < 1e-12, "{:e}", far(&one.state(), &other.state()));
+        )* };
+    }
+    same!(Rattle, DiscreteGradient, Suzuki4.of(Rattle));
+    Ok(())
+}
+
+/// The energy of 10⁵ steps, and what is bound.
+#[test]
+fn long_runs() -> Result<(), StepError> {
+    let mut sim = DOUBLE.integrator(DiscreteGradient, 0.02, released());
+    let energy = sim.energy();
+    sim.advance(100_000)?;
+    assert!((sim.energy() - energy).abs() < 1e-13, "{:e}", sim.energy() - energy);
+    let mut rattle = DOUBLE.integrator(Rattle, 0.02, released());
+    rattle.advance(100_000)?;
+    assert!((rattle.energy() - energy).abs() < 3e-2);
+    for State { q, .. } in [sim.state(), rattle.state()] {
+        assert!((q[0].hypot(q[1]) - 1.0).abs() < 1e-15 && ((q[2] - q[0]).hypot(q[3] - q[1]) - 0.8).abs() < 1e-15);
+    }
+    Ok(())
+}
+
+/// An oriented area on the tangent bundle of the circle, by differences: kept by RATTLE, not by the discrete gradient.
+#[test]
+fn rattle_is_symplectic() {
+    let image = |method: u32, angle: f64, rate: f64| {
+        let (q, p) = ([angle.sin(), -angle.cos()], [0.7 * rate * angle.cos(), 0.7 * rate * angle.sin()]);
+        let start = State::new(q, p);
+        let system = Pendulum { m: 0.7, l: 1.0, g: 9.81 };
+        let end = match method {
+            0 => run(system, Rattle, 0.3, start, 0.3).state(),
+            _ => run(system, DiscreteGradient, 0.3, start, 0.3).state_on_constraint().expect("a state"),
+        };
+        let angle = end.q[0].atan2(-end.q[1]);
+        [angle, (end.p[0] * angle.cos() + end.p[1] * angle.sin()) / 0.7]
+    };
+    let area = |method: u32| {
+        let d = 1e-4;
+        let column = |a: [f64; 2], b: [f64; 2]| [0, 1].map(|i| (a[i] - b[i]) / (2.0 * d));
+        let by_angle = column(image(method, 1.0 + d, 0.5), image(method, 1.0 - d, 0.5));
+        let by_rate = column(image(method, 1.0, 0.5 + d), image(method, 1.0, 0.5 - d));
+        by_angle[0] * by_rate[1] - by_angle[1] * by_rate[0]
+    };
+    assert!((area(0) - 1.0).abs() < 1e-7, "{:e}", area(0) - 1.0);
+    assert!((area(1) - 1.0).abs() > 1e-4, "{:e}", area(1) - 1.0);
+}
+
+/// A pendulum in a plane.
+#[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] - l * l) / 2.0])]
+fn pendulum(q: [f64; 2], p: [f64; 2], m: f64, l: f64, g: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
+}

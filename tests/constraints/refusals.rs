@@ -1,0 +1,115 @@
+//! States that are off a constraint, constraints that depend on each other, and steps that have no end.
+
+use crate::systems::*;
+use geoint_runtime::prelude::*;
+
+#[test]
+fn a_state_off_a_constraint_is_named() -> Result<(), StepError> {
+    let start = released();
+    let longer = State { q: [start.q[0], start.q[1], start.q[2] + 1e-9, start.q[3]], ..start };
+    let away = State { p: [0.0, 1e-9, 0.0, 0.0], ..start };
+    macro_rules! refuses {
+        ($($method:expr),*) => { $(
+            for (state, expected) in [
+                (longer, "((q[0] - q[2])² + (q[1] - q[3])² - l[1]²)/2"),
+                (away, "the rate of (q[0]² + q[1]² - l[0]²)/2"),
+            ] {
+                let mut sim = DOUBLE.integrator($method, 0.01, state);
+                for outcome in [sim.step(), sim.advance(10)] {
+                    assert_eq!(outcome, Err(StepError::OffConstraint { t: 0.0, what: expected }));
+                    assert_eq!(sim.state(), state);
+                }
+                let text = sim.step().expect_err("off").to_string();
+                assert!(text.contains("state_on_constraint"), "{text}");
+                // The nearest state that is on it.
+                let near = DOUBLE.state_on_constraint(&state)?;
+                assert!(far(&near, &start) < 2e-9, "{near:?}");
+                DOUBLE.integrator($method, 0.01, near).step()?;
+            }
+        )* };
+    }
+    refuses!(Rattle, DiscreteGradient, Suzuki4.of(Rattle));
+    // From far.
+    let near = DOUBLE.state_on_constraint(&State::new([0.3, -0.7, 0.9, -1.9], [0.4, 0.1, -0.2, 0.5]))?;
+    DOUBLE.integrator(Rattle, 0.01, near).step()?;
+    // Where no direction leads to the constraint.
+    assert!(DOUBLE.state_on_constraint(&State::new([0.0; 4], [0.0; 4])).is_err());
+    assert!(DOUBLE.state_on_constraint(&State::new([f64::NAN; 4], [0.0; 4])).is_err());
+    Ok(())
+}
+
+/// A state that rounding has moved is on the constraint, wherever the origin is.
+#[test]
+fn rounding_is_no_departure() -> Result<(), StepError> {
+    #[hamiltonian(constraint = [((q[0] - x).powi(2) + q[1] * q[1] - l * l) / 2.0])]
+    fn distant(q: [f64; 2], p: [f64; 2], m: f64, x: f64, l: f64, g: f64) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + m * g * q[1]
+    }
+    for x in [0.1, 1e3, 1e6] {
+        let system = Distant { m: 0.7, x, l: 1.3, g: 9.81 };
+        for k in 0..100 {
+            let (sin, cos) = (0.03 * f64::from(k)).sin_cos();
+            let start = State::new([x + 1.3 * sin, -1.3 * cos], [0.5 * cos, 0.5 * sin]);
+            system.integrator(Rattle, 1e-3, start).step()?;
+            system.integrator(DiscreteGradient, 1e-3, start).step()?;
+        }
+    }
+    Ok(())
+}
+
+/// Every bar of a parallelogram in one line: there it may turn into another one, and the constraints depend on each other.
+const PARALLELOGRAM: FourBar = FourBar { m: [0.7, 1.1], rocker: 0.4, bars: [1.0, 2.0, 1.0], d: 2.0, g: 0.0 };
+
+fn leaning(angle: f64, rate: f64) -> State<[f64; 4]> {
+    let (sin, cos) = angle.sin_cos();
+    let v = [-rate * sin, rate * cos];
+    State::new([cos, sin, 2.0 + cos, sin], [0.7 * v[0], 0.7 * v[1], 1.5 * v[0], 1.5 * v[1]])
+}
+
+#[test]
+fn no_step_leads_over_a_position_with_two_ways_on() {
+    macro_rules! refuses {
+        ($($method:expr),*) => { $(
+            for h in [0.01, 0.037, 0.2] {
+                let mut sim = PARALLELOGRAM.integrator($method, h, leaning(1.0, -1.0));
+                let mut refused = None;
+                for _ in 0..300 {
+                    let before = sim.state();
+                    if let Err(error) = sim.step() {
+                        assert_eq!(sim.state(), before);
+                        refused = Some(error);
+                        break;
+                    }
+                    let q = sim.state().q;
+                    assert!(q[1] > 0.0 && q[3] > 0.0, "{q:?} by {h}");
+                }
+                assert!(
+                    matches!(refused, Some(StepError::DependentConstraints { .. } | StepError::Singular { .. } | StepError::NotConverged { .. })),
+                    "{refused:?} by {h}"
+                );
+            }
+        )* };
+    }
+    refuses!(Rattle, DiscreteGradient);
+    // At such a position.
+    for rate in [0.0, 1.0] {
+        let outcome = PARALLELOGRAM.integrator(Rattle, 0.01, leaning(0.0, rate)).step();
+        assert!(matches!(outcome, Err(StepError::DependentConstraints { .. })), "{outcome:?}");
+        let text = outcome.expect_err("two ways").to_string();
+        assert!(text.contains("more than one way leads on"), "{text}");
+    }
+}
+
+/// Where a rod would have to turn by more than a step can.
+#[test]
+fn steps_that_are_too_long() {
+    let fast = DoublePendulum { g: 0.0, ..DOUBLE };
+    let start = State { p: [40.0, 0.0, 0.6 * 40.0, 0.0], ..released() };
+    for outcome in [
+        fast.integrator(Rattle, 1.0, start).step(),
+        fast.integrator(DiscreteGradient, f64::NAN, start).step(),
+        fast.integrator(Rattle, 0.0, start).step(),
+    ] {
+        assert!(outcome.is_err());
+    }
+}

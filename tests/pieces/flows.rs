@@ -1,0 +1,80 @@
+//! Every family of pieces of energies without an action, against the differential equation solved to 20 digits and more.
+
+use crate::check::{Instance, check};
+use geoint_runtime::prelude::*;
+
+/// An energy a line, with the rule that is to know its flow; as one piece, where it would not be.
+macro_rules! instances {
+    ($test:ident, $of:ty, ($q:ident $p:ident $t:ident): $($System:ident, $rule:literal $(, $split:literal)? => $energy:expr;)*) => {
+        #[test]
+        fn $test() {
+            let mut failed = vec![];
+            $({
+                #[hamiltonian(name = $System $(, split = $split)?)]
+                #[allow(unused_variables)]
+                fn energy($q: $of, $p: $of, $t: f64) -> f64 {
+                    $energy
+                }
+                let instance = Instance { name: stringify!($System), report: $System::REPORT, rule: $rule };
+                failed.extend(check(&instance, $System).err());
+            })*
+            assert!(failed.is_empty(), "{}", failed.join("\n"));
+        }
+    };
+}
+
+instances! { one_degree_of_freedom, f64, (q p t):
+    Kick, "kick", "q.sin() * (1.5 + t.cos())" => q.sin() * (1.5 + t.cos());
+    Drift, "drift", "(1.0 + p * p).sqrt()" => (1.0 + p * p).sqrt();
+    Oscillator, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q" => p * p * 0.6875 + 1.1875 * q * q;
+    Mixed, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p" => p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p;
+    Shifted, "coupled oscillators", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p" =>
+        p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p;
+    ShiftedSaddle, "coupled oscillators", "p * p * 0.6875 - 1.1875 * q * q + 0.75 * q - 0.5 * p" =>
+        p * p * 0.6875 - 1.1875 * q * q + 0.75 * q - 0.5 * p;
+    Parabolic, "coupled oscillators", "(p + 0.5 * q).powi(2) / 2.0 + 0.25 * q" => (p + 0.5 * q).powi(2) / 2.0 + 0.25 * q;
+    Field, "uniform field", "p * p / 2.0 + 0.75 * q" => p * p / 2.0 + 0.75 * q;
+    Lift, "prolongation" => p * q.sin();
+    Geodesic, "geodesic" => (1.0 + 0.5 * q) * p * p;
+    Conjugate, "Legendre conjugate" => p.sin() * q;
+    Shear, "forms in involution" => (q + p).powi(4) / 8.0;
+    ShearOfSine, "forms in involution" => (0.75 * q - 1.25 * p).sin();
+    ShearInTime, "forms in involution" => (q + p).powi(3) * (1.5 * t).cos();
+    ShearOfTwoPowers, "forms in involution" => (q - 2.0 * p).powi(3) / 4.0 + (q - 2.0 * p).powi(2);
+    Monomial, "geodesic" => q * q * p * p / 2.0;
+    MonomialOfThird, "Legendre conjugate" => 0.25 * q.powi(2) * p.powi(3);
+    MonomialOfFourth, "monomial" => 0.25 * q.powi(4) * p.powi(3);
+    MonomialEqual, "monomial" => -0.5 * q.powi(3) * p.powi(3);
+    MonomialInTime, "monomial" => 0.25 * q.powi(3) * p.powi(3) * t;
+    SquareOfOscillator, "function of a piece" => (p * p + q * q).powi(2) / 4.0;
+    RootOfOscillator, "function of a piece" => (1.0 + p * p + 2.0 * q * q).sqrt();
+    SineOfProduct, "function of a piece" => (q * p).sin();
+}
+
+instances! { two_degrees_of_freedom, [f64; 2], (q p t):
+    // Magnetic fields: uniform in two gauges, with a trap, with a field, and what is free besides.
+    Symmetric, "coupled oscillators" => (p[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 2.0;
+    Landau, "coupled oscillators" => (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2)) / 2.0;
+    Trap, "coupled oscillators" => (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + 0.5 * q[0] * q[0] - q[1] * q[1]) / 2.0;
+    CrossedFields, "coupled oscillators", "(p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2)) / 2.0 + 0.5 * q[0] - 0.25 * p[1]" =>
+        (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2)) / 2.0 + 0.5 * q[0] - 0.25 * p[1];
+    Rotating, "coupled oscillators" => (p[0] * p[0] + p[1] * p[1]) / 2.0 + 0.75 * (q[1] * p[0] - q[0] * p[1]) + q[0] * q[0];
+    Springs, "coupled oscillators", "(p[0] * p[0] + 2.0 * p[1] * p[1]) / 2.0 + q[0] * q[0] - 0.75 * q[0] * q[1] + 0.5 * q[1] * q[1]" =>
+        (p[0] * p[0] + 2.0 * p[1] * p[1]) / 2.0 + q[0] * q[0] - 0.75 * q[0] * q[1] + 0.5 * q[1] * q[1];
+    // Eigenvalues that are equal, complex, and far apart.
+    Equal, "coupled oscillators" => (p[0] * p[0] + p[1] * p[1] + q[0] * q[0] + q[1] * q[1]) / 2.0 + 0.5 * q[0] * p[1];
+    Focus, "coupled oscillators" => q[0] * p[1] - q[1] * p[0] + 0.5 * (q[0] * p[0] + q[1] * p[1]) + 0.25 * p[0] * p[0];
+    Apart, "coupled oscillators" => (p[0] + 5.0 * q[1]).powi(2) / 2.0 + (p[1] - 5.0 * q[0]).powi(2) / 2.0 + 0.0625 * q[0] * q[0];
+    // Fields that are not uniform, direction by direction.
+    Sheet, "forms in involution" => (p[1] - (q[0] + 0.25 * q[0] * q[0])).powi(2) / 2.0;
+    SheetWithPotential, "forms in involution" => (p[1] - q[0].sin()).powi(2) / 2.0 + q[0].cos();
+    Relativistic, "forms in involution" => (1.0 + (p[1] - q[0].sin()).powi(2)).sqrt();
+    SheetInTime, "forms in involution" => (p[1] - q[0] * q[0]).powi(2) * (1.0 + 0.5 * t);
+    PositionAndOtherMomentum, "forms in involution" => q[0].sin() * p[1].cos();
+    TwoForms, "forms in involution" => ((q[0] + p[1]) * (q[1] + p[0])).sin();
+    Waves, "forms in involution" => (2.0 * q[0] - p[1] + 0.5 * q[1]).cos();
+    MonomialOfTwo, "monomial" => 0.5 * q[0].powi(2) * p[0].powi(3) * q[1];
+    MonomialOfTwoPairs, "monomial" => 0.25 * q[0].powi(2) * p[0].powi(1) * q[1] * p[1].powi(2);
+    SquareOfSpin, "function of a piece" => (q[0] * p[1] - q[1] * p[0]).powi(2) / 2.0;
+    SquareOfLandau, "function of a piece" => (1.0 + p[0] * p[0] + (p[1] - 0.5 * q[0]).powi(2)).sqrt();
+}

@@ -1,0 +1,5 @@
+//! Pieces of canonical energies: every family against its differential equation, methods for them, and what is refused.
+
+mod check;
+mod flows;
+mod methods;

@@ -1,0 +1,158 @@
+//! Methods for pieces against what they claim: on energies with two pieces, with three, with time, and with a flow that ends.
+
+use crate::check::{Over, field};
+use geoint_runtime::method::catalogue::{self, Visitor};
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::Pieces;
+use geoint_runtime::{Coordinates, Cotangent, Method};
+use geoint_tests::measure::{extrapolated, observed_order};
+use geoint_tests::scalars::{Double, Dual, Scalar};
+
+/// A charge in a field that grows, with a mass: two pieces, for which Runge–Kutta–Nyström tables keep their order.
+#[hamiltonian]
+fn sheet(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
+    let [x, _] = q;
+    (p[0] * p[0] + (p[1] - b * (x + x * x / 4.0)).powi(2)) / (2.0 * m)
+}
+
+/// With a potential in both coordinates and a field that pulsates: three pieces, one of them at frozen time.
+#[hamiltonian]
+fn driven(q: [f64; 2], p: [f64; 2], t: f64, m: f64, b: f64) -> f64 {
+    let [x, y] = q;
+    (p[0] * p[0] + (p[1] - b * (t * t).sin() * x * x).powi(2)) / (2.0 * m) + (x * y).cos() + 0.3 * y * t
+}
+
+/// Four shears.
+#[hamiltonian]
+fn cubic(q: f64, p: f64) -> f64 {
+    (p * p + q * q) / 2.0 + 0.2 * q * q * p + 0.1 * q * p.powi(3)
+}
+
+fn end<R: Scalar, const N: usize, S: Over<R, N>, M: Method<S, R>>(system: S, method: M, x: &[R], steps: u64) -> Vec<R> {
+    let point = |x: &[R]| {
+        let mut array = [R::from_f64(0.0); N];
+        array.copy_from_slice(x);
+        <S as Cotangent<R>>::Coordinates::from_array(array)
+    };
+    let start = State::at(R::from_f64(0.4), point(&x[..N]), point(&x[N..]));
+    let mut sim = Integrator::new(system, method, R::from_f64(DURATION / steps as f64), start);
+    sim.advance(steps).expect("steps");
+    let state = sim.state();
+    [state.q.into_array().as_ref(), state.p.into_array().as_ref()].concat()
+}
+
+const DURATION: f64 = 1.5;
+
+struct Orders<'a, const N: usize, S> {
+    system: S,
+    start: &'a [Double],
+    exact: Vec<Double>,
+}
+
+impl<const N: usize, S: Over<Double, N>> Visitor<S, Double> for Orders<'_, N, S> {
+    fn visit<M: Method<S, Double> + 'static>(&mut self, method: M) {
+        let order = observed_order(|n| {
+            let found = end(self.system, method, self.start, n);
+            found.iter().zip(&self.exact).map(|(a, b)| (*a - *b).magnitude()).fold(0.0, f64::max)
+        });
+        let claimed = f64::from(method.claims().order);
+        // Tables have the digits of `f64`.
+        let floor = claimed >= 8.0;
+        let good = if floor { order > claimed - 0.5 } else { (order - claimed).abs() < 0.2 };
+        assert!(good, "{} has order {order:.2}", method.name());
+    }
+}
+
+fn orders<const N: usize, S: Over<Double, N>>(system: S, start: &[f64], nystrom: impl Fn(&mut Orders<'_, N, S>)) {
+    let start: Vec<Double> = start.iter().map(|x| Double::from(*x)).collect();
+    let exact = extrapolated(
+        |t, x: &[Double]| field(&system, t, x),
+        Double::from(0.4),
+        start.clone(),
+        Double::from(DURATION),
+        8,
+    );
+    let mut orders = Orders { system, start: &start, exact };
+    catalogue::coupled(&mut orders);
+    nystrom(&mut orders);
+}
+
+#[test]
+fn methods_have_their_orders() {
+    let real = Double::from;
+    orders(Sheet { m: real(1.5), b: real(1.25) }, &[0.3, 0.1, 0.5, -0.4], |orders| catalogue::nystrom_pieces(orders));
+    orders(Driven { m: real(1.5), b: real(1.25) }, &[0.3, 0.1, 0.5, -0.4], |_| {});
+    orders(Cubic, &[0.5, 0.3], |_| {});
+}
+
+/// Flows that are merged between steps, and between parts of steps, are what they are one after the other.
+#[test]
+fn merged_flows_are_the_same() {
+    let system = Sheet { m: 1.5, b: 1.25 };
+    let start = State::new([0.3, 0.1], [0.5, -0.4]);
+    let mut merged = system.integrator(KahanLi8_17a.of(PieceSplitting), 0.1, start);
+    let mut single = merged.clone();
+    merged.advance(100).expect("steps");
+    for _ in 0..100 {
+        single.step().expect("a step");
+    }
+    let (merged, single) = (merged.state(), single.state());
+    for i in 0..2 {
+        assert!((merged.q[i] - single.q[i]).abs() < 1e-13 && (merged.p[i] - single.p[i]).abs() < 1e-13);
+    }
+}
+
+/// Pieces of T + V are a drift and a kick, and have the methods for these.
+#[test]
+fn what_is_given_is_taken() {
+    #[hamiltonian(split = "p * p / 2.0 | q * q / 2.0 | 0.1 * q.powi(4)")]
+    fn duffing(q: f64, p: f64) -> f64 {
+        p * p / 2.0 + q * q / 2.0 + 0.1 * q.powi(4)
+    }
+    assert_eq!(<Duffing as Pieces<PieceSplitting>>::PIECES.len(), 3);
+    let mut sim = Duffing.integrator(Suzuki4.of(PieceSplitting), 0.05, State::new(1.0, 0.0));
+    let energy = sim.energy();
+    sim.advance(1000).expect("steps");
+    assert!((sim.energy() / energy - 1.0).abs() < 1e-6);
+}
+
+/// A flow that ends refuses the step, names the piece, and leaves the state.
+#[test]
+fn a_flow_that_ends_is_refused() {
+    #[hamiltonian(split = "q * q * p | p * p / 2.0")]
+    fn blowing_up(q: f64, p: f64) -> f64 {
+        q * q * p + p * p / 2.0
+    }
+    let start = State::new(2.0, 0.1);
+    let mut sim = BlowingUp.integrator(PieceSplitting, 1.5, start);
+    let error = sim.step().expect_err("q' = q² ends after 1/q");
+    assert!(error.to_string().contains("q²·p"), "{error}");
+    assert_eq!(sim.state(), start);
+}
+
+/// Steps are symplectic, forward and back.
+#[test]
+fn steps_are_symplectic_and_symmetric() {
+    let real = Dual::from;
+    let columns: Vec<Vec<f64>> = (0..4)
+        .map(|j| {
+            let mut x: Vec<Dual> = [0.3, 0.1, 0.5, -0.4].map(Dual::from).to_vec();
+            x[j] = Dual::variable(x[j].value());
+            let system = Driven { m: real(1.5), b: real(1.25) };
+            end(system, BlanesMoan6X.of(PieceSplitting), &x, 7).iter().map(|x| x.derivative()).collect()
+        })
+        .collect();
+    for (i, a) in columns.iter().enumerate() {
+        for (j, b) in columns.iter().enumerate() {
+            let form: f64 = (0..2).map(|k| a[k] * b[2 + k] - a[2 + k] * b[k]).sum();
+            let expected = if j == i + 2 {
+                1.0
+            } else if i == j + 2 {
+                -1.0
+            } else {
+                0.0
+            };
+            assert!((form - expected).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,6 @@
+//! Taylor series of solutions: coefficients, steps, what is between them.
+
+mod dense;
+mod edges;
+mod recurrences;
+mod solutions;
