@@ -164,9 +164,9 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
     };
     let missing = |term: &Id| Missing { marker: "KeepsIn", term: *term, why: NOTHING_KEPT, pair: None };
     let nothing_kept = found.divergent.as_ref().filter(|_| discrete.is_none()).map(missing);
+    let (h, folded) = (graph.symbol(Symbol::H), discrete.is_some() && field.len() <= implicit::MOST_UNKNOWNS);
     let fourth = (!conserved.is_empty()).then(|| {
         let field = flow::mean_velocity(graph, field, &conserved, Order::Four);
-        let h = graph.symbol(Symbol::H);
         let equation = implicit::image(graph, &field, h);
         Kernel::new(Levels::Iterated, equation)
     });
@@ -195,16 +195,16 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
             coordinates: collocation.unknowns.clone(),
             increments: (0..n).map(Symbol::Dq).collect(),
             second_order: false,
-            folded: false,
+            folded,
             linear: false,
             mean_value: MeanValue::NotClosed(field[0]),
             collocation: Kernel {
                 levels: Levels::Prepared,
                 routines: vec![implicit::roots(&collocation), vec![], vec![]],
             },
-            discrete: discrete.map(|field| Kernel {
-                levels: Levels::Iterated,
-                routines: vec![implicit::roots(&field), vec![], vec![]],
+            discrete: discrete.map(|field| {
+                let equation = if folded { implicit::image(graph, &field, h) } else { vec![] };
+                Kernel { levels: Levels::Iterated, routines: vec![implicit::roots(&field), equation, vec![]] }
             }),
             nothing_kept,
             canonical: None,

@@ -15,7 +15,7 @@ use super::forward::jacobian;
 use super::gradient::{discrete_gradient, discrete_gradient_and_rate, gradient};
 use super::slope::coordinate_increment;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// A function I(x, t) with dI/dt = b·∇I along a field, or 0.
 #[derive(Clone, Debug)]
@@ -238,10 +238,49 @@ pub(crate) fn structured(graph: &mut Graph, energy: Id, matrix: &[Vec<Id>]) -> F
     let matrix: Vec<Vec<Id>> =
         matrix.iter().map(|row| row.iter().map(|entry| mean.apply(graph, *entry)).collect()).collect();
     let gradient = discrete_gradient(graph, energy, n).q;
-    let f = times(graph, &matrix, &gradient);
+    let gradient = in_means(graph, &gradient);
+    let f: Vec<Id> = times(graph, &matrix, &gradient).into_iter().map(|f| factored(graph, f)).collect();
     let unknowns: Vec<Symbol> = (0..n).map(Symbol::Dq).collect();
     let jacobian = jacobian(graph, &f, &unknowns);
     Field { unknowns, f, jacobian }
+}
+
+/// Slopes of squares, 2x + d, as multiples of the mean x + d/2, at which S is taken as well.
+fn in_means(graph: &mut Graph, slopes: &[Id]) -> Vec<Id> {
+    let mut means = Substitution::new(|_: &mut Graph, _| None);
+    for i in 0..slopes.len() as u32 {
+        let [x, d] = [Symbol::Q(i), Symbol::Dq(i)].map(|symbol| graph.symbol(symbol));
+        let slope = graph.sum(&[x, x, d]);
+        if let Some(middle) = middle(graph, Symbol::Q(i)) {
+            let twice = graph.scale(Number::Exact(Ratio::integer(2)), middle);
+            means.insert(slope, twice);
+        }
+    }
+    slopes.iter().map(|slope| means.apply(graph, *slope)).collect()
+}
+
+/// A sum with the factors that all its terms have taken out: the rest of them often depends on parameters only.
+fn factored(graph: &mut Graph, sum: Id) -> Id {
+    let Node::Linear(constant, terms) = graph.node(sum).clone() else { return sum };
+    let all: Vec<Vec<(Id, Ratio)>> = terms.iter().map(|(_, term)| graph.factors(*term)).collect();
+    let [first, others @ ..] = &all[..] else { return sum };
+    let common: Vec<_> = first.iter().filter(|factor| others.iter().all(|other| other.contains(factor))).collect();
+    if !constant.is_zero() || others.is_empty() || common.is_empty() {
+        return sum;
+    }
+    let mut rests = vec![];
+    for ((c, _), factors) in terms.iter().zip(&all) {
+        let rest: Vec<_> = factors.iter().filter(|factor| !common.contains(factor)).collect();
+        let rest = powers(graph, &rest);
+        rests.push(graph.scale(*c, rest));
+    }
+    let (common, rest) = (powers(graph, &common), graph.sum(&rests));
+    graph.mul(common, rest)
+}
+
+fn powers(graph: &mut Graph, factors: &[&(Id, Ratio)]) -> Id {
+    let powers: Vec<Id> = factors.iter().map(|(base, exponent)| graph.pow(*base, *exponent)).collect();
+    graph.product(&powers)
 }
 
 /// A matrix times a vector.

@@ -20,16 +20,7 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     let rows = A::entries::<A>(matrix);
     let b = rhs.as_mut_slice();
     if n == 2 {
-        // Cramer's rule: one division in place of two that wait for each other.
-        let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
-        let determinant = a * d - b0 * c;
-        let size = determinant.magnitude();
-        if size == 0.0 || !size.is_finite() {
-            return None;
-        }
-        let reciprocal = A::Real::from_f64(1.0) / determinant;
-        (b[0], b[1]) = ((d * b[0] - b0 * b[1]) * reciprocal, (a * b[1] - c * b[0]) * reciprocal);
-        return Some(!determinant.any_below(0.0));
+        return of_two(rows, b);
     }
     if n == 3
         && let Some(positive) = of_three(rows, b)
@@ -56,7 +47,7 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
         let (upper, lower) = rows.split_at_mut(k + 1);
         let top = upper[k].as_mut_slice();
         let pivot = top[k].magnitude();
-        if pivot == 0.0 || !pivot.is_finite() {
+        if pivot == 0.0 || !is_finite(pivot) {
             return None;
         }
         positive ^= top[k].any_below(0.0);
@@ -83,6 +74,36 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     Some(positive)
 }
 
+/// The same, but three unknowns only by the adjugate: where its terms cancel there is no answer. Elimination beside it would be inlined
+/// as well.
+#[inline(always)]
+pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
+    if A::LEN == 3 {
+        return of_three(A::entries::<A>(matrix), rhs.as_mut_slice());
+    }
+    solve(matrix, rhs, sizes)
+}
+
+/// In two operations: the optimiser makes a dozen of `f64::is_finite`.
+#[inline(always)]
+fn is_finite(x: f64) -> bool {
+    0.0 * x == 0.0
+}
+
+/// Two unknowns, by Cramer's rule: one division in place of two that wait for each other.
+#[inline(always)]
+fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
+    let ([a, b0], [c, d]) = ([0, 1].map(|j| rows[0].as_slice()[j]), [0, 1].map(|j| rows[1].as_slice()[j]));
+    let determinant = a * d - b0 * c;
+    let size = determinant.magnitude();
+    if size == 0.0 || !is_finite(size) {
+        return None;
+    }
+    let reciprocal = A::Real::from_f64(1.0) / determinant;
+    (b[0], b[1]) = ((d * b[0] - b0 * b[1]) * reciprocal, (a * b[1] - c * b[0]) * reciprocal);
+    Some(!determinant.any_below(0.0))
+}
+
 /// Three unknowns, by the adjugate: one division, where elimination has three that wait for each other. Nothing where the terms of the
 /// determinant cancel: pivots lose less there.
 #[inline(always)]
@@ -96,7 +117,7 @@ fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     let sizes = terms.map(|term| term.magnitude());
     // What is no finite number is not large either.
     let large = determinant.magnitude() > SMALL * (sizes[0] + (sizes[1] + sizes[2]));
-    if !large || !determinant.magnitude().is_finite() {
+    if !large || !is_finite(determinant.magnitude()) {
         return None;
     }
     let reciprocal = A::Real::from_f64(1.0) / determinant;

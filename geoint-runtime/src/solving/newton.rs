@@ -6,7 +6,7 @@ use crate::solving::damped;
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
 use crate::solving::noise;
-use crate::solving::predictor::Predictor;
+use crate::solving::predictor::{self, Predictor};
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::Sizes;
 use crate::space::Array;
@@ -35,10 +35,18 @@ const ROUGH: u32 = 3;
 #[derive(Clone, Copy, Debug)]
 pub struct Newton<A> {
     predictor: Predictor<A>,
+    iteration: Iteration<A>,
+}
+
+/// What is known of the iteration from steps before.
+#[derive(Clone, Copy, Debug)]
+struct Iteration<A> {
     sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
     kinds: [usize; 2],
-    /// The steps are too long to be extrapolated.
+    /// Steps until there are increments enough to extrapolate.
+    missing: usize,
+    /// That is so, or steps are too long to be extrapolated.
     rough: bool,
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
@@ -47,18 +55,49 @@ pub struct Newton<A> {
     stiff: bool,
 }
 
+/// What a solver has found.
+///
+/// No `Result`: the refusal and the numbers would share their memory, and the numbers go through it in every step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Found<A> {
+    pub(crate) x: A,
+    /// What the last correction could not subtract from the digits of x. That has a bias: what is left of x − g is a multiple of the last
+    /// digit of x, and so is, nearly, a small correction.
+    pub(crate) lost: A,
+    /// Where there is no solution, the rest is worth nothing.
+    pub(crate) outcome: Result<(), Refusal>,
+}
+
+impl<A: Array> Found<A> {
+    /// x and what it has lost, for steps that take so long that a `Result` costs nothing beside them.
+    #[inline(always)]
+    pub(crate) fn checked(self) -> Result<(A, A), Refusal> {
+        self.outcome.map(|()| (self.x, self.lost))
+    }
+
+    #[inline(always)]
+    fn solution(x: A, lost: A) -> Self {
+        Found { x, lost, outcome: Ok(()) }
+    }
+
+    fn none(refusal: Refusal) -> Self {
+        Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
+    }
+}
+
 impl<A: Array> Newton<A> {
     /// Unknowns come in `kinds` of `n` that have one unit.
     pub(crate) fn new(n: usize, kinds: usize) -> Self {
-        Newton {
-            predictor: Predictor::new(),
+        let iteration = Iteration {
             sizes: Sizes::new(),
             kinds: [n, kinds],
+            missing: predictor::POINTS,
             rough: true,
             reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             stiff: A::LEN <= MOST_UNKNOWNS,
-        }
+        };
+        Newton { predictor: Predictor::new(), iteration }
     }
 
     /// Solves an equation to rounding, from the increments before or from its explicit guess.
@@ -66,68 +105,124 @@ impl<A: Array> Newton<A> {
     /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
     /// symmetry of a step, and the order of its compositions, hold only at the solved point.
     ///
-    /// Returned as well is what the last correction could not subtract from the digits of x. That has a bias: what is left of x − g
-    /// is a multiple of the last digit of x, and so is, nearly, a small correction.
-    ///
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
-    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Result<(A, A), Refusal> {
-        if A::LEN > MOST_UNKNOWNS && (!self.stiff || self.steps.is_multiple_of(ANOTHER_TRY)) {
-            let guess = if self.predictor.started { self.predictor.predict() } else { explicit(*equation) };
-            let found = self.fixed_point(guess, equation, watch);
-            self.stiff = found.is_none();
-            if let Some(x) = found {
-                self.push(&x);
-                return Ok((x, A::zero()));
-            }
-        }
-        let mut attempt = if self.rough { Attempt::Explicit } else { Attempt::Extrapolated };
-        loop {
-            let mut guess = self.predictor.predict();
-            // Sizes for pivots. A guess may be wild: no correction is compared with it.
-            let mut scale = self.sizes;
-            match attempt {
-                Attempt::Extrapolated => {}
-                Attempt::Explicit => {
-                    guess.copy_from(&explicit(*equation));
-                    scale.include(&equation.origin(), &guess);
-                }
-                Attempt::Damped => {
-                    if let Some(still) = E::STANDSTILL {
-                        guess = damped::approach_solution(still, &self.sizes, *equation, watch);
-                    }
-                }
-            }
-            match self.iterate((guess, &scale), equation, watch) {
-                Ok((x, lost, iterations)) => {
-                    self.rough = iterations >= ROUGH && self.predictor.started;
-                    self.push(&x);
-                    return Ok((x, lost));
-                }
-                Err(refusal) => {
-                    attempt = match attempt {
-                        // Something may have happened that was not to be foreseen.
-                        Attempt::Extrapolated => Attempt::Explicit,
-                        // No guess leads to a solution.
-                        Attempt::Explicit if E::STANDSTILL.is_some() => Attempt::Damped,
-                        _ => return Err(refusal),
-                    }
-                }
-            }
-        }
+    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+        let found = self.solution(equation, watch);
+        // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
+        self.predictor.push(&found.x);
+        self.iteration.steps = self.iteration.steps.wrapping_add(1);
+        found
     }
 
     #[inline(always)]
-    fn push(&mut self, x: &A) {
-        self.predictor.push(x);
-        self.steps = self.steps.wrapping_add(1);
+    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+        let extrapolates = !self.iteration.rough;
+        if A::LEN > MOST_UNKNOWNS {
+            let guess = extrapolates.then(|| self.predictor.predict());
+            return self.iteration.of_many((guess, None), equation, watch);
+        }
+        // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
+        let start = 'start: {
+            if E::STANDSTILL.is_some() || !extrapolates {
+                break 'start (extrapolates.then(|| self.predictor.predict()), None);
+            }
+            let guess = self.predictor.predict();
+            let mut matrix = A::fill(A::zero());
+            let mut delta = equation.residual(watch, &guess, &mut matrix);
+            let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, &self.iteration.sizes) else {
+                break 'start (Some(guess), None);
+            };
+            if !(self.iteration.is_last(&delta) && positive) {
+                break 'start (Some(guess), Some((delta, positive)));
+            }
+            let mut x = guess;
+            let lost = subtract(&mut x, &delta);
+            return Found::solution(x, lost);
+        };
+        let found;
+        (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        found
+    }
+}
+
+/// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
+type Start<A> = (Option<A>, Option<(A, bool)>);
+
+impl<A: Array> Iteration<A> {
+    /// Whether nothing is left to correct after the first correction of a step. Convergence is quadratic, and C is known from a step
+    /// before.
+    #[inline(always)]
+    fn is_last(&self, delta: &A) -> bool {
+        self.sizes.exceed(delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK)
+    }
+
+    /// Solves an equation for many unknowns: by the fixed point if that attracts.
+    #[inline(always)]
+    fn of_many<W, E: StepEquation<A, W>>(&mut self, start: Start<A>, equation: &E, watch: &mut W) -> Found<A> {
+        if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
+            let guess = start.0.unwrap_or_else(|| explicit(*equation));
+            let found = self.fixed_point(guess, equation, watch);
+            self.stiff = found.is_none();
+            if let Some(x) = found {
+                self.missing = self.missing.saturating_sub(1);
+                self.rough &= self.missing > 0;
+                return Found::solution(x, A::zero());
+            }
+        }
+        let found;
+        (*self, found) = self.search(start, *equation, watch);
+        found
+    }
+
+    /// Solves the equation by as many iterations, and from as many guesses, as it needs.
+    #[cold]
+    #[inline(never)]
+    fn search<W, E: StepEquation<A, W>>(
+        mut self,
+        (extrapolated, mut first): Start<A>,
+        equation: E,
+        watch: &mut W,
+    ) -> (Self, Found<A>) {
+        let fills = self.missing > 0;
+        let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
+        loop {
+            // Sizes for pivots. A guess may be wild: no correction is compared with it.
+            let mut scale = self.sizes;
+            let guess = match &attempt {
+                Attempt::Extrapolated(guess) => *guess,
+                Attempt::Explicit => {
+                    let guess = explicit(equation);
+                    scale.include(&equation.origin(), &guess);
+                    guess
+                }
+                Attempt::Damped(still) => damped::approach_solution(*still, &self.sizes, equation, watch),
+            };
+            match self.iterate((guess, first.take(), &scale), &equation, watch) {
+                Ok((x, lost, iterations)) => {
+                    self.missing = self.missing.saturating_sub(1);
+                    // As long as some are missing, nothing follows from the number of iterations.
+                    self.rough = self.missing > 0 || iterations >= ROUGH && !fills;
+                    return (self, Found::solution(x, lost));
+                }
+                Err(refusal) => {
+                    attempt = match (attempt, E::STANDSTILL) {
+                        // Something may have happened that was not to be foreseen.
+                        (Attempt::Extrapolated(_), _) => Attempt::Explicit,
+                        // No guess leads to a solution.
+                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        _ => return (self, Found::none(refusal)),
+                    }
+                }
+            }
+        }
     }
 
     #[inline(always)]
     fn iterate<W, E: StepEquation<A, W>>(
         &mut self,
-        (guess, scale): (A, &Sizes<A>),
+        (guess, mut first, scale): (A, Option<(A, bool)>, &Sizes<A>),
         equation: &E,
         watch: &mut W,
     ) -> Result<(A, A, u32), Refusal> {
@@ -136,15 +231,19 @@ impl<A: Array> Newton<A> {
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
         for iterations in 1..=MAX_ITERATIONS {
-            let mut delta = equation.residual(watch, &x, &mut matrix);
-            let Some(positive) = linear::solve(&mut matrix, &mut delta, scale) else {
-                return Err(if delta.is_finite() { Refusal::Singular } else { corrections.not_converged() });
+            let (delta, positive) = match first.take() {
+                Some(first) => first,
+                None => {
+                    let mut delta = equation.residual(watch, &x, &mut matrix);
+                    match linear::solve(&mut matrix, &mut delta, scale) {
+                        Some(positive) => (delta, positive),
+                        None if delta.is_finite() => return Err(Refusal::Singular),
+                        None => return Err(corrections.not_converged()),
+                    }
+                }
             };
-            let before = x;
-            x = difference(&x, &delta);
-            let lost = difference(&difference(&before, &x), &delta);
-            // Convergence is quadratic: C times the square, of the first; from the second on, two of them show C.
-            if iterations == 1 && self.sizes.exceed(&delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK) {
+            let lost = subtract(&mut x, &delta);
+            if iterations == 1 && self.is_last(&delta) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
             }
             let correction = self.sizes.relative(&delta, &origin, &x);
@@ -216,14 +315,23 @@ impl<A: Array> Newton<A> {
     }
 }
 
-/// Where an iteration starts.
-enum Attempt {
-    Extrapolated,
-    Explicit,
-    Damped,
+/// x ← x − delta, and what that rounds off.
+#[inline(always)]
+fn subtract<A: Array>(x: &mut A, delta: &A) -> A {
+    let before = *x;
+    *x = difference(&before, delta);
+    difference(&difference(&before, x), delta)
 }
 
-/// Out of line: the optimiser takes a sine to be so cheap that it computes it before it knows whether it is needed.
+/// Where an iteration starts.
+enum Attempt<A> {
+    Extrapolated(A),
+    Explicit,
+    /// From afar, with this multiple of the origin for what stands still.
+    Damped(f64),
+}
+
+/// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
 fn explicit<A: Array, W>(equation: impl StepEquation<A, W>) -> A {

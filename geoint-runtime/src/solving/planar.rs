@@ -9,7 +9,7 @@ use crate::scalar::{Real, zero};
 pub fn planar_step<R: Real>(origin: [R; 2], equation: impl Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy) -> [R; 2] {
     // Two kinds: the coordinates may have different units.
     let found = Newton::<[R; 2]>::new(1, 2).solve(&Planar { origin, equation }, &mut ());
-    found.map_or([R::from_f64(f64::NAN); 2], |(d, _)| d)
+    if found.outcome.is_ok() { found.x } else { [R::from_f64(f64::NAN); 2] }
 }
 
 #[derive(Clone, Copy)]

@@ -5,6 +5,7 @@
 
 #![allow(clippy::excessive_precision, reason = "all digits of the reference solutions, rounded once")]
 
+mod compared;
 mod long;
 mod recovered;
 mod splittings;

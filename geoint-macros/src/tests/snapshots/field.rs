@@ -489,22 +489,23 @@ const _: () = {
     }
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();
-        type Parameters = [R; 4];
+        type Parameters = [R; 6];
         type Start = [R; 4];
         type Inverse = ();
         const MEAN: Mean = Mean::NotClosed;
         #[inline]
-        fn parameters(&self, h: R) -> [R; 4] {
-            let (a0, k1, v0, v1, v2);
+        fn parameters(&self, h: R) -> [R; 6] {
+            let (a0, k1, v0, v1, v2, v3);
             a0 = self.w;
             k1 = R::from_f64(0.5);
             v0 = -a0;
             v1 = k1 * a0;
             v2 = -v1;
-            [v0, a0, v1, v2]
+            v3 = -h;
+            [v0, a0, v1, v2, h, v3]
         }
         #[inline(always)]
-        fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 2]) -> [R; 4] {
+        fn begin(&self, prepared: &[R; 6], t: R, y: &[R; 2]) -> [R; 4] {
             let (k0, q0, q1, v0, v1);
             k0 = R::from_f64(2.0);
             q0 = y[0];
@@ -516,7 +517,7 @@ const _: () = {
         #[inline(always)]
         fn slope(
             &self,
-            prepared: &[R; 4],
+            prepared: &[R; 6],
             start: &[R; 4],
             d: &[R; 2],
             f: &mut [R; 2],
@@ -622,7 +623,134 @@ const _: () = {
             jacobian[1][1] = v32;
         }
         #[inline(always)]
-        fn drift(&self, prepared: &[R; 4], p: &[R; 2]) -> [R; 2] {
+        fn equation(
+            &self,
+            _: (&Self::Constants, R),
+            prepared: &[R; 6],
+            start: &[R; 4],
+            d: &[R; 2],
+            image: &mut [R; 2],
+            matrix: &mut Square<[R; 2]>,
+        ) {
+            let (
+                k0,
+                dq1,
+                start_0,
+                start_1,
+                dq0,
+                start_2,
+                prepared_1,
+                start_3,
+                prepared_0,
+                prepared_4,
+                k10,
+                prepared_2,
+                prepared_5,
+                k13,
+                prepared_3,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+                v13,
+                v14,
+                v15,
+                v16,
+                v17,
+                v18,
+                v19,
+                v20,
+                v21,
+                v22,
+                v23,
+                v24,
+                v25,
+                v26,
+                v27,
+                v28,
+                v29,
+                v30,
+                v31,
+                v32,
+                v33,
+                v34,
+                v35,
+                v36,
+                v37,
+                v38,
+            );
+            k0 = R::from_f64(0.5);
+            dq1 = d[1];
+            start_0 = start[0];
+            start_1 = start[1];
+            dq0 = d[0];
+            start_2 = start[2];
+            prepared_1 = prepared[1];
+            start_3 = start[3];
+            prepared_0 = prepared[0];
+            prepared_4 = prepared[4];
+            k10 = R::from_f64(2.0);
+            prepared_2 = prepared[2];
+            prepared_5 = prepared[5];
+            k13 = R::from_f64(1.0);
+            prepared_3 = prepared[3];
+            v0 = k0.multiply_add(dq1, start_0);
+            v1 = start_1 + dq0;
+            v2 = v1 * v1;
+            v3 = start_2 + dq1;
+            v4 = v3 * v3;
+            v5 = v2 + v4;
+            v6 = slope::recip_above(v5, v5);
+            v7 = prepared_1 * v0;
+            v8 = k0.multiply_add(dq0, start_3);
+            v9 = prepared_1 * v8;
+            v10 = v3 * v9;
+            v11 = -v1;
+            v12 = v11.multiply_add(v7, v10);
+            v13 = v12 * v6;
+            v14 = prepared_0 * v0;
+            v15 = v11.multiply_add(v13, v14);
+            v16 = prepared_4 * v15;
+            v17 = -v3;
+            v18 = v17.multiply_add(v13, v9);
+            v19 = prepared_4 * v18;
+            v20 = k10 * v1;
+            v21 = prepared_2.multiply_add(v3, v14);
+            v22 = -v20;
+            v23 = v22.multiply_add(v13, v21);
+            v24 = v6 * v23;
+            v25 = -v13;
+            v26 = v11.multiply_add(v24, v25);
+            v27 = prepared_5.multiply_add(v26, k13);
+            v28 = k10 * v3;
+            v29 = prepared_3.multiply_add(v1, v9);
+            v30 = -v28;
+            v31 = v30.multiply_add(v13, v29);
+            v32 = v6 * v31;
+            v33 = v11.multiply_add(v32, prepared_3);
+            v34 = prepared_5 * v33;
+            v35 = v17.multiply_add(v24, prepared_2);
+            v36 = prepared_5 * v35;
+            v37 = v17.multiply_add(v32, v25);
+            v38 = prepared_5.multiply_add(v37, k13);
+            image[0] = v16;
+            image[1] = v19;
+            matrix[0][0] = v27;
+            matrix[0][1] = v34;
+            matrix[1][0] = v36;
+            matrix[1][1] = v38;
+        }
+        #[inline(always)]
+        fn drift(&self, prepared: &[R; 6], p: &[R; 2]) -> [R; 2] {
             let mut drift = <[R; 2] as Array>::zero();
             drift
         }

@@ -33,7 +33,7 @@ impl<S: ConstrainedStep<M, R>, M, R: Real> Equation<'_, S, M, R> {
         newton: &mut Newton<S::Unknown>,
         deciding: &mut Deciding<'_, P, S::Phase>,
     ) -> Result<S::Phase, Refusal> {
-        match newton.solve(self, deciding) {
+        match newton.solve(self, deciding).checked() {
             Ok((x, _)) => Ok(self.system.end(self.constants, &self.begun, &x)),
             Err(refusal) => Err(self.explained(refusal)),
         }

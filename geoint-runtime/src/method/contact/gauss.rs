@@ -103,7 +103,7 @@ where
         }
         probe.visit(t, &x.z, &x.s);
         let equation = StagePoints { system, prepared, t, origin, known: Factors::known(system, prepared, t)? };
-        let (d, _) = newton.solve(&equation, probe)?;
+        let (d, _) = newton.solve(&equation, probe).checked()?;
         let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
         x.add_everywhere(&end);

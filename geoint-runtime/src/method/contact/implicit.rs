@@ -5,7 +5,7 @@ use crate::method::composition::substeps;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::vector::moved;
 use crate::space::{Array, PerCoordinate, Square, Summation};
 use crate::system::{ImplicitStep, Poles};
@@ -85,7 +85,8 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     entries[n] = x.s;
     let begun = system.begin(constants, middle, &origin);
     let equation = Equation::<S, M, R> { system, constants, begun, middle, origin, ahead };
-    let (d, _) = newton.solve(&equation, probe)?;
+    let Found { x: d, outcome, .. } = newton.solve(&equation, probe);
+    outcome?;
 
     let end = system.end(constants, &equation.begun, &d);
     if !end.is_finite() {

@@ -19,7 +19,7 @@ const ROUNDINGS: f64 = 4.0;
 /// A method whose steps are relaxed: `Relaxation(RK4)`.
 ///
 /// The energy is kept to rounding, or of a field the function that it keeps as `energy`, or names first; with one factor γ = 1 + O(hᵖ⁻¹) a
-/// step. Time goes on by γh, so steps do not end at multiples of h; at the time that the state says, the order is that of the method.
+/// step; other integrals change: [`Projection`](super::Projection) keeps all. Time goes on by γh, so steps do not end at multiples of h; at the time that the state says, the order is that of the method.
 /// Neither symmetric nor symplectic. Where the energy is almost straight along a step γ is not determined, and the step is refused.
 ///
 /// D. I. Ketcheson, SIAM J. Numer. Anal. 57 (2019) 2850; H. Ranocha & D. I. Ketcheson, J. Sci. Comput. 84 (2020) 17.

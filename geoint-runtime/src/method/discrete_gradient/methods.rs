@@ -54,6 +54,7 @@ macro_rules! methods {
     )* };
 }
 
+// `FourthOrder` of each mean by itself: where there is one implementation for a type, the compiler says which of its bounds fails.
 methods! { S,
     [] ItohAbe: 1, false, false, true;
     [] ItohAbeAdjoint: 1, false, false, true;
@@ -61,5 +62,7 @@ methods! { S,
     [] Gonzalez: 2, true, false, true;
     [] CoordinateIncrement: 1, false, false, true;
     [const K: usize] MeanValue<K> where Gauss<K>: GaussTableau<K>: 2, true, MeanValue::<K>::is_midpoint::<S, R>(), MeanValue::<K>::is_exact::<S, R>();
-    [G: Corrected] FourthOrder<G>: 4, true, false, G::is_exact::<S, R>();
+    [] FourthOrder<Gonzalez>: 4, true, false, Gonzalez::is_exact::<S, R>();
+    [] FourthOrder<SymmetrisedItohAbe>: 4, true, false, SymmetrisedItohAbe::is_exact::<S, R>();
+    [const K: usize] FourthOrder<MeanValue<K>> where MeanValue<K>: Corrected: 4, true, false, MeanValue::<K>::is_exact::<S, R>();
 }

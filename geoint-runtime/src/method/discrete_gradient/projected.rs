@@ -5,7 +5,7 @@ use super::{DiscreteGradient, FourthOrder};
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Snapshot, Square, Summation};
 use crate::system::{FourthOrderField, Poles};
@@ -104,7 +104,9 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         probe.visit(t, &z, &());
         let begun = system.fourth_begin(parameters, t + half, &z);
         let mut deciding = Deciding { probe, end: z };
-        let (d, lost) = newton.solve(&Equation { system, parameters, t, h, z, begun }, &mut deciding)?;
+        let Found { x: d, lost, outcome } =
+            newton.solve(&Equation { system, parameters, t, h, z, begun }, &mut deciding);
+        outcome?;
         let Deciding { probe, end } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);

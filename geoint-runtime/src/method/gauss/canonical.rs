@@ -62,7 +62,7 @@ where
         let begun = At::new(system, &prepared.constants, t, x.z);
         let (inverse, _) = inverse(&begun.derivatives[VALUE], &x.z).ok_or(Refusal::Singular)?;
         let equation = StagePoints { system, prepared, t, z: x.z, y: begun.value, rate: begun.rate, inverse: &inverse };
-        let (d, _) = newton.solve(&equation, probe)?;
+        let (d, _) = newton.solve(&equation, probe).checked()?;
 
         let mut change = Y::Phase::zero();
         for i in 0..S {

@@ -4,7 +4,7 @@ use super::stages::Stages;
 use super::{Gauss, GaussTableau};
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Snapshot, Summation};
 use crate::system::{ByField, Collocation, Poles};
 
@@ -67,7 +67,9 @@ where
         let (y0, changed) = Y::start(&x.z);
         let velocity = system.velocity(&prepared.constants, &changed);
         probe.visit(t, &x.z, &());
-        let (k, _) = newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe)?;
+        let Found { x: k, outcome, .. } =
+            newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe);
+        outcome?;
 
         let Prepared { poles, constants, h, weights, increments, .. } = prepared;
         let (mut change, mut impulse) = (zero, zero);

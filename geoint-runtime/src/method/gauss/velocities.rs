@@ -70,7 +70,7 @@ where
         let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
-        let (v, _) = newton.solve(&equation, &mut seen)?;
+        let (v, _) = newton.solve(&equation, &mut seen).checked()?;
 
         let Prepared { poles, h, coupling, weights, .. } = prepared;
         // Forces where they were evaluated last, and what the last correction changes them by: its square is rounding.

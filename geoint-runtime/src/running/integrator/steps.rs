@@ -47,8 +47,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             let steps = left.min(self.steps_to_look());
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
-            let outcome = M::advance(&self.prepared, &mut memory, &self.system, &self.clock, steps, &mut x);
-            if outcome.is_ok() && self.is_good(steps, &x) && self.singular_time(steps).is_none() {
+            if self.run(steps, &mut memory, &mut x) && self.singular_time(steps).is_none() {
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
             } else {
@@ -62,12 +61,26 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         Ok(())
     }
 
-    /// How many steps may be taken at once.
+    /// So many steps from `x` on; whether their ends are good. Where one has to be examined that is every end, else the last one shows it.
+    #[inline(always)]
+    fn run(&self, steps: u64, memory: &mut M::Memory, x: &mut Point<S::Phase, C, S::Action>) -> bool {
+        let (mut clock, mut taken) = (self.clock, 0);
+        let at_once = if S::EXAMINED { 1 } else { steps };
+        while taken < steps {
+            let outcome = M::advance(&self.prepared, memory, &self.system, &clock, at_once, x);
+            taken += at_once;
+            clock.pass(at_once);
+            if outcome.is_err() || !self.is_good(taken, x) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Steps until the state is kept, to go back to.
     #[inline(always)]
     fn steps_to_look(&self) -> u64 {
-        if S::EXAMINED {
-            1
-        } else if has_attitudes::<S, R>() {
+        if has_attitudes::<S, R>() {
             // They are normalised after the same steps, in whatever numbers those are asked for.
             STEPS_BETWEEN_LOOKS - self.taken % STEPS_BETWEEN_LOOKS
         } else {

@@ -127,7 +127,7 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     /// h = 0.1, and by 10⁻¹⁹ at 0.2. Plain sums of equations of second order have no use for it.
     #[inline(always)]
     pub(super) fn lost<C: Summation<S::Phase>>(&self, impulse: &S::Unknown, lost: &S::Unknown) -> S::Phase {
-        let mut change = S::Unknown::zero();
+        let mut change = S::Unknown::nothing();
         if S::DERIVATIVE == 1 {
             change = *lost;
         } else if !C::PLAIN {

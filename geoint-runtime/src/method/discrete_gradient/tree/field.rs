@@ -5,7 +5,7 @@ use super::equation::{Coefficients, Equation};
 use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
-use crate::solving::newton::Newton;
+use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Compensated, Snapshot, Summation};
 use crate::system::{ByTree, DiscreteField, Poles};
 
@@ -62,7 +62,8 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
             return check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe });
         }
 
-        let (impulse, lost) = newton.solve(&equation, &mut deciding)?;
+        let Found { x: impulse, lost, outcome } = newton.solve(&equation, &mut deciding);
+        outcome?;
         let Deciding { probe, end } = deciding;
 
         let before = start::<S, R, C>(x);

@@ -80,7 +80,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         let none = S::Array::zero();
         let deciding = Deciding { probe, end: z };
         let mut seen = Seen { deciding, d: none, impulse: none, by_d: S::Array::fill(none) };
-        let (d, _) = newton.solve(&equation, &mut seen)?;
+        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
         // The impulse where it was evaluated last, and what the last correction changes it by: its square is rounding.
         let correction = difference(&d, &seen.d);
         let mut impulse = seen.impulse;
