@@ -44,6 +44,9 @@ const PUSHED: Pushed = Pushed { m: 1.0, g: 1.0, c: 0.1, push: 1.5, rate: 2.0 };
 const M: [f64; 3] = [2.0, 1.0, 0.5];
 const L: [f64; 3] = [1.0, 0.8, 0.5];
 
+/// The end after so many steps of h.
+type Run<'a> = &'a dyn Fn(f64, u64) -> State<f64>;
+
 #[test]
 fn a_pushed_pendulum_ends_where_it_should() {
     let expected = [-0.017_322_733_385_284_425, -0.115_481_938_132_368_35];
@@ -58,7 +61,7 @@ fn a_pushed_pendulum_ends_where_it_should() {
             sim.state()
         }
     }
-    let rows: [(&dyn Fn(f64, u64) -> State<f64>, [f64; 3]); 3] = [
+    let rows: [(Run<'_>, [f64; 3]); 3] = [
         (&run(Gauss::<1>), [1.24e-3, 3.11e-4, 7.78e-5]),
         (&run(Gauss::<2>), [5.59e-7, 3.50e-8, 2.19e-9]),
         (&run(Gauss::<3>), [3.25e-10, 5.08e-12, 8e-14]),

@@ -66,15 +66,12 @@ pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S
 }
 
 /// One step of length h from x = (q, p).
-pub(super) fn step<R: Scalar, const N: usize, S: Over<R, N>>(
+pub(super) fn step<R: Scalar + From<f64>, const N: usize, S: Over<R, N>>(
     system: S,
     x: &[R],
     t: f64,
     h: impl Into<R>,
-) -> Result<Vec<R>, StepError>
-where
-    R: From<f64>,
-{
+) -> Result<Vec<R>, StepError> {
     let state = State::at(R::from_f64(t), point::<R, N, S>(&x[..N]), point::<R, N, S>(&x[N..]));
     let mut sim = Integrator::new(system, PieceSplitting, h.into(), state);
     let outcome = sim.step();

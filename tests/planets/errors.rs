@@ -79,10 +79,7 @@ macro_rules! orders {
     })* };
 }
 
-fn claims_of<S: Copy, M: Method<S>>(_: &S, method: M) -> geoint_runtime::Claims
-where
-    S: geoint_runtime::PhaseSpace,
-{
+fn claims_of<S: geoint_runtime::PhaseSpace, M: Method<S>>(_: &S, method: M) -> geoint_runtime::Claims {
     method.claims()
 }
 

@@ -20,8 +20,10 @@ fn damped_pendulum(q: f64, p: f64, s: f64) -> f64 {
     p * p / 2.6 - q.cos() + 0.1 * s
 }
 
+type Section = (usize, f64, f64, f64);
+
 /// Sections x = 0, p_x > 0, of three orbits: number, t, y and p_y (Taylor of order 40 with 50 digits).
-const SECTIONS: [([f64; 4], &[(usize, f64, f64, f64)]); 3] = [
+const SECTIONS: [([f64; 4], &[Section]); 3] = [
     (
         [0.0, 0.55, 0.2417, 0.0],
         &[

@@ -1,5 +1,7 @@
 //! Taylor series of solutions: coefficients, steps, what is between them.
 
+#![allow(clippy::excessive_precision, reason = "digits as they are published")]
+
 mod dense;
 mod edges;
 mod recurrences;

@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let paths =
         [0.1, 0.05, 0.025].map(|h| end(DiscreteGradient, h).and_then(|q| Ok(distance(q, end(Gauss::<4>, 0.01)?))));
     let [whole, half, quarter] = paths;
-    let orders = [order(whole?, half.clone()?), order(half?, quarter?)];
+    let orders = [order(whole?, half?), order(half?, quarter?)];
     let [(low, [slow, _]), (high, [fast, _])] = strayed[..] else { return Err("two starts".into()) };
     claim("RK4 is off by 0.7 of 9.0, and by 8 of 29.6, within 100 s", {
         (slow - 0.7).abs() < 0.05 && (fast - 7.7).abs() < 0.3 && (low - 9.0).abs() < 0.05 && (high - 29.6).abs() < 0.1
@@ -83,8 +83,11 @@ fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     f64::max((a[0] - b[0]).abs(), (a[1] - b[1]).abs())
 }
 
+/// The path of a method from a start.
+type Path = fn([f64; 2]) -> Result<Vec<(f64, f64)>, StepError>;
+
 fn draw() -> Result<(), Box<dyn Error>> {
-    let methods: [(&str, Ink, fn([f64; 2]) -> Result<Vec<(f64, f64)>, StepError>); 3] = [
+    let methods: [(&str, Ink, Path); 3] = [
         ("RK4", palette::BLACK, |start| run(RK4, start)),
         ("midpoint rule", palette::VERMILION, |start| run(ImplicitMidpoint, start)),
         ("discrete gradient", palette::GREEN, |start| run(DiscreteGradient, start)),

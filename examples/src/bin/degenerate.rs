@@ -111,7 +111,10 @@ fn banana() -> Result<(Vec<[f64; 3]>, [f64; 2]), StepError> {
     Ok((orbit, strayed))
 }
 
-fn draw(runs: &[(&str, Ink, Vec<(f64, f64)>)], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
+/// A name, its colour, and points of a figure.
+type Named = (&'static str, Ink, Vec<(f64, f64)>);
+
+fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
     let mut orbits = vec![];
     for (start, name) in [(1.2, "four starts"), (1.5, ""), (2.2, ""), (3.0, "")] {
         let mut sim = ANIMALS.integrator(Gauss::<2>, 0.05, ANIMALS.at([1.0, start]));

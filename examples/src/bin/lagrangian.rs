@@ -72,7 +72,10 @@ fn energies<M: Method<DoublePendulum>>(method: M) -> Result<Vec<(f64, f64)>, Ste
     Ok(errors)
 }
 
-fn draw(runs: [(&str, Ink, Vec<(f64, f64)>); 4]) -> Result<(), Box<dyn Error>> {
+/// A name, its colour, and points of a figure.
+type Named = (&'static str, Ink, Vec<(f64, f64)>);
+
+fn draw(runs: [Named; 4]) -> Result<(), Box<dyn Error>> {
     let mut sim = SYSTEM.integrator(DiscreteGradient, 0.01, start());
     let mut ways = [vec![], vec![]];
     for _ in 0..1500 {

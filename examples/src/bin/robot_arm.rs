@@ -106,7 +106,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("the balance is closed to 1e-10 J of some hundred", {
         largest(Balance::error) < 1e-10 && largest(|b| b.motors) > 100.0
     })?;
-    let ends = [0.01, 0.005, 0.0025].map(|h| end(h));
+    let ends = [0.01, 0.005, 0.0025].map(end);
     let [whole, half, quarter] = ends;
     let (whole, half, quarter) = (whole?, half?, quarter?);
     let order = (distance(whole, half) / distance(half, quarter)).log2();
@@ -119,8 +119,11 @@ fn start() -> State<[f64; 6]> {
     ARM.at([0.0, 0.6, 0.0, 1.2, 0.0, 0.8], [0.0; 6])
 }
 
+/// Points in the plane of a figure.
+type Path = Vec<(f64, f64)>;
+
 /// The balance after each step, and the way of the hand.
-fn run(steps: usize) -> Result<(Vec<Balance>, Vec<(f64, f64)>), StepError> {
+fn run(steps: usize) -> Result<(Vec<Balance>, Path), StepError> {
     let mut sim = ARM.integrator(DiscreteGradient, H, start());
     let before = sim.energy();
     let (mut balance, mut now) = (vec![Balance::default()], Balance::default());

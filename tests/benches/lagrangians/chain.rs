@@ -66,7 +66,7 @@ impl<const N: usize> Chain<N> {
 
     /// p̄, the derivative of p̄ − h/2 f by v, f and its derivative.
     #[inline(always)]
-    fn stage(&self, h: f64, q: &[f64; N], v: &[f64; N]) -> ([f64; N], [[f64; N]; N], [f64; N], [[f64; N]; N]) {
+    fn stage(&self, h: f64, q: &[f64; N], v: &[f64; N]) -> (Vector<N>, Matrix<N>, Vector<N>, Matrix<N>) {
         let half = 0.5 * h;
         let (mut momentum, mut force) = ([0.0; N], [0.0; N]);
         let (mut matrix, mut slopes) = ([[0.0; N]; N], [[0.0; N]; N]);
@@ -198,6 +198,9 @@ impl<const N: usize> Chain<N> {
         v
     }
 }
+
+type Vector<const N: usize> = [f64; N];
+type Matrix<const N: usize> = [[f64; N]; N];
 
 /// A polynomial through the last nine terms.
 struct Extrapolation<const N: usize> {

@@ -271,10 +271,6 @@ impl Builder<'_> {
             }
             Function::RecipAbove
             | Function::Root
-            | Function::SineAt
-            | Function::SineSlope
-            | Function::CosineAt
-            | Function::CosineSlope
             | Function::Sinc
             | Function::SincDerivative
             | Function::Sinhc

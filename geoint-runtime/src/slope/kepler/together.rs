@@ -36,9 +36,8 @@ fn padded<R: Real, const N: usize, const W: usize>(orbits: &[[R; N]; 5], ends: &
         let mut of_group = [[zero(); W]; 4];
         known &= group(&given, &mut of_group);
         for (ends, of_group) in ends.iter_mut().zip(&of_group) {
-            for lane in 0..W.min(N - first) {
-                ends[first + lane] = of_group[lane];
-            }
+            let lanes = W.min(N - first);
+            ends[first..first + lanes].copy_from_slice(&of_group[..lanes]);
         }
     }
     known
