@@ -28,6 +28,10 @@ const SHRINKING: f64 = 0.3;
 /// Of so many steps one tries the fixed point again.
 const ANOTHER_TRY: u32 = 256;
 
+/// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
+/// solution of another branch.
+const FAR_OFF: f64 = 1.0 / 64.0;
+
 /// Iterations after which a guess was no good.
 const ROUGH: u32 = 3;
 
@@ -199,7 +203,8 @@ impl<A: Array> Iteration<A> {
                 }
                 Attempt::Damped(still) => damped::approach_solution(*still, &self.sizes, equation, watch),
             };
-            match self.iterate((guess, first.take(), &scale), &equation, watch) {
+            let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
+            match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
                 Ok((x, lost, iterations)) => {
                     self.missing = self.missing.saturating_sub(1);
                     // As long as some are missing, nothing follows from the number of iterations.
@@ -219,10 +224,12 @@ impl<A: Array> Iteration<A> {
         }
     }
 
+    /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
     #[inline(always)]
     fn iterate<W, E: StepEquation<A, W>>(
         &mut self,
-        (guess, mut first, scale): (A, Option<(A, bool)>, &Sizes<A>),
+        (guess, mut first, most): (A, Option<(A, bool)>, f64),
+        scale: &Sizes<A>,
         equation: &E,
         watch: &mut W,
     ) -> Result<(A, A, u32), Refusal> {
@@ -242,6 +249,9 @@ impl<A: Array> Iteration<A> {
                     }
                 }
             };
+            if iterations == 1 && most.is_finite() && !self.sizes.exceed(&delta, most) {
+                return Err(corrections.not_converged());
+            }
             let lost = subtract(&mut x, &delta);
             if iterations == 1 && self.is_last(&delta) {
                 return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };

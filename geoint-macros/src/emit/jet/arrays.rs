@@ -1,0 +1,84 @@
+//! The arrays of coefficients, and their names.
+
+use super::Writer;
+use crate::diff::jet::{LANES, Operand, Rule, Source};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// An array of coefficients, an entry an order.
+pub(super) struct Stored {
+    pub(super) name: Ident,
+    /// Whether entries are coefficients side by side.
+    pub(super) of_lanes: bool,
+    /// The entry of order 0, if it is not zero.
+    pub(super) first: Option<TokenStream>,
+}
+
+impl Stored {
+    /// The type of an entry.
+    pub(super) fn entry(&self) -> TokenStream {
+        let lanes = Literal::usize_unsuffixed(LANES);
+        if self.of_lanes { quote!([R; #lanes]) } else { quote!(R) }
+    }
+
+    pub(super) fn zeros(&self) -> TokenStream {
+        let lanes = Literal::usize_unsuffixed(LANES);
+        if self.of_lanes { quote!([[R::from_f64(0.0); #lanes]; P]) } else { quote!([R::from_f64(0.0); P]) }
+    }
+}
+
+pub(super) fn kept(source: Source) -> Ident {
+    format_ident!("u{source}")
+}
+
+pub(super) fn weighted(source: Source) -> Ident {
+    format_ident!("ju{source}")
+}
+
+/// The array of one operand.
+pub(super) fn array_of(operand: Operand) -> Ident {
+    if operand.weighted { weighted(operand.source) } else { kept(operand.source) }
+}
+
+/// The array of operands side by side.
+pub(super) fn side_by_side(array: usize) -> Ident {
+    format_ident!("lanes{array}")
+}
+
+pub(super) fn coefficient(source: Source) -> Ident {
+    format_ident!("c{source}")
+}
+
+impl Writer<'_> {
+    /// Whether the coefficients of a series have an array of their own.
+    pub(super) fn has_array(&self, source: Source) -> bool {
+        let series = &self.jet.series[source];
+        let in_sums = self.lanes.is_none() && series.kept;
+        in_sums || series.before || matches!(series.rule, Rule::State(_))
+    }
+
+    pub(super) fn has_weighted_array(&self, source: Source) -> bool {
+        self.lanes.is_none() && self.jet.series[source].weighted
+    }
+
+    /// The arrays, in order, as the body of an order and its calls name them.
+    pub(super) fn arrays(&self, values: &[TokenStream]) -> Vec<Stored> {
+        let value = |source: Source| values.get(self.value(source)).cloned();
+        let mut arrays = vec![];
+        for source in 0..self.jet.series.len() {
+            if self.has_array(source) {
+                arrays.push(Stored { name: kept(source), of_lanes: false, first: value(source) });
+            }
+            if self.has_weighted_array(source) {
+                arrays.push(Stored { name: weighted(source), of_lanes: false, first: None });
+            }
+        }
+        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
+            let first = operands.map(|Operand { source, weighted }| {
+                value(source).filter(|_| !weighted).unwrap_or(quote!(R::from_f64(0.0)))
+            });
+            arrays.push(Stored { name: side_by_side(i), of_lanes: true, first: Some(quote!([#(#first),*])) });
+        }
+        arrays
+    }
+}

@@ -1,0 +1,264 @@
+//! The Taylor coefficients of a solution: the start, and one body for every order.
+//!
+//! The body stands once. It is called with literal numbers for the first orders, for which the optimiser then unrolls the sums, as
+//! long as the code stays small; the others go through a loop. Series are local arrays, an argument each: then no two of them can be
+//! the same memory.
+
+mod arrays;
+mod numbers;
+mod rules;
+
+use super::kernel::{Context, element};
+use super::system::{self_type, state};
+use crate::derive::JetKernel;
+use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
+use crate::ir::Symbol;
+use crate::parse::over_scalar;
+use crate::schedule::Plan;
+use arrays::{Stored, array_of, coefficient, kept, side_by_side, weighted};
+use numbers::{Prepared, prepared};
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+/// Code beyond this many bytes is slower than a loop: the double pendulum with 20 unrolled orders (48 KB) takes 1.8 times of the loop.
+const MOST_CODE: usize = 16 << 10;
+
+/// Fewer unrolled orders are not worth their code.
+const FEWEST: usize = 6;
+
+/// No method has more orders than this.
+const MOST_ORDERS: usize = 32;
+
+/// `impl Jets`, and the method that users call.
+pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStream {
+    let JetKernel { jet, start } = found;
+    let (name, phase, parts, action) = (self_type(context), context.phase(), context.parts(), context.action());
+    let energy = context.energy;
+    let (plain, float, coordinates) = (&energy.name, &energy.float, &energy.coordinates.ty);
+    let scalar = format_ident!("T");
+    let (state, over) = (state(energy.form), over_scalar(coordinates, float, &scalar));
+    let given = if energy.form.has_action() { quote!(s: &R) } else { quote!(_: &()) };
+    let switches = Literal::usize_unsuffixed(jet.switches.len());
+    let convolutions = Literal::usize_unsuffixed(jet.convolutions());
+    let mut writer = Writer { context, jet, lanes: Lanes::of(jet), numbers: vec![] };
+    let order = writer.order();
+    let body = context.planned(&start.last[0], (&[], ""), |values| writer.start(&values));
+    quote! {
+        impl<R: Real> Jets<R> for #name {
+            type Proof = ();
+            type Switches = [R; #switches];
+            type Over<T: Real> = #state<#over>;
+            const CONVOLUTIONS: usize = #convolutions;
+
+            #[inline]
+            fn jet<const P: usize>(
+                &self,
+                t: R,
+                z: &#phase,
+                #given,
+                jet: &mut [PerCoordinate<#phase, #action>; P],
+                switches: &mut [[R; #switches]; P],
+            ) {
+                #order
+                #parts
+                #body
+            }
+        }
+        impl #plain {
+            /// This system by Taylor series of its solution, from `state` on.
+            ///
+            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
+            pub fn taylor<M: TaylorMethod>(self, method: M, state: #state<#coordinates>) -> TaylorIntegrator<Self, M, #float> {
+                TaylorIntegrator::new(self, method, state)
+            }
+        }
+    }
+}
+
+struct Writer<'a> {
+    context: &'a Context<'a>,
+    jet: &'a Jet,
+    /// Sums side by side; one by one if there are few.
+    lanes: Option<Lanes>,
+    /// What orders read of the start, by the values there.
+    numbers: Vec<Prepared>,
+}
+
+impl Writer<'_> {
+    /// How many orders are unrolled.
+    fn unrolled(&self) -> usize {
+        let sums = self.lanes.as_ref().map_or(self.jet.convolutions(), |lanes| lanes.groups.len());
+        let code = |orders: usize| 6 * sums * orders * orders + 16 * self.jet.series.len() * orders;
+        let most = (1..MOST_ORDERS).take_while(|orders| code(*orders) <= MOST_CODE).last().unwrap_or(0);
+        if most < FEWEST { 0 } else { most }
+    }
+
+    /// A number of the start, as orders read it.
+    fn number(&mut self, number: Prepared) -> TokenStream {
+        let place = self.numbers.iter().position(|other| *other == number).unwrap_or_else(|| {
+            self.numbers.push(number);
+            self.numbers.len() - 1
+        });
+        let place = Literal::usize_unsuffixed(place);
+        quote!(k[#place])
+    }
+
+    fn value(&self, source: Source) -> Value {
+        self.jet.series[source].value
+    }
+
+    /// The body of an order.
+    fn order(&mut self) -> TokenStream {
+        let mut body = TokenStream::new();
+        let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
+        for (i, group) in groups.iter().enumerate() {
+            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            body.extend(quote!(#name = #sum;));
+        }
+        for source in &self.jet.order {
+            let (name, value) = (coefficient(*source), self.coefficient(*source));
+            let state = matches!(self.jet.series[*source].rule, Rule::State(_));
+            let kept = (self.has_array(*source) && !state).then(|| {
+                let array = kept(*source);
+                quote!(#array[n] = #name;)
+            });
+            let weighted = self.has_weighted_array(*source).then(|| {
+                let array = weighted(*source);
+                quote!(#array[n] = whole * #name;)
+            });
+            body.extend(quote!(#name = #value; #kept #weighted));
+        }
+        for (i, operands) in self.lanes.iter().flat_map(|lanes| &lanes.arrays).enumerate() {
+            let (name, entries) = (
+                side_by_side(i),
+                operands.map(|Operand { source, weighted }| {
+                    let c = coefficient(source);
+                    if weighted { quote!(whole * #c) } else { quote!(#c) }
+                }),
+            );
+            body.extend(quote!(#name[n] = [#(#entries),*];));
+        }
+        for rate in &self.jet.rates {
+            body.extend(self.next(*rate));
+        }
+        for (i, (_, source)) in self.jet.switches.iter().enumerate() {
+            let (i, value) = (Literal::usize_unsuffixed(i), self.or_zero(*source));
+            body.extend(quote!(switches[n][#i] = #value;));
+        }
+        let (phase, action, arrays) = (self.context.phase(), self.context.action(), self.arrays(&[]));
+        let types = arrays.iter().map(Stored::entry);
+        let arrays = arrays.iter().map(|array| &array.name);
+        let names = self.jet.order.iter().map(|source| coefficient(*source));
+        let names = names.chain((0..groups.len()).map(|i| format_ident!("sums{i}")));
+        let [numbers, masks, switches] =
+            [self.numbers.len(), self.jet.conditions.len(), self.jet.switches.len()].map(Literal::usize_unsuffixed);
+        quote! {
+            #[inline(always)]
+            fn order<R: Real, const P: usize>(
+                n: usize,
+                k: &[R; #numbers],
+                masks: &[R::Mask; #masks],
+                #(#arrays: &mut [#types; P],)*
+                jet: &mut [PerCoordinate<#phase, #action>; P],
+                switches: &mut [[R; #switches]; P],
+            ) {
+                let (whole, next) = (R::from_f64(n as f64), R::from_f64(1.0 / (n + 1) as f64));
+                let (#(#names,)*);
+                #body
+            }
+        }
+    }
+
+    /// The coefficient of order n + 1 of a coordinate.
+    fn next(&self, rate: Rate) -> TokenStream {
+        let place = self.place(rate.symbol);
+        let value = match rate.source {
+            Some(source) => {
+                let coefficient = coefficient(source);
+                quote!(next * #coefficient)
+            }
+            None => quote!(R::from_f64(0.0)),
+        };
+        match self.array_of(rate.symbol) {
+            Some(array) => quote! {
+                jet[n].#place = #value;
+                if n + 1 < P {
+                    #array[n + 1] = jet[n].#place;
+                }
+            },
+            None => quote!(jet[n].#place = #value;),
+        }
+    }
+
+    /// The array of a coordinate that something reads.
+    fn array_of(&self, symbol: Symbol) -> Option<Ident> {
+        self.jet.series.iter().position(|series| series.rule == Rule::State(symbol)).map(kept)
+    }
+
+    /// Where a coordinate is in a point.
+    fn place(&self, symbol: Symbol) -> TokenStream {
+        let flow = self.context.energy.form.is_flow();
+        match symbol {
+            Symbol::Q(i) if flow => element(quote!(z), &self.context.coordinate(i)),
+            Symbol::Q(i) => element(quote!(z[0]), &self.context.coordinate(i)),
+            Symbol::P(i) => element(quote!(z[1]), &self.context.coordinate(i)),
+            _ => quote!(s),
+        }
+    }
+
+    fn or_zero(&self, source: Option<Source>) -> TokenStream {
+        source.map_or(quote!(R::from_f64(0.0)), |source| {
+            let name = coefficient(source);
+            quote!(#name)
+        })
+    }
+
+    /// The values at the start, the coefficients of order 0, and all orders.
+    fn start(&self, values: &[TokenStream]) -> TokenStream {
+        let numbers = self.numbers.iter().map(|number| prepared(*number, values));
+        let masks = self.jet.conditions.iter().map(|value| &values[*value]);
+        let mut first = TokenStream::new();
+        let arrays = self.arrays(values);
+        for Stored { name, first: start, .. } in &arrays {
+            first.extend(start.as_ref().map(|start| quote!(#name[0] = #start;)));
+        }
+        for rate in &self.jet.rates {
+            let (place, value) = (self.place(rate.symbol), &values[rate.value]);
+            first.extend(quote!(jet[0].#place = #value;));
+            if let Some(array) = self.array_of(rate.symbol) {
+                first.extend(quote!(if P > 1 { #array[1] = #value; }));
+            }
+        }
+        for (i, (value, _)) in self.jet.switches.iter().enumerate() {
+            let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
+            first.extend(quote!(switches[0][#i] = #value;));
+        }
+        let unrolled = self.unrolled();
+        let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
+        let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
+        let literal = (1..=unrolled).map(Literal::usize_unsuffixed);
+        let rest = Literal::usize_unsuffixed(unrolled + 1);
+        let [numbers_len, masks_len] = [self.numbers.len(), self.jet.conditions.len()].map(Literal::usize_unsuffixed);
+        quote! {
+            let k: [R; #numbers_len] = [#(#numbers),*];
+            let masks: [R::Mask; #masks_len] = [#(#masks),*];
+            let (#(mut #arrays,)*) = (#(#zeros,)*);
+            #first
+            // Names are those of this place wherever it is used.
+            macro_rules! orders {
+                ($($n:expr)*) => {
+                    $(order($n, &k, &masks, #(&mut #arrays,)* jet, switches);)*
+                };
+            }
+            macro_rules! literal_orders {
+                ($($n:literal)*) => {
+                    $(if $n < P { orders!($n); })*
+                };
+            }
+            literal_orders!(#(#literal)*);
+            for n in #rest..P {
+                orders!(n);
+            }
+        }
+    }
+}
