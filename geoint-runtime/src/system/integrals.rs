@@ -73,9 +73,10 @@ pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
 /// The exact mean velocity is orthogonal to every discrete gradient, by the discrete chain rule: the projection leaves it alone, so that
 /// the step has the order of F, whatever the integrals are.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is not known to keep anything",
-    label = "`FourthOrder(DiscreteGradient)` keeps an energy, or first integrals",
-    note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`"
+    message = "`FourthOrder(DiscreteGradient)` has nothing to keep in `{Self}`, or constraints stand in its way",
+    label = "it keeps an energy, or first integrals",
+    note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`",
+    note = "with a `constraint`: `Suzuki4.of(DiscreteGradient)`, `Suzuki4.of(Rattle)`"
 )]
 pub trait FourthOrderField<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
