@@ -179,6 +179,9 @@ fn solve(g: &[f64], piece: Piece, sign: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use alloc::vec;
+    use alloc::vec::Vec;
+
     use super::*;
 
     /// Π (τ − root)·q for roots, with a factor without any.
