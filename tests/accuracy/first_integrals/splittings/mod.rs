@@ -1,5 +1,8 @@
 //! Splittings by terms of H and by planes: errors against the same solutions, what they keep, and what they must move.
 
+mod planes;
+mod terms;
+
 use super::systems::*;
 use super::{Motion, VERTICAL};
 use geoint_runtime::prelude::*;
@@ -186,121 +189,6 @@ const VORTICES: Motion<Vortices, 8> = Motion {
     steps: 50,
 };
 
-/// Suzuki's composition.
-macro_rules! four {
-    ($map:expr) => {
-        Suzuki4.of($map)
-    };
-}
-
-#[test]
-fn euler_by_terms() {
-    let (energy, momentum) =
-        (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
-    EULER.splits(PoissonSplitting, &[7.494e-4, 1.874e-4, 4.685e-5], &[(&momentum, None), (&energy, Some(4.0e-5))]);
-    EULER.splits(
-        four!(PoissonSplitting),
-        &[7.448e-8, 4.665e-9, 2.917e-10],
-        &[(&momentum, None), (&energy, Some(7.4e-9))],
-    );
-}
-
-#[test]
-fn tops_by_terms() {
-    let length = |x: &[f64; 6]| x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
-    let vertical = |x: &[f64; 6]| x[0] * x[3] + x[1] * x[4] + x[2] * x[5];
-    let tops = |top: &Motion<HeavyTop, 6>, row: &[f64], moves: f64| {
-        let energy = top.energy();
-        top.splits(PoissonSplitting, row, &[(&length, None), (&vertical, None), (&energy, Some(moves))]);
-    };
-    tops(&LAGRANGE, &[2.242e-3, 5.608e-4, 1.402e-4], 4.1e-3);
-    tops(&KOVALEVSKAYA, &[4.258e-3, 1.066e-3, 2.666e-4], 7.5e-4);
-    tops(&GORYACHEV, &[4.185e-3, 1.048e-3, 2.620e-4], 8.1e-4);
-    let (energy, spin) = (LAGRANGE.energy(), |x: &[f64; 6]| x[2]);
-    LAGRANGE.splits(PoissonSplitting, &[2.242e-3], &[(&spin, Some(2.3e-3))]);
-    LAGRANGE.splits(
-        four!(PoissonSplitting),
-        &[1.234e-6, 7.783e-8, 4.876e-9],
-        &[(&length, None), (&vertical, None), (&energy, Some(1.7e-6))],
-    );
-}
-
-/// ln x₁x₃x₅ of Volterra's lattice.
-fn odd(x: &[f64; 5]) -> f64 {
-    (x[0] * x[2] * x[4]).ln()
-}
-
-#[test]
-fn species_by_terms() {
-    let sum = VOLTERRA.energy();
-    VOLTERRA.splits(PoissonSplitting, &[1.545e-3, 3.855e-4, 9.632e-5], &[(&odd, None), (&sum, Some(1.3e-3))]);
-    VOLTERRA.splits(four!(PoissonSplitting), &[3.841e-7, 2.404e-8, 1.503e-9], &[(&odd, None), (&sum, Some(4.2e-7))]);
-    let wealth = PREDATORS.energy();
-    PREDATORS.splits(PoissonSplitting, &[3.565e-3, 8.839e-4, 2.205e-4], &[(&wealth, Some(9.1e-3))]);
-    PREDATORS.splits(four!(PoissonSplitting), &[7.891e-6, 4.973e-7, 3.115e-8], &[(&wealth, Some(3.1e-5))]);
-}
-
-#[test]
-fn sites_by_terms() {
-    let (energy, norm) =
-        (WAVES.energy(), |x: &[f64; 8]| (0..4).map(|i| (1.0 + x[i] * x[i] + x[4 + i] * x[4 + i]).ln()).sum::<f64>());
-    WAVES.splits(PoissonSplitting, &[1.456e-3, 3.641e-4, 9.102e-5], &[(&energy, Some(2.7e-4)), (&norm, Some(1.7e-3))]);
-    WAVES.splits(four!(PoissonSplitting), &[2.643e-7, 1.657e-8, 1.037e-9], &[(&energy, Some(3.7e-8))]);
-}
-
-#[test]
-fn vortices_by_pairs() {
-    let gamma = VORTICES.system.gamma;
-    let energy = VORTICES.energy();
-    let across = |x: &[f64; 8]| (0..4).map(|i| gamma[i] * x[i]).sum::<f64>();
-    let along = |x: &[f64; 8]| (0..4).map(|i| gamma[i] * x[4 + i]).sum::<f64>();
-    VORTICES.splits(
-        PoissonSplitting,
-        &[1.459e-2, 3.696e-3, 9.273e-4],
-        &[(&across, None), (&along, None), (&energy, Some(1.4e-2))],
-    );
-    VORTICES.splits(four!(PoissonSplitting), &[5.193e-6, 3.257e-7, 2.038e-8], &[(&energy, Some(1.9e-5))]);
-}
-
-#[test]
-fn euler_by_planes() {
-    let (energy, momentum) =
-        (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
-    EULER.splits(PlanarSplitting, &[2.193e-3, 5.492e-4, 1.373e-4], &[(&energy, None), (&momentum, Some(5.2e-4))]);
-    EULER.splits(
-        four!(PlanarSplitting),
-        &[5.214e-8, 3.260e-9, 2.038e-10],
-        &[(&energy, None), (&momentum, Some(8.6e-8))],
-    );
-}
-
-#[test]
-fn species_by_planes() {
-    let wealth = PREDATORS.energy();
-    PREDATORS.splits(PlanarSplitting, &[7.339e-3, 1.838e-3, 4.597e-4], &[(&wealth, None)]);
-    let sum = VOLTERRA.energy();
-    VOLTERRA.splits(PlanarSplitting, &[9.265e-4, 2.317e-4, 5.793e-5], &[(&sum, None), (&odd, Some(3.6e-4))]);
-    VOLTERRA.splits(four!(PlanarSplitting), &[3.544e-8, 2.212e-9, 1.382e-10], &[(&sum, None), (&odd, Some(5.1e-8))]);
-    let (sum, product) = (RING.energy(), |x: &[f64; 3]| x[0] * x[1] * x[2]);
-    RING.splits(PlanarSplitting, &[5.310e-4, 1.324e-4, 3.309e-5], &[(&sum, None), (&product, Some(3.5e-4))]);
-    RING.splits(four!(PlanarSplitting), &[1.185e-7, 7.414e-9, 4.634e-10], &[(&sum, None), (&product, Some(4.5e-8))]);
-}
-
-/// Two planes are solved for, and one turns; that one dominates the error where it is solved for as well.
-#[test]
-fn lorenz_by_planes() {
-    let energy = LORENZ.energy();
-    LORENZ.splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&energy, None)]);
-}
-
-/// Four sites, none of whose planes has a flow in closed form.
-#[test]
-fn sites_by_planes() {
-    let (energy, norm) =
-        (WAVES.energy(), |x: &[f64; 8]| (0..4).map(|i| (1.0 + x[i] * x[i] + x[4 + i] * x[4 + i]).ln()).sum::<f64>());
-    WAVES.splits(PlanarSplitting, &[5.108e-4, 1.278e-4, 3.196e-5], &[(&energy, None), (&norm, Some(1.2e-4))]);
-}
-
 const CHARGE: Motion<Charge, 6> = Motion {
     name: "charge",
     system: Charge,
@@ -317,46 +205,9 @@ const CHARGE: Motion<Charge, 6> = Motion {
     steps: 50,
 };
 
-/// Of the planes of a charge one is solved for; three turn, and so do all nine of heavy tops, or they are parabolas.
-#[test]
-fn more_than_three_coordinates_by_planes() {
-    let energy = CHARGE.energy();
-    CHARGE.splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&energy, None)]);
-    let length = |x: &[f64; 6]| x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
-    let rows: [(&Motion<HeavyTop, 6>, &[f64], f64); 3] = [
-        (&LAGRANGE, &[2.251e-2, 5.634e-3, 1.409e-3], 6.12e-3),
-        (&KOVALEVSKAYA, &[3.461e-3, 8.677e-4, 2.171e-4], 2.16e-3),
-        (&GORYACHEV, &[3.419e-3, 8.550e-4, 2.138e-4], 3.08e-3),
-    ];
-    for (top, row, moves) in rows {
-        let energy = top.energy();
-        top.splits(PlanarSplitting, row, &[(&energy, None), (&length, Some(moves))]);
-    }
-}
-
-/// S is searched for: that of predators and of Volterra's lattice is the one that their energies have.
-#[test]
-fn fields_by_planes() {
-    /// The same motion of a field.
-    fn of<S, const N: usize>(motion: &Motion<impl Copy, N>, system: S) -> Motion<S, N> {
-        let Motion { name, start, time, end, steps, .. } = *motion;
-        Motion { name, system, start, time, end, steps }
-    }
-    let predators = of(&PREDATORS, Predators { a: 2.0, b: 1.0, c: 1.0 });
-    let wealth = PREDATORS.energy();
-    predators.splits(PlanarSplitting, &[7.339e-3, 1.838e-3, 4.597e-4], &[(&wealth, None)]);
-    predators.splits(PoissonSplitting, &[3.565e-3, 8.839e-4, 2.205e-4], &[(&wealth, Some(9.1e-3))]);
-    let sum = VOLTERRA.energy();
-    let volterra = of(&VOLTERRA, VolterraField);
-    volterra.splits(PlanarSplitting, &[9.265e-4, 2.317e-4, 5.793e-5], &[(&sum, None), (&odd, Some(3.6e-4))]);
-    volterra.splits(four!(PlanarSplitting), &[3.544e-8, 2.212e-9, 1.382e-10], &[(&sum, None), (&odd, Some(5.1e-8))]);
-    let charge = CHARGE.energy();
-    of(&CHARGE, ChargeField).splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&charge, None)]);
-    // Of many S, one with fewer planes.
-    let (euler, lorenz) = (EULER.energy(), LORENZ.energy());
-    let top = of(&EULER, EulerTop { a: 1.0, b: 2.0, c: 3.0 });
-    top.splits(PlanarSplitting, &[2.982e-4, 7.454e-5, 1.863e-5], &[(&euler, None)]);
-    of(&LORENZ, LorenzField { b: 4.0 }).splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&lorenz, None)]);
+/// ln x₁x₃x₅ of Volterra's lattice.
+fn odd(x: &[f64; 5]) -> f64 {
+    (x[0] * x[2] * x[4]).ln()
 }
 
 /// S of Lorenz's core has no Poisson bracket, and planes keep none.
