@@ -383,7 +383,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// `keeps(name = I, …)` names functions I of x, parameters and t, in the language of the body. That each is constant is proven when the
 /// program is compiled: f·∇I + ∂I/∂t = 0, by multiplying out, at every state at which all of it is defined. A function that is not
 /// constant is an error, which shows what remains of that. So is one that was not proven to be constant; `keeps(assume(name = I))`
-/// accepts it, and `REPORT` then says that it is assumed.
+/// accepts it, and `REPORT` then says that it is assumed; what is wrong almost everywhere is refused all the same.
 ///
 /// What is kept under the name `energy` is the energy of runs as well: `sim.energy()`; of other fields that is not a number.
 ///

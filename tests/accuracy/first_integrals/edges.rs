@@ -60,3 +60,49 @@ fn edges_of_integrals_are_refused() {
         assert!(sim.state().x.iter().all(|x| *x > 0.0));
     }
 }
+
+/// A bracket that has a pole where b vanishes: there the flow ends, after (1 + gx)²/(2gc).
+#[hamiltonian(structure = {
+    let b = 1.0 + g * x[0];
+    [[0.0, 1.0 / b], [-1.0 / b, 0.0]]
+})]
+fn guiding_centre(x: [f64; 2], g: f64, c: f64) -> f64 {
+    x[1].powi(3) - c * x[1]
+}
+
+/// A bracket whose quotient has none.
+#[hamiltonian(structure = |_, _| 1.0 / (1.0 + x[0] * x[0]))]
+fn curved(x: [f64; 2]) -> f64 {
+    x[1] * x[1] / 2.0 - x[0].cos()
+}
+
+#[test]
+fn poles_of_a_structure_are_watched() {
+    let (system, start) = (GuidingCentre { g: 0.5, c: 0.4 }, FlowState::new([-1.9, 0.0]));
+    fn ends<M: Method<GuidingCentre, Proof = ()>>(system: GuidingCentre, start: FlowState<[f64; 2]>, method: M) {
+        for h in [1e-3, 0.1, 10.0] {
+            let mut sim = Integrator::new(system, method, h, start);
+            let (error, last) = loop {
+                let last = sim.state();
+                if let Err(error) = sim.step() {
+                    break (error, last);
+                }
+            };
+            let name = method.name();
+            assert_eq!(sim.state(), last, "{name}");
+            assert!((last.t - 0.00625).abs() < 2.5e-3 || h > 1e-3 && last == start, "{name}: {last:?}");
+            let text = error.to_string();
+            assert!(text.contains("x[0]·g + 1") || text.contains("x[1]³ - x[1]·c"), "{name}: {text}");
+        }
+    }
+    ends(system, start, DiscreteGradient);
+    ends(system, start, FourthOrder(DiscreteGradient));
+    ends(system, start, Gauss::<2>);
+    ends(system, start, PoissonSplitting);
+    ends(system, start, PlanarSplitting);
+
+    let mut sim = Curved.integrator(FourthOrder(DiscreteGradient), 0.5, FlowState::new([2.3, 0.4]));
+    let energy = sim.energy();
+    sim.advance(1000).unwrap_or_else(|error| panic!("{error}"));
+    assert!((sim.energy() - energy).abs() < 2e-15);
+}
