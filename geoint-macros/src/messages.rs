@@ -12,6 +12,9 @@ pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this t
 pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and more than 12 planes without one are not solved for, so \
                                      that `PlanarSplitting` has no pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
+pub(crate) const NOT_SOLVED: &str = "more than 12 planes are not solved for, so that there are no pieces for this method; use \
+                                     `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
 
