@@ -60,13 +60,16 @@ pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the moment
                                         order; use a table for every separable energy, such as `BlanesMoan6`";
 
 pub(crate) const BODY_COUPLED: &str = "this term couples attitude and angular momentum; the energy of rigid bodies is T(m) + V(r), \
-                                       with both in the frame of the body";
+                                       with both in the frame of the body, and beside centres of mass T(m) + T(p) + V(r, q)";
 
-pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the angular momentum with constant coefficients, so that \
-                                             the drift is not that of a free rigid body";
+pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so that the drift is \
+                                             not that of a free rigid body";
 
 pub(crate) const BODIES_COUPLED: &str = "this term couples the angular momenta of two bodies, so that the drift is not that of free \
                                          rigid bodies";
+
+pub(crate) const CENTRES_COUPLED: &str = "this term couples the angular momentum of a body and the momentum of a centre of mass, so that the \
+                                           drift is not that of free rigid bodies";
 
 pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each \
                                         other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one";
