@@ -1,10 +1,10 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
-use super::flows::unsatisfied;
-use super::implicit::{square, write_field};
-use super::kernel::{Context, write};
-use super::system::{cotangent, keeps_energy, self_type};
+use super::{square, write_field};
 use crate::derive::{Missing, VelocityKernels};
+use crate::emit::kernel::{Context, write};
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::{cotangent, keeps_energy, self_type};
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

@@ -1,8 +1,8 @@
 //! Canonical coordinates of a flow, in which collocation is symplectic.
 
-use super::implicit::square;
-use super::kernel::{Context, write};
-use super::system::self_type;
+use super::square;
+use crate::emit::kernel::{Context, write};
+use crate::emit::system::self_type;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -1,53 +1,15 @@
-//! The field of implicit methods: with derivatives for collocation, with divided differences for discrete gradients.
+//! The field of discrete gradients, with divided differences.
 
-use super::flows::unsatisfied;
-use super::kernel::{Context, element, write};
-use super::system::self_type;
+use super::write_field;
 use crate::analyze::MeanValue;
-use crate::derive::{FieldKernels, MOST_UNKNOWNS, Missing};
-use crate::ir::{Graph, Number, Symbol};
-use crate::schedule::{Block, Operand, Plan};
+use crate::derive::{FieldKernels, Missing};
+use crate::emit::kernel::{Context, write};
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::self_type;
+use crate::ir::{Graph, Symbol};
+use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
-use quote::{format_ident, quote};
-
-/// The places of a square matrix, row by row.
-pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
-    places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
-}
-
-/// The statements that write f and its derivative, the results of a block. Of many unknowns most depend on few others: entries that are
-/// zero are written all at once.
-pub(super) fn write_field(
-    context: &Context<'_>,
-    names: [&str; 2],
-    block: &Block,
-    values: &[TokenStream],
-) -> TokenStream {
-    let unknowns = values.len().isqrt();
-    let places = context.unknown_places(unknowns);
-    let (f, jacobian) = values.split_at(unknowns);
-    let f = write(names[0], &places, f);
-    let places = square(&places);
-    if unknowns <= MOST_UNKNOWNS {
-        let jacobian = write(names[1], &places, jacobian);
-        return quote!(#f #jacobian);
-    }
-    let is_zero = |i: &usize| block.results[unknowns + i] == Operand::Constant(Number::ZERO);
-    let (mut some_places, mut some) = (vec![], vec![]);
-    for i in (0..jacobian.len()).filter(|i| !is_zero(i)) {
-        some_places.push(places[i].clone());
-        some.push(jacobian[i].clone());
-    }
-    let (matrix, unknown) = (format_ident!("{}", names[1]), context.unknown_type(unknowns));
-    let zeros = (some.len() < jacobian.len())
-        .then(|| quote!(*#matrix = <#unknown as Array>::fill(<#unknown as Array>::zero());));
-    let jacobian = write(names[1], &some_places, &some);
-    quote!(#f #zeros #jacobian)
-}
-
-fn momenta(degrees: u32) -> Vec<Symbol> {
-    (0..degrees).map(Symbol::P).collect()
-}
+use quote::quote;
 
 /// `impl DiscreteField`.
 pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
@@ -244,78 +206,6 @@ pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, pl
                 matrix: &mut Square<#unknown>,
             ) {
                 #image
-            }
-        }
-    }
-}
-
-/// `impl Collocation`.
-pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> TokenStream {
-    let (name, phase) = (self_type(context), context.phase());
-    let FieldKernels { coordinates, collocation: plan, .. } = field;
-    let unknown = context.unknown_type(coordinates.len());
-    let places = context.unknown_places(coordinates.len());
-    let constants = context.stored(plan, 0);
-    let evaluate = context.planned(&plan.last[0], (coordinates, "y"), |values| {
-        write_field(context, ["f", "jacobian"], &plan.last[0], &values)
-    });
-    let momenta = momenta(context.energy.degrees());
-    let velocity = context.planned(&plan.last[1], (&momenta, "p"), |values| write("velocity", &places, &values));
-    let y: Vec<_> = places.iter().map(|indices| element(quote!(y), indices)).collect();
-    let [derivative, start, add, increments] = if field.second_order {
-        let add =
-            context.planned(&plan.last[2], (&momenta, "f"), |values| quote!(#(#y = w.multiply_add(#values, #y);)*));
-        [quote!(2), quote!((z[0], z[1])), add, quote!([*change, *impulse])]
-    } else {
-        let f = places.iter().map(|indices| element(quote!(f), indices));
-        let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
-        [quote!(1), quote!((*z, *z)), add, quote!(*change)]
-    };
-    let prepared = Literal::usize_unsuffixed(plan.slots[0]);
-    let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
-    quote! {
-        impl<R: Real> Collocated<R> for #name {
-            type Proof = ();
-            type Stages = #stages;
-        }
-        impl<R: Real> Collocation<R> for #name {
-            type Proof = ();
-            type Unknown = #unknown;
-            type Constants = [R; #prepared];
-            const DERIVATIVE: usize = #derivative;
-
-            #[inline]
-            fn constants(&self) -> [R; #prepared] {
-                #constants
-            }
-            #[inline(always)]
-            fn start(z: &#phase) -> (#unknown, #unknown) {
-                #start
-            }
-            #[inline(always)]
-            fn velocity(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
-                let mut velocity = <#unknown as Array>::zero();
-                #velocity
-                velocity
-            }
-            #[inline(always)]
-            fn field(
-                &self,
-                prepared: &[R; #prepared],
-                t: R,
-                y: &#unknown,
-                f: &mut #unknown,
-                jacobian: &mut Square<#unknown>,
-            ) {
-                #evaluate
-            }
-            #[inline(always)]
-            fn add(&self, prepared: &[R; #prepared], w: R, f: &#unknown, y: &mut #unknown) {
-                #add
-            }
-            #[inline(always)]
-            fn increments(change: &#unknown, impulse: &#unknown) -> #phase {
-                #increments
             }
         }
     }

@@ -1,7 +1,9 @@
 //! What is proven of a flow before methods rely on it: what it keeps, and what its structure S is. Witnesses, no messages.
 
-use super::flow::{Flow, Named, Origin};
+pub(super) mod liouville;
+
 use crate::analyze::{Identity, claims};
+use crate::derive::flow::{Flow, Named, Origin};
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::lower::Skew;

@@ -1,10 +1,10 @@
 //! The pieces of x' = S(x) ∇H: by the terms of H, and by planes.
 
-use super::flow::Flow;
-use super::implicit;
-use super::proof::coordinates;
-use super::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::analyze::{self, claims, search};
+use crate::derive::flow::Flow;
+use crate::derive::implicit;
+use crate::derive::proof::coordinates;
+use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
 use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON};
 use crate::schedule::{Kernel, Levels};

@@ -1,9 +1,9 @@
 //! What the divergence of a field says: whether it is that of an energy (J. Liouville), and Jacobi's last multiplier where it is not zero.
 
-use super::domain::{Check, Sign, checks_of};
-use super::proof::coordinates;
+use super::coordinates;
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
 use crate::analyze::{Identity, Proof, claims, is_positive, search, symbols};
+use crate::derive::domain::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
 /// What is known of a field by its divergence.

@@ -1,9 +1,9 @@
 //! Constraints, and the equations of steps that keep them.
 
-use super::implicit::{square, write_field};
-use super::kernel::{Context, write};
-use super::system::{cotangent, self_type};
+use super::{square, write_field};
 use crate::derive::{ConstraintKernels, StepKernel};
+use crate::emit::kernel::{Context, write};
+use crate::emit::system::{cotangent, self_type};
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

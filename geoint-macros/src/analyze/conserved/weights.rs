@@ -1,6 +1,6 @@
 //! Which products of parameters may be before generators, so that their brackets cancel.
 
-use super::quadratic::{Atom, Variable};
+use crate::analyze::quadratic::{Atom, Variable};
 use crate::ir::Ratio;
 
 /// Π atomᵉ, in order of the atoms; no exponent is zero.

@@ -1,10 +1,10 @@
 //! Rigid bodies: their phase space, kicks, and the exact drift.
 
-use super::domain::domain;
-use super::flows::{assign, flow, slots};
-use super::kernel::Context;
-use super::system::{halves, self_type};
+use super::{assign, flow, slots};
 use crate::derive::{Bodies, Turn};
+use crate::emit::domain::domain;
+use crate::emit::kernel::Context;
+use crate::emit::system::{halves, self_type};
 use crate::ir::Graph;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -12,7 +12,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// Everything that is emitted beside the user's function and the inherent functions.
-pub(super) fn bodies(context: &Context<'_>, graph: &Graph, bodies: &Bodies<Plan>) -> TokenStream {
+pub(in crate::emit) fn bodies(context: &Context<'_>, graph: &Graph, bodies: &Bodies<Plan>) -> TokenStream {
     let (space, splitting) = (space(context, graph, bodies), splitting(context, bodies));
     let rotations = bodies.principal.then(|| rotations(context, &bodies.turns));
     quote!(#space #splitting #rotations)

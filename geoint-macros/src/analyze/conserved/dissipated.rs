@@ -1,9 +1,9 @@
 //! Momenta of contact systems: J of degree 1 in p that commute with H for every s and t. J' = −J ∂H/∂s, so that all decay by one factor.
 
-use super::degree::Degrees;
-use super::dependence::{Dependence, symbols};
 use super::momenta::{self, Momentum};
-use super::{degree_in, identity};
+use crate::analyze::degree::Degrees;
+use crate::analyze::dependence::{Dependence, symbols};
+use crate::analyze::{degree_in, identity};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;

@@ -1,15 +1,21 @@
 //! Kick and drift; or implementations that no scalar satisfies, whose message names the term that couples, or damps.
 
-use super::kernel::{Context, element};
-use super::system::self_type;
+use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
-use crate::ir::{Graph, Symbol, print::Printer};
+use crate::emit::kernel::Context;
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::self_type;
+use crate::ir::Graph;
 use crate::schedule::Plan;
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Separable`, `impl QuadraticKinetic`, `impl ForceGradient`, and `impl MechanicalContact` of contact systems.
-pub(super) fn splitting(context: &Context<'_>, graph: &Graph, found: &Result<KickDrift<Plan>, Missing>) -> TokenStream {
+pub(in crate::emit) fn splitting(
+    context: &Context<'_>,
+    graph: &Graph,
+    found: &Result<KickDrift<Plan>, Missing>,
+) -> TokenStream {
     match found {
         Ok(flows) => separable(context, graph, flows),
         Err(missing) => none(context, graph, *missing),
@@ -67,78 +73,6 @@ fn separable(context: &Context<'_>, graph: &Graph, flows: &KickDrift<Plan>) -> T
         #gradient_kick
         #mechanical
     }
-}
-
-pub(super) fn slots(flow: &FlowKernel<Plan>) -> Literal {
-    Literal::usize_unsuffixed(flow.kernel.slots[0])
-}
-
-/// The type of what is prepared for a flow, the function that prepares it, and the flow.
-pub(super) fn flow(
-    context: &Context<'_>,
-    name: &str,
-    flow_kernel: &FlowKernel<Plan>,
-) -> (TokenStream, TokenStream, TokenStream) {
-    let (array, prepare_name, name) = (context.array(), format_ident!("prepare_{name}"), format_ident!("{name}"));
-    let (slots, prepare, body) =
-        (slots(flow_kernel), context.stored(&flow_kernel.kernel, 0), assign(context, flow_kernel));
-    let action = match context.energy.form {
-        form if form.has_action() => quote!(s: &mut R),
-        _ => quote!(_: &mut ()),
-    };
-    let prepare = quote! {
-        #[inline]
-        fn #prepare_name(&self, h: R) -> [R; #slots] {
-            #prepare
-        }
-    };
-    let flow = quote! {
-        #[inline(always)]
-        fn #name(&self, prepared: &[R; #slots], t: R, q: &mut #array, p: &mut #array, #action) {
-            #body
-        }
-    };
-    // What only adds needs no second routine.
-    let increments = flow_kernel.kernel.last.get(1).map(|_| {
-        let (name, body) = (format_ident!("{name}_increments"), increments(context, flow_kernel));
-        let parts = context.per_coordinate();
-        quote! {
-            #[inline(always)]
-            fn #name(&self, prepared: &[R; #slots], t: R, x: &#parts) -> #parts {
-                #body
-            }
-        }
-    });
-    (quote!([R; #slots]), prepare, quote!(#flow #increments))
-}
-
-/// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
-pub(super) fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) if context.energy.form.is_flow() => element(quote!(d.z), &context.coordinate(*i)),
-        Symbol::Q(i) => element(quote!(d.z), &[&[0], &context.coordinate(*i)[..]].concat()),
-        Symbol::P(i) => element(quote!(d.z), &[&[1], &context.coordinate(*i)[..]].concat()),
-        _ => quote!(d.s),
-    });
-    let parts = context.per_coordinate();
-    let writes = context.planned(&flow.kernel.last[1], (&[], ""), |values| quote!(#(#places = #values;)*));
-    let point = if context.energy.form.is_flow() { quote!(q) } else { quote!([q, p]) };
-    quote! {
-        let PerCoordinate { z: #point, s } = x;
-        let mut d: #parts = PerCoordinate::nothing();
-        #writes
-        d
-    }
-}
-
-/// `q[i] = …; p[i] = …; *s = …;`
-pub(super) fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) => element(quote!(q), &context.coordinate(*i)),
-        Symbol::P(i) => element(quote!(p), &context.coordinate(*i)),
-        _ => quote!(*s),
-    });
-    context.values(&flow.kernel, |values| quote!(#(#places = #values;)*))
 }
 
 /// `impl MechanicalContact`: kick and drift without damping, and the damping.
@@ -280,26 +214,4 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
         #not_quadratic
         #mechanical
     }
-}
-
-/// A trait that nothing implements, whose message says why a system lacks a property.
-pub(super) fn unsatisfied(context: &Context<'_>, graph: &Graph, missing: Missing) -> (Ident, TokenStream) {
-    let Missing { marker, term, why, pair } = missing;
-    let name = &context.energy.name;
-    let marker = format_ident!("{marker}{name}");
-    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    let message = format!("`{name}`: {why}");
-    let pair = pair.map_or_else(String::new, |([a, b], word)| {
-        format!("; {} and {} {word}", context.user_name(a), context.user_name(b))
-    });
-    let label = format!("the term is: {}{pair}", printer.excerpt(term));
-    // Braces in a message are read as parameters.
-    let (message, label) = (message.replace(['{', '}'], "|"), label.replace(['{', '}'], "|"));
-    let tokens = quote! {
-        #[diagnostic::on_unimplemented(message = #message, label = #label)]
-        pub trait #marker {
-            type Proof;
-        }
-    };
-    (marker, tokens)
 }

@@ -1,10 +1,11 @@
 //! A part with an exact flow and a rest that is a kick; or implementations that no scalar satisfies, whose message says why there is no
 //! such part.
 
-use super::flows::{assign, flow, slots, unsatisfied};
-use super::kernel::Context;
-use super::system::self_type;
+use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Missing, Perturbed};
+use crate::emit::kernel::Context;
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::self_type;
 use crate::ir::{Graph, print::Printer};
 use crate::parse::Role;
 use crate::schedule::Plan;
@@ -13,7 +14,11 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl PerturbedSystem` and `impl PerturbedGradient`.
-pub(super) fn perturbed(context: &Context<'_>, graph: &Graph, found: &Result<Perturbed<Plan>, Missing>) -> TokenStream {
+pub(in crate::emit) fn perturbed(
+    context: &Context<'_>,
+    graph: &Graph,
+    found: &Result<Perturbed<Plan>, Missing>,
+) -> TokenStream {
     match found {
         Ok(found) => parts(context, graph, found),
         Err(missing) => none(context, graph, *missing),

@@ -3,7 +3,9 @@
 //! `9.81`, `1.0 / 3.0`, `6.674e-11`, the `f64` nearest to π, square roots of ratios and exponents stay exact while the graph is
 //! simplified and are rounded once, when they are emitted.
 
-use super::ratio::Ratio;
+mod ratio;
+
+pub(crate) use ratio::Ratio;
 use std::cmp::Ordering;
 
 /// A constant.

@@ -4,13 +4,13 @@
 //! the flow keeps. J is sought among the combinations of a few generators, whose coefficients are numbers, or numbers times products of
 //! powers of parameters.
 
-use super::degree::Degrees;
-use super::dependence::Dependence;
-use super::equations::{Equations, Row, add_multiple};
 use super::generators::{Generator, Summand, generators, name};
-use super::leaves::leaves;
-use super::quadratic::{Atom, Expansion, Quadratic, Variable};
 use super::weights::{Term, Weight, clear, times, weights};
+use crate::analyze::degree::Degrees;
+use crate::analyze::dependence::Dependence;
+use crate::analyze::equations::{Equations, Row, add_multiple};
+use crate::analyze::leaves::leaves;
+use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
 use crate::ir::{Graph, Id, Ratio};
 use crate::parse::Shape;
 use std::borrow::Cow;
@@ -30,7 +30,7 @@ struct Unknown {
 }
 
 /// All that were found, but for single coordinates: those are kept because H does not read the conjugate one.
-pub(super) fn momenta(
+pub(in crate::analyze) fn momenta(
     graph: &mut Graph,
     dependence: &Dependence,
     degrees: &Degrees,

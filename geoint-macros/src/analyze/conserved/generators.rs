@@ -1,7 +1,7 @@
 //! What conserved functions of the state are made of, and what people call these.
 
-use super::quadratic::{UNIT, Variable};
 use super::weights::Weight;
+use crate::analyze::quadratic::{UNIT, Variable};
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use crate::parse::{Leaf, Shape};
 

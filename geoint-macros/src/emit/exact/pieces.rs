@@ -1,11 +1,12 @@
 //! The exact flows of pieces; or, if some term is in no piece, an implementation that no scalar satisfies, whose message names
 //! the term.
 
-use super::flows::{assign, increments, unsatisfied};
-use super::kernel::{Context, element};
-use super::straight_line;
-use super::system::self_type;
+use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
+use crate::emit::kernel::{Context, element};
+use crate::emit::missing::unsatisfied;
+use crate::emit::straight_line;
+use crate::emit::system::self_type;
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;
@@ -13,7 +14,7 @@ use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// `impl Pieces`.
-pub(super) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
+pub(in crate::emit) fn pieces(context: &Context<'_>, graph: &Graph, found: &PiecesOf<Plan>) -> TokenStream {
     let name = format_ident!("{}", found.splitting);
     match &found.pieces {
         Ok(pieces) => splitting(context, graph, (&name, found), pieces),

@@ -1,9 +1,9 @@
 //! The equations of implicit steps of contact systems.
 
-use super::implicit::{square, write_field};
-use super::kernel::{Context, write};
-use super::system::self_type;
+use super::{square, write_field};
 use crate::derive::{StageKernel, StepKernel};
+use crate::emit::kernel::{Context, write};
+use crate::emit::system::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

@@ -1,8 +1,8 @@
 //! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
 
-use super::canonical::{impulse, increments};
-use super::system::{FlowKernel, Missing};
 use crate::analyze::reads;
+use crate::derive::canonical::{impulse, increments};
+use crate::derive::system::{FlowKernel, Missing};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
@@ -43,7 +43,11 @@ pub(crate) struct Inner<K> {
 }
 
 /// Kernels of both parts.
-pub(super) fn kernels(graph: &mut Graph, division: &Division, degrees: u32) -> Result<Perturbed<Kernel>, Missing> {
+pub(in crate::derive) fn kernels(
+    graph: &mut Graph,
+    division: &Division,
+    degrees: u32,
+) -> Result<Perturbed<Kernel>, Missing> {
     let parts = match division {
         Ok(parts) => parts,
         Err(NoExactPart { term, why }) => return Err(Missing { marker: "Parted", term: *term, why, pair: None }),
@@ -154,7 +158,7 @@ fn weighted(graph: &mut Graph, parts: &split::Perturbed, impulse: Vec<Id>) -> Ve
 }
 
 impl<K> Perturbed<K> {
-    pub(super) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Perturbed<L> {
+    pub(in crate::derive) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Perturbed<L> {
         Perturbed {
             exact: self.exact,
             rest: self.rest,

@@ -1,12 +1,12 @@
 //! The pieces of an energy in kernels.
 
-use super::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
+use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Kernel;
 use crate::split::{self, Pieces};
 
 /// The flows of pieces, of a splitting with its name, or what is said of the term that is in none; `rest` if momenta are not followed.
-pub(super) fn kernels(
+pub(in crate::derive) fn kernels(
     graph: &mut Graph,
     splitting: &'static str,
     (found, why): (&Pieces, &'static str),
