@@ -1,7 +1,7 @@
 //! Positions that are bound to g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
 //!
 //! A state is on a constraint if g(q) = 0 and the velocity does not lead away from it, G ∂H/∂p = 0.
-use super::{Cotangent, PhaseSpace};
+use crate::system::{Cotangent, PhaseSpace};
 
 use crate::scalar::Real;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, ROUNDINGS, Verdict};

@@ -1,8 +1,8 @@
 //! Flows that are canonical in other coordinates than those of their states.
 
-use super::{ByCanonical, Collocated, VectorField};
 use crate::scalar::Real;
 use crate::space::Square;
+use crate::system::{ByCanonical, Collocated, VectorField};
 
 /// x' = S ∇H with functions y of x, as many as coordinates, in which S is the canonical matrix: half of the coordinates, and their momenta.
 ///

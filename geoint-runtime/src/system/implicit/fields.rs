@@ -1,9 +1,9 @@
 //! The differential equation as implicit methods solve it.
 
-use super::{ByTree, Collocated, Graded, VectorField};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::space::{Array, Square};
+use crate::system::{ByTree, Collocated, Graded, VectorField};
 
 /// The field is a polynomial of degree 2 at most: of an energy, one of degree 3.
 #[diagnostic::on_unimplemented(

@@ -1,11 +1,11 @@
 //! Lagrangians whose steps are solved for velocities: v follows from p by an equation, and no energy as a function of p is emitted.
 
-use super::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
 use crate::space::{Array, Square};
+use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 
 /// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix M = ∂²L/∂v².
 pub trait VelocityForm<R: Real = f64>: Lagrangian<R, Action = ()> + Collocated<R, Stages = ByVelocities> {

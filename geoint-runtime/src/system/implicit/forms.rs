@@ -1,7 +1,7 @@
 //! How the equations of implicit steps are posed: by a field in positions and momenta, or by a Lagrangian in velocities.
 
-use super::PhaseSpace;
 use crate::scalar::Real;
+use crate::system::PhaseSpace;
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(

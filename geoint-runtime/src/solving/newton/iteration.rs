@@ -1,12 +1,13 @@
-//! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
+//! How one equation is solved: by how many iterations, from how many guesses.
 
+use super::predictor;
+use super::{Found, MOST_UNKNOWNS, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
 use crate::solving::noise;
-use crate::solving::predictor::{self, Predictor};
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::Sizes;
 use crate::space::Array;
@@ -17,10 +18,6 @@ const LEAST_CURVATURE: f64 = 1e-3;
 
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
-
-/// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
-/// it emits a kernel for Newton's iteration.
-const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
 
 /// The factor by which corrections of the fixed point must shrink.
 const SHRINKING: f64 = 0.3;
@@ -35,16 +32,9 @@ const FAR_OFF: f64 = 1.0 / 64.0;
 /// Iterations after which a guess was no good.
 const ROUGH: u32 = 3;
 
-/// Solves one equation a step, and remembers what helps with the next one.
-#[derive(Clone, Copy, Debug)]
-pub struct Newton<A> {
-    predictor: Predictor<A>,
-    iteration: Iteration<A>,
-}
-
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
-struct Iteration<A> {
+pub(super) struct Iteration<A> {
     sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
     kinds: [usize; 2],
@@ -59,40 +49,13 @@ struct Iteration<A> {
     stiff: bool,
 }
 
-/// What a solver has found.
-///
-/// No `Result`: the refusal and the numbers would share their memory, and the numbers go through it in every step.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Found<A> {
-    pub(crate) x: A,
-    /// What the last correction could not subtract from the digits of x. That has a bias: what is left of x − g is a multiple of the last
-    /// digit of x, and so is, nearly, a small correction.
-    pub(crate) lost: A,
-    /// Where there is no solution, the rest is worth nothing.
-    pub(crate) outcome: Result<(), Refusal>,
-}
+/// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
+pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
 
-impl<A: Array> Found<A> {
-    /// x and what it has lost, for steps that take so long that a `Result` costs nothing beside them.
-    #[inline(always)]
-    pub(crate) fn checked(self) -> Result<(A, A), Refusal> {
-        self.outcome.map(|()| (self.x, self.lost))
-    }
-
-    #[inline(always)]
-    fn solution(x: A, lost: A) -> Self {
-        Found { x, lost, outcome: Ok(()) }
-    }
-
-    fn none(refusal: Refusal) -> Self {
-        Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
-    }
-}
-
-impl<A: Array> Newton<A> {
-    /// Unknowns come in `kinds` of `n` that have one unit.
-    pub(crate) fn new(n: usize, kinds: usize) -> Self {
-        let iteration = Iteration {
+impl<A: Array> Iteration<A> {
+    /// Of equations whose unknowns come in `kinds` of `n` that have one unit.
+    pub(super) fn new(n: usize, kinds: usize) -> Self {
+        Iteration {
             sizes: Sizes::new(),
             kinds: [n, kinds],
             missing: predictor::POINTS,
@@ -100,71 +63,42 @@ impl<A: Array> Newton<A> {
             reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             stiff: A::LEN <= MOST_UNKNOWNS,
-        };
-        Newton { predictor: Predictor::new(), iteration }
-    }
-
-    /// Solves an equation to rounding, from the increments before or from its explicit guess.
-    ///
-    /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
-    /// symmetry of a step, and the order of its compositions, hold only at the solved point.
-    ///
-    /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
-    /// continuous in h: the equation has others, or an unstable direction has been turned round.
-    #[inline(always)]
-    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
-        let found = self.solution(equation, watch);
-        // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
-        self.predictor.push(&found.x);
-        self.iteration.steps = self.iteration.steps.wrapping_add(1);
-        found
-    }
-
-    #[inline(always)]
-    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
-        let extrapolates = !self.iteration.rough;
-        if A::LEN > MOST_UNKNOWNS {
-            let guess = extrapolates.then(|| self.predictor.predict());
-            return self.iteration.of_many((guess, None), equation, watch);
         }
-        // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
-        let start = 'start: {
-            if E::STANDSTILL.is_some() || !extrapolates {
-                break 'start (extrapolates.then(|| self.predictor.predict()), None);
-            }
-            let guess = self.predictor.predict();
-            let mut matrix = A::fill(A::zero());
-            let mut delta = equation.residual(watch, &guess, &mut matrix);
-            let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, &self.iteration.sizes) else {
-                break 'start (Some(guess), None);
-            };
-            if !(self.iteration.is_last(&delta) && positive) {
-                break 'start (Some(guess), Some((delta, positive)));
-            }
-            let mut x = guess;
-            let lost = subtract(&mut x, &delta);
-            return Found::solution(x, lost);
-        };
-        let found;
-        (self.iteration, found) = self.iteration.search(start, *equation, watch);
-        found
     }
-}
 
-/// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
-type Start<A> = (Option<A>, Option<(A, bool)>);
+    /// Whether nothing can be extrapolated from the increments before.
+    #[inline(always)]
+    pub(super) fn is_rough(&self) -> bool {
+        self.rough
+    }
 
-impl<A: Array> Iteration<A> {
+    /// The sizes of increments so far.
+    #[inline(always)]
+    pub(super) fn sizes(&self) -> &Sizes<A> {
+        &self.sizes
+    }
+
+    /// One step more.
+    #[inline(always)]
+    pub(super) fn pass(&mut self) {
+        self.steps = self.steps.wrapping_add(1);
+    }
+
     /// Whether nothing is left to correct after the first correction of a step. Convergence is quadratic, and C is known from a step
     /// before.
     #[inline(always)]
-    fn is_last(&self, delta: &A) -> bool {
+    pub(super) fn is_last(&self, delta: &A) -> bool {
         self.sizes.exceed(delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK)
     }
 
     /// Solves an equation for many unknowns: by the fixed point if that attracts.
     #[inline(always)]
-    fn of_many<W, E: StepEquation<A, W>>(&mut self, start: Start<A>, equation: &E, watch: &mut W) -> Found<A> {
+    pub(super) fn of_many<W, E: StepEquation<A, W>>(
+        &mut self,
+        start: Start<A>,
+        equation: &E,
+        watch: &mut W,
+    ) -> Found<A> {
         if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
             let guess = start.0.unwrap_or_else(|| explicit(*equation));
             let found = self.fixed_point(guess, equation, watch);
@@ -183,7 +117,7 @@ impl<A: Array> Iteration<A> {
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
     #[cold]
     #[inline(never)]
-    fn search<W, E: StepEquation<A, W>>(
+    pub(super) fn search<W, E: StepEquation<A, W>>(
         mut self,
         (extrapolated, mut first): Start<A>,
         equation: E,
@@ -323,14 +257,6 @@ impl<A: Array> Iteration<A> {
             self.reach = reach;
         }
     }
-}
-
-/// x ← x − delta, and what that rounds off.
-#[inline(always)]
-fn subtract<A: Array>(x: &mut A, delta: &A) -> A {
-    let before = *x;
-    *x = difference(&before, delta);
-    difference(&difference(&before, x), delta)
 }
 
 /// Where an iteration starts.
