@@ -1,11 +1,14 @@
 //! Every form of a system under the methods of its lists: in other units, in `f32`, in single steps and in one call.
 
+mod systems;
+
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Action, Array, Snapshot};
-use geoint_runtime::system::StateOf;
-use geoint_runtime::{Method, PhaseSpace, Real};
+use geoint_runtime::system::{Jets, StateOf};
+use geoint_runtime::{Method, PhaseSpace, Real, TaylorIntegrator};
 use std::marker::PhantomData;
+use systems::{Over, double, single};
 
 /// Powers of two: what was 1 in the units of before is 2ᵏ in these.
 #[derive(Clone, Copy, Debug)]
@@ -27,108 +30,6 @@ const UNITS: [Units; 4] = [
 fn times(x: f64, k: i32) -> f64 {
     x * 2.0_f64.powi(k)
 }
-
-/// A parameter of another scalar.
-trait Over<T> {
-    fn over(self) -> T;
-}
-
-impl Over<f64> for f64 {
-    fn over(self) -> f64 {
-        self
-    }
-}
-
-impl Over<f32> for f64 {
-    fn over(self) -> f32 {
-        self as f32
-    }
-}
-
-impl<T, const N: usize> Over<[T; N]> for [f64; N]
-where
-    f64: Over<T>,
-{
-    fn over(self) -> [T; N] {
-        self.map(Over::over)
-    }
-}
-
-macro_rules! systems {
-    ($module:ident, $real:ident) => {
-        mod $module {
-            use geoint_runtime::prelude::*;
-            use nalgebra::{UnitQuaternion, Vector3};
-
-            #[contact_hamiltonian]
-            pub(super) fn damped(q: [$real; 2], p: [$real; 2], s: $real, m: $real, k: $real, gamma: $real) -> $real {
-                (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / q[0].hypot(q[1]) + gamma * s
-            }
-
-            /// A pendulum whose length is a constraint.
-            #[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - l * l) / 2.0])]
-            pub(super) fn bound(q: [$real; 3], p: [$real; 3], m: $real, l: $real, g: $real) -> $real {
-                (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / (2.0 * m) + m * g * q[2]
-            }
-
-            #[hamiltonian(coordinates = jacobi)]
-            pub(super) fn planets(q: [[$real; 2]; 3], p: [[$real; 2]; 3], m: [$real; 3], g: $real) -> $real {
-                let mut energy = 0.0;
-                for i in 0..3 {
-                    energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m[i]);
-                    for j in 0..i {
-                        energy -= g * m[i] * m[j] / (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]);
-                    }
-                }
-                energy
-            }
-
-            /// A charge in a field, and bound.
-            #[hamiltonian]
-            pub(super) fn charge(q: [$real; 2], p: [$real; 2], m: $real, b: $real, k: $real) -> $real {
-                let u = [p[0] + 0.5 * b * q[1], p[1] - 0.5 * b * q[0]];
-                (u[0] * u[0] + u[1] * u[1]) / (2.0 * m) + k * (q[0] * q[0] + 2.0 * q[1] * q[1]).powi(2)
-            }
-
-            #[hamiltonian(structure = so3)]
-            pub(super) fn top(x: [$real; 3], inertia: [$real; 3]) -> $real {
-                (x[0] * x[0] / inertia[0] + x[1] * x[1] / inertia[1] + x[2] * x[2] / inertia[2]) / 2.0
-            }
-
-            #[vector_field(keeps(wealth = d * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
-            pub(super) fn predators(x: [$real; 2], a: $real, b: $real, c: $real, d: $real) -> [$real; 2] {
-                [x[0] * (a - b * x[1]), x[1] * (d * x[0] - c)]
-            }
-
-            /// Two masses on rods.
-            #[lagrangian]
-            pub(super) fn rods(q: [$real; 2], v: [$real; 2], m: $real, l: $real, g: $real) -> $real {
-                let coupling = v[0] * v[1] * (q[0] - q[1]).cos();
-                m * l * l * (v[0] * v[0] + 0.5 * v[1] * v[1] + coupling) + m * g * l * (2.0 * q[0].cos() + q[1].cos())
-            }
-
-            /// Linear in velocities.
-            #[lagrangian]
-            pub(super) fn vortices(q: [$real; 2], v: [$real; 2], k: $real, w: $real) -> $real {
-                k * q[0] * v[1] - w * (1.0 + q[0] * q[0] + 3.0 * q[1] * q[1]).ln()
-            }
-
-            #[hamiltonian(attitude = r)]
-            pub(super) fn heavy_body(
-                r: UnitQuaternion<$real>,
-                m: Vector3<$real>,
-                inertia: [$real; 3],
-                weight: $real,
-            ) -> $real {
-                let spin = m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2];
-                spin / 2.0 + weight * (r * Vector3::new(0.3, -0.2, 0.7)).z
-            }
-        }
-    };
-}
-
-systems!(double, f64);
-systems!(single, f32);
 
 /// A system in either scalar.
 trait Form<R: Real> {
@@ -195,6 +96,8 @@ forms! {
         Predators { a: times(1.1, -u.t), b: times(0.7, -u.q - u.t), c: times(0.9, -u.t), d: times(0.8, -u.q - u.t) }
     Rods from [1.1, -0.4, 0.3, 0.2], step 0.03, units |u| vec![0, 0, u.p, u.p],
         Rods { m: times(0.9, u.p + u.t - 2 * u.q), l: times(1.2, u.q), g: times(3.1, u.q - 2 * u.t) }
+    Vortices from [0.5, -0.3], step 0.05, units |u| vec![u.q; 2],
+        Vortices { k: times(1.2, u.p - u.q), w: times(0.8, u.q + u.p - u.t), l: times(1.0, u.q) }
     HeavyBody from [0.8, 0.0, 0.6, 0.0, 0.5, 1.6, -1.2, 0.0], step 0.05, units |u| [[0; 4], [u.p; 4]].concat(),
         HeavyBody { inertia: [1.0, 2.0, 3.1].map(|i| times(i, u.p + u.t)), weight: times(0.8, u.p - u.t) }
 }
@@ -311,7 +214,38 @@ in_every_form! {
     structures: Top, catalogue::poisson structured;
     fields: Predators, catalogue::planar structured;
     velocities: Rods, of_velocities;
+    linear_in_velocities: Vortices, of_velocities;
     bodies: HeavyBody, catalogue::separable catalogue::principal_axes;
+}
+
+/// Steps by Taylor series: their lengths follow from the coefficients of the solution, and are rounded otherwise in other units.
+#[test]
+fn series() {
+    fn run<F: Written + Form<f64>>(units: Units) -> Vec<f64>
+    where
+        F::System: Jets,
+    {
+        let mut sim = TaylorIntegrator::new(F::system(units), Taylor::default(), start::<F, f64>(units));
+        assert_eq!(sim.advance(20), Ok(()), "{units:?}");
+        let mut values = plain::<F, f64>(units, sim.state());
+        values.push(times(sim.time(), -units.t));
+        values
+    }
+    fn check<F: Written + Form<f64>>()
+    where
+        F::System: Jets,
+    {
+        let expected = run::<F>(PLAIN);
+        for units in UNITS {
+            for (seen, expected) in run::<F>(units).iter().zip(&expected) {
+                assert!((seen - expected).abs() <= 1e-13 * (1.0 + expected.abs()), "{units:?}: {seen}, {expected}");
+            }
+        }
+    }
+    check::<Damped>();
+    check::<Charge>();
+    check::<Top>();
+    check::<Predators>();
 }
 
 /// Methods for fields that keep something.
@@ -328,7 +262,7 @@ where
     visitor.visit(Gauss::<3>);
 }
 
-/// Methods for Lagrangians whose mass matrix is full.
+/// Methods for Lagrangians whose mass matrix is full, or none.
 fn of_velocities<S: PhaseSpace<R>, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
     DiscreteGradient: Method<S, R>,
