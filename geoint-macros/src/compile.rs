@@ -65,7 +65,9 @@ fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendr
     let forces = Forces::of(graph, lowered.force, lowered.friction);
     let friction = (damping.as_ref(), forces.as_ref());
     check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let system = derive::velocities(graph, legendre, long, friction).of_lagrangian(legendre).scheduled(graph);
+    let system = derive::velocities(graph, legendre, (long, &energy.coordinates.shape), friction)
+        .of_lagrangian(legendre)
+        .scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
         + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
@@ -151,6 +153,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let mechanics = split::mechanics(graph, root, degrees);
     let (derived, gradient) =
         derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
+    check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);

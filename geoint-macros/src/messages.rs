@@ -52,6 +52,8 @@ pub(crate) const DAMPED: &str =
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const READS_ACTION: &str = "this reads the action, so that the energy changes with ∂H/∂s";
+
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
                                         order; use a table for every separable energy, such as `BlanesMoan6`";

@@ -24,7 +24,7 @@ pub use crate::system::{
     Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient,
     PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField,
     QuadraticKinetic, Separable, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of,
-    rate_of, unmet, velocity_of,
+    from_positions, rate_of, unmet, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};
 pub use geoint_macros::{put_energy_function_above_it, resume};

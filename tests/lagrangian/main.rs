@@ -7,6 +7,7 @@ mod references;
 mod orders;
 mod energies;
 mod laws;
+mod noether;
 mod velocities;
 mod thesis;
 mod degenerate;

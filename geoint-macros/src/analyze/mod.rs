@@ -14,6 +14,7 @@ mod generators;
 mod weights;
 mod momenta;
 mod dissipated;
+mod noether;
 mod mean_value;
 mod enclosable;
 mod poles;
@@ -33,6 +34,7 @@ pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claim
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use momenta::Momentum;
+pub(crate) use noether::{noether, translations};
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use squares::weights_of_squares;

@@ -8,14 +8,14 @@ use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
 use crate::messages::{FULL_MASS, NOT_POLARISED};
-use crate::parse::Form;
+use crate::parse::{Form, Shape};
 use crate::schedule::{Kernel, Levels};
 
 /// Derives everything that some method needs; `long` is why there is no H.
 pub(crate) fn velocities(
     graph: &mut Graph,
     legendre: &Legendre,
-    long: Id,
+    (long, coordinates): (Id, &Shape),
     (damping, others): (Option<&Damping>, Option<&Forces>),
 ) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
@@ -23,12 +23,29 @@ pub(crate) fn velocities(
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
     let [stage, force] =
         [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
+    let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
+    let spared = |i: u32| {
+        let row = damping.map(|damping| &damping.matrix[i as usize]);
+        row.is_none_or(|row| row.iter().all(|entry| graph.is_zero(*entry)))
+            && others.is_none_or(|others| others.spared[i as usize])
+    };
+    momenta_kept.retain(|momentum| {
+        let read = analyze::symbols(graph, momentum.value);
+        read.into_iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(i)))
+    });
     let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
     let polarised = if quadratic {
         let equation = lagrangian::polarised(graph, given);
         Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
+    };
+    let summed = match &polarised {
+        Ok(_) => {
+            let polarisation = lagrangian::polarisation(graph, given);
+            analyze::translations(graph, polarisation, coordinates)
+        }
+        Err(_) => vec![],
     };
     let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
     // What has no velocity in it is divided as slopes divide it.
@@ -50,6 +67,13 @@ pub(crate) fn velocities(
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
             keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
+            momenta: momenta_kept
+                .into_iter()
+                .map(|momentum| {
+                    let by_gradient = summed.iter().any(|other| other.value == momentum.value);
+                    (momentum, by_gradient)
+                })
+                .collect(),
         }),
         integrals: None,
         domain: Domain::of(

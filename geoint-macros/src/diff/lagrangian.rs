@@ -59,16 +59,9 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
-    let (mut starts, mut ends, mut means, mut increments) = (vec![], vec![], vec![], vec![]);
-    for i in 0..degrees {
-        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
-        let half = graph.scale(Number::HALF, d);
-        starts.push(start);
-        ends.push(graph.add(start, d));
-        means.push(graph.add(start, half));
-        increments.push(graph.mul(h, means[i as usize]));
-    }
-    let polarised = polarisation(graph, given, (&starts, &ends), &means);
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
+    let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
+    let polarised = polarisation(graph, given);
     let slopes = discrete_gradient(graph, polarised, degrees).q;
     let damping: Option<Vec<Vec<Id>>> = given.damping.map(|matrix| {
         let mut there = Substitution::new(middle);
@@ -119,8 +112,30 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     [residual, impulse, matrix, impulse_by_d].concat()
 }
 
+/// v₁ = v₀ + d.
+fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut end = |i| {
+        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        graph.add(start, d)
+    };
+    (0..degrees).map(&mut end).collect()
+}
+
+/// v̄ = v₀ + d/2.
+fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut mean = |i| {
+        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        let half = graph.scale(Number::HALF, d);
+        graph.add(start, half)
+    };
+    (0..degrees).map(&mut mean).collect()
+}
+
 /// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.
-fn polarisation(graph: &mut Graph, given: Given<'_>, (starts, ends): (&[Id], &[Id]), means: &[Id]) -> Id {
+pub(crate) fn polarisation(graph: &mut Graph, given: Given<'_>) -> Id {
+    let degrees = given.momenta.len() as u32;
+    let starts: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::V(i))).collect();
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
     let mut terms = vec![graph.neg(given.potential)];
     for i in 0..starts.len() {
         terms.push(graph.mul(given.shift[i], means[i]));

@@ -12,7 +12,7 @@ use quote::quote;
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
 pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
-    let VelocityKernels { increments, mass, weights, stage, polarised, keeps } = kernels;
+    let VelocityKernels { increments, mass, weights, stage, polarised, keeps, .. } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
     let (n, quadratic, keeps) = (places.len(), polarised.is_ok(), *keeps);

@@ -83,6 +83,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "VelocityForm",
     "canonical_rate",
     "energy_of",
+    "from_positions",
     "fourth_order",
     "is_positive_semidefinite",
     "modified_verlet",

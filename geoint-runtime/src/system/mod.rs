@@ -28,7 +28,7 @@ pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVe
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use jets::Jets;
-pub use lagrangian::Lagrangian;
+pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;

@@ -1,7 +1,7 @@
 //! The equations of implicit methods, by form.
 
 use super::Missing;
-use crate::analyze::MeanValue;
+use crate::analyze::{MeanValue, Momentum};
 use crate::ir::{Id, Symbol};
 
 /// The equations of implicit methods.
@@ -50,6 +50,8 @@ pub(crate) struct VelocityKernels<K> {
     /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
     /// in v.
     pub(crate) polarised: Result<K, Missing>,
+    /// Sums of momenta, and angular momenta, that the flow keeps; whether the discrete gradient does, too.
+    pub(crate) momenta: Vec<(Momentum, bool)>,
 }
 
 /// The field of implicit methods for (q, p), for q alone, or for x.
@@ -122,10 +124,10 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
+            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised, momenta }) => {
                 let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
                 let polarised = polarised.map(&mut *of);
-                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
+                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised, momenta })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
                 let steps = mapped(steps, of);

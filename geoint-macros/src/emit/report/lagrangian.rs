@@ -48,6 +48,19 @@ fn sections<F: Fn(Symbol) -> String>(
         writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
     }
     writeln!(text, "- H is {}", mechanical(graph, legendre))?;
+    if let Some(gauge) = legendre.gauge {
+        writeln!(
+            text,
+            "- what is linear in velocities is d/dt f{} with f = {}: it adds ∂f/∂{} to momenta, and {}",
+            if analyze::reads(graph, gauge).t { " − ∂f/∂t" } else { "" },
+            printer.excerpt(gauge),
+            context.name_of(Role::Position),
+            match analyze::reads(graph, gauge).t {
+                true => "a potential ∂f/∂t to the energy",
+                false => "changes no motion: without it the energy has fewer terms that couple positions and momenta",
+            }
+        )?;
+    }
     if legendre.concave {
         writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
     }
@@ -184,8 +197,23 @@ fn steps<F: Fn(Symbol) -> String>(
     for i in &cyclic {
         writeln!(text, "- {}: L does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
     }
-    if !energy && cyclic.is_empty() {
+    for (momentum, _) in &kernels.momenta {
+        writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;
+    }
+    if !energy && cyclic.is_empty() && kernels.momenta.is_empty() {
         writeln!(text, "- nothing that was found")?;
+    }
+    if !cyclic.is_empty() || !kernels.momenta.is_empty() {
+        writeln!(text, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding")?;
+    }
+    let summed = kernels.momenta.iter().any(|(_, by_gradient)| *by_gradient);
+    if kernels.polarised.is_ok() && (energy || summed || !cyclic.is_empty()) {
+        let others = kernels.momenta.iter().filter(|(_, by_gradient)| !by_gradient).map(|(momentum, _)| &momentum.name);
+        let others: Vec<String> = others.map(|name| format!("the {name}")).collect();
+        match &others[..] {
+            [] => writeln!(text, "`DiscreteGradient` keeps all of these, to rounding")?,
+            _ => writeln!(text, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", "))?,
+        }
     }
 
     writeln!(
