@@ -1,115 +1,16 @@
-//! Gauss collocation one dimension up, for contact systems.
+//! The equations of the stages.
 
-use crate::method::explicit::tableau::Tableau;
-use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_end, start};
+use super::PreparedContact;
+use super::factors::{Factors, varying};
+use crate::method::Probe;
+use crate::method::gauss::prepared::Prepared;
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
-use crate::solving::newton::Newton;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, scaled, sum, sum_of_products};
-use crate::space::{Array, PerCoordinate, Square, Summation};
-use crate::system::{ContactStages, Poles};
-
-/// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
-///
-/// With P = r p, r' = r ∂H/∂s and r = 1 at the start of a step, (q, P, s) and r are moved by the Hamiltonian r H(q, P/r, s), whose collocation
-/// commutes with scaling of (P, r): so it is a contact map, which multiplies ds − p dq by 1/r₁. With all derivatives at the stages,
-///
-/// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
-///
-/// One stage is [`ContactMidpoint`](crate::ContactMidpoint). Solved for q, p and s of all stages; where H = g(t)·s + H₀(q, p, t) the factors rᵢ
-/// are known beforehand and s follows, so that friction costs nothing beside [`Gauss`]. A step is refused where r₁ is not positive. All
-/// p·(Aq + b) that the flow multiplies by one factor are multiplied by 1/r₁.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct ContactGauss<const S: usize>;
-
-/// What a step needs.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    poles: Poles,
-    constants: P,
-    h: R,
-    /// h·A.
-    coupling: [[R; S]; S],
-    /// h·c.
-    nodes: [R; S],
-    /// h·b.
-    weights: [R; S],
-    /// bᵀA⁻¹: what increments of the stages add up to in the end.
-    shares: [R; S],
-}
-
-impl<Y: ContactStages<R>, R: Real, const S: usize> Method<Y, R> for ContactGauss<S>
-where
-    Gauss<S>: GaussTableau<S>,
-{
-    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as ContactStages<R>>::Proof>>::Both;
-    type Prepared = Prepared<Y::StageConstants, R, S>;
-    type Memory = Newton<[Y::Moved; S]>;
-
-    fn claims(&self) -> Claims {
-        Claims {
-            order: 2 * S as u32,
-            symmetric: true,
-            symplectic: true,
-            conserves_energy: false,
-            perturbed: &[],
-            forces: None,
-        }
-    }
-
-    fn name(&self) -> Name {
-        let names = [
-            "ContactGauss<1>",
-            "ContactGauss<2>",
-            "ContactGauss<3>",
-            "ContactGauss<4>",
-            "ContactGauss<5>",
-            "ContactGauss<6>",
-        ];
-        Name::new(names[S - 1])
-    }
-
-    fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
-        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
-        Prepared {
-            poles: Poles::of(system),
-            constants: system.stage_constants(),
-            h,
-            coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
-            nodes: c.map(|c| R::from_f64(c) * h),
-            weights: b.map(|b| R::from_f64(b) * h),
-            shares: shares(a, b).map(R::from_f64),
-        }
-    }
-
-    fn memory() -> Self::Memory {
-        Newton::new(Y::Array::LEN, 2 + (Y::Moved::LEN - Y::Phase::LEN))
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let mut origin = Y::Moved::zero();
-        let entries = origin.as_mut_slice();
-        entries[..Y::Phase::LEN].copy_from_slice(Array::as_slice(&x.z));
-        if let Some(s) = entries.get_mut(Y::Phase::LEN) {
-            *s = x.s;
-        }
-        probe.visit(t, &x.z, &x.s);
-        let equation = StagePoints { system, prepared, t, origin, known: Factors::known(system, prepared, t)? };
-        let (d, _) = newton.solve(&equation, probe).checked()?;
-        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
-        let before = start::<Y, R, C>(x);
-        x.add_everywhere(&end);
-        check_end(&prepared.poles, [t, t + prepared.h], &before, Step { system, t, x, probe })
-    }
-}
+use crate::space::{Array, PerCoordinate, Square};
+use crate::system::ContactStages;
 
 /// f = (∂H/∂p, −∂H/∂q, s') and ∂H/∂s at a stage, and the derivatives of both.
 #[derive(Clone, Copy)]
@@ -120,70 +21,14 @@ struct At<A: Array> {
     decay_by: A,
 }
 
-/// bᵀA⁻¹.
-fn shares<const S: usize>(a: [[f64; S]; S], b: [f64; S]) -> [f64; S] {
-    let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
-    let mut shares = b;
-    // The matrix of a Gauss method is regular.
-    linear::solve::<[f64; S]>(&mut transposed, &mut shares, &Sizes::equal());
-    shares
-}
-
-/// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
-#[derive(Clone, Copy)]
-struct Factors<R, const S: usize> {
-    decay: [R; S],
-    r: [R; S],
-    by_decay: [[R; S]; S],
-}
-
-impl<R: Real, const S: usize> Factors<R, S> {
-    /// `None` where there are none.
-    /// Those that time alone decides.
-    #[inline(always)]
-    fn known<Y: ContactStages<R>>(
-        system: &Y,
-        prepared: &Prepared<Y::StageConstants, R, S>,
-        t: R,
-    ) -> Result<Option<Self>, Refusal> {
-        if varying::<Y, R>() {
-            return Ok(None);
-        }
-        let decay = prepared.nodes.map(|node| system.decay(&prepared.constants, t + node, &Y::Moved::zero()));
-        Self::new::<false>(&prepared.coupling, &decay).map(Some).ok_or(Refusal::Singular)
-    }
-
-    /// Derivatives are wanted where they are not known beforehand. `None` where there are no factors.
-    #[inline(always)]
-    fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
-        let one = R::from_f64(1.0);
-        let matrix: [[R; S]; S] = core::array::from_fn(|i| {
-            core::array::from_fn(|j| (if i == j { one } else { zero() }) - coupling[i][j] * decay[j])
-        });
-        let solve = |rhs: [R; S]| {
-            let (mut matrix, mut x) = (matrix, rhs);
-            linear::solve::<[R; S]>(&mut matrix, &mut x, &Sizes::equal()).map(|_| x)
-        };
-        let r = solve([one; S])?;
-        let mut by_decay = [[zero(); S]; S];
-        for j in 0..if DERIVED { S } else { 0 } {
-            let column = solve(core::array::from_fn(|i| coupling[i][j] * r[j]))?;
-            for i in 0..S {
-                by_decay[i][j] = column[i];
-            }
-        }
-        Some(Factors { decay: *decay, r, by_decay })
-    }
-}
-
 /// The equations of all stages for their increments.
-struct StagePoints<'a, Y: ContactStages<R>, R: Real, const S: usize> {
-    system: &'a Y,
-    prepared: &'a Prepared<Y::StageConstants, R, S>,
-    t: R,
-    origin: Y::Moved,
+pub(super) struct StagePoints<'a, Y: ContactStages<R>, R: Real, const S: usize> {
+    pub(super) system: &'a Y,
+    pub(super) prepared: &'a PreparedContact<Y::StageConstants, R, S>,
+    pub(super) t: R,
+    pub(super) origin: Y::Moved,
     /// The factors, where they do not depend on what is solved for.
-    known: Option<Factors<R, S>>,
+    pub(super) known: Option<Factors<R, S>>,
 }
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, R, S> {
@@ -200,14 +45,14 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
         let none = Y::Moved::zero();
         let mut at = At { f: none, decay: zero(), f_by: Y::Moved::fill(none), decay_by: none };
         let values = (&mut at.f, &mut at.decay);
-        self.system.stage(&self.prepared.constants, t, x, values, (&mut at.f_by, &mut at.decay_by));
+        self.system.stage(&self.prepared.stages.constants, t, x, values, (&mut at.f_by, &mut at.decay_by));
         at
     }
 
     /// What the step adds; `None` where the form would not be multiplied by a positive number.
     #[inline(always)]
-    fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
-        let Prepared { constants, coupling, nodes, weights, shares, .. } = self.prepared;
+    pub(super) fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
+        let PreparedContact { stages: Prepared { constants, coupling, nodes, weights, .. }, shares } = self.prepared;
         let (n, one, origin) = (Y::Array::LEN, R::from_f64(1.0), self.origin.as_slice());
         let decay = |i: usize| self.system.decay(constants, self.t + nodes[i], &sum(&self.origin, &d[i]));
         let factors = match self.known {
@@ -243,7 +88,7 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
     #[inline(always)]
     fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S], s: R) -> Option<[R; S]> {
         let one = R::from_f64(1.0);
-        let Prepared { coupling, constants, nodes, .. } = self.prepared;
+        let Prepared { coupling, constants, nodes, .. } = &self.prepared.stages;
         let mut rates: [R; S] = core::array::from_fn(|i| {
             let x = sum(&self.origin, &d[i]);
             let mut z = Y::Phase::zero();
@@ -256,11 +101,6 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
         });
         linear::solve::<[R; S]>(&mut matrix, &mut rates, &Sizes::equal()).map(|_| rates)
     }
-}
-
-/// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
-const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
-    Y::Moved::LEN > <Y::Phase as Array>::LEN
 }
 
 impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Moved; S], P>
@@ -280,7 +120,7 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
         for (f, p) in f.as_mut_slice()[n..2 * n].iter_mut().zip(&self.origin.as_slice()[n..2 * n]) {
             *f = (-decay).multiply_add(*p, *f);
         }
-        self.prepared.nodes.map(|node| scaled(node, &f))
+        self.prepared.stages.nodes.map(|node| scaled(node, &f))
     }
 
     #[inline(always)]
@@ -290,14 +130,14 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
 
     #[inline(always)]
     fn residual(&self, probe: &mut P, d: &[Y::Moved; S], matrix: &mut Square<[Y::Moved; S]>) -> [Y::Moved; S] {
-        let coupling = &self.prepared.coupling;
+        let coupling = &self.prepared.stages.coupling;
         let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
         let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {
             let x = sum(&self.origin, &d[i]);
             let mut z = Y::Phase::zero();
             Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..2 * n]);
             let s = x.as_slice().get(2 * n).copied().unwrap_or_else(zero);
-            let t = self.t + self.prepared.nodes[i];
+            let t = self.t + self.prepared.stages.nodes[i];
             probe.visit(t, &z, &s);
             self.evaluated(t, &x)
         });
