@@ -43,6 +43,15 @@ pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and mome
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FULL_MASS_OF_ACTION: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
+                                              kick and drift do not exist; use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NO_PIECES_OF_VELOCITIES: &str = "by this entry of the mass matrix, or this term in velocities, the energy has no short formula that could be split; \
+                                                  use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_POLARISED_OF_ACTION: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
+                                                  discrete gradient; use `ContactMidpoint` or `ContactGauss`";
+
 pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
                                         discrete gradient; use `ImplicitMidpoint` or `Gauss`";
 

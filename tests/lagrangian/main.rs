@@ -13,4 +13,5 @@ mod thesis;
 mod degenerate;
 mod forces;
 mod herglotz;
+mod decaying;
 mod space;

@@ -28,7 +28,7 @@ pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};
-pub(crate) use dissipated::{Dissipated, dissipated};
+pub(crate) use dissipated::{Dissipated, decay, dissipated, dissipated_by_velocities};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};

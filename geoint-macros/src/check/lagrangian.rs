@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
-use crate::messages::{DAMPED, FORCED, FULL_MASS};
+use crate::messages::{DAMPED, FORCED, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION};
 use crate::parse::{Energy, Form, Requirement, Role};
 use std::collections::HashMap;
 
@@ -144,16 +144,20 @@ pub(crate) fn velocities(
     }
     for (requirement, span) in &energy.requirements {
         if *requirement == Requirement::Conservative {
-            if damping.is_some() || others.is_some() {
-                errors.at_place((*span, *span), if damping.is_some() { DAMPED } else { FORCED });
-            }
+            let changed = match (damping, others) {
+                (Some(_), _) => Some(DAMPED),
+                (None, Some(_)) => Some(FORCED),
+                (None, None) => energy.form.has_action().then_some(READS_ACTION),
+            };
+            changed.into_iter().for_each(|why| errors.at_place((*span, *span), why));
             continue;
         }
         if requirement.is_of_lagrangian() {
             continue;
         }
         let place = written(graph, places, long).unwrap_or((*span, *span));
-        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+        let why = if energy.form.has_action() { FULL_MASS_OF_ACTION } else { FULL_MASS };
+        errors.at_place(place, format!("{why}: {}", printer.excerpt(long)));
     }
     errors.or(())
 }

@@ -1,13 +1,16 @@
 //! What is derived from L(q, v, t) where velocities are the unknowns of steps.
 
 use super::domain::{Domain, Roots};
-use super::system::{Implicit, Missing, System, VelocityKernels};
+use super::pieces;
+use super::system::{HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels};
 use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
-use crate::messages::{FULL_MASS, NOT_POLARISED};
+use crate::messages::{
+    FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
+};
 use crate::parse::{Form, Shape};
 use crate::schedule::{Kernel, Levels};
 
@@ -33,8 +36,7 @@ pub(crate) fn velocities(
         let read = analyze::symbols(graph, momentum.value);
         read.into_iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(i)))
     });
-    let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
-    let polarised = if quadratic {
+    let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
         Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
     } else {
@@ -47,7 +49,6 @@ pub(crate) fn velocities(
         }
         Err(_) => vec![],
     };
-    let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
     // What has no velocity in it is divided as slopes divide it.
     let roots = [&[*lagrangian][..], forces, momenta].concat();
     let degrees = momenta.len() as u32;
@@ -62,8 +63,7 @@ pub(crate) fn velocities(
         perturbed: None,
         implicit: Implicit::Velocities(VelocityKernels {
             increments: (0..degrees).map(Symbol::Dv).collect(),
-            mass: Kernel::new(Levels::One, known),
-            weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
+            mass: mass_kernels(graph, legendre),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
             keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
@@ -85,5 +85,65 @@ pub(crate) fn velocities(
         ),
         lagrangian: None,
         jet: None,
+    }
+}
+
+/// The same of L(q, v, s, t) with an action.
+pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> System {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
+    let force = lagrangian::action_force(graph, given, *lagrangian);
+    let stage = lagrangian::action_stage(graph, given, *lagrangian);
+    let decay = force[momenta.len()];
+    let varying = analyze::reads(graph, decay).state();
+    let polarised = if is_quadratic(legendre) {
+        let equation = lagrangian::decaying(graph, given, *lagrangian);
+        let kernel = Kernel::new(Levels::Iterated, collected(graph, &equation));
+        let unknowns = (0..momenta.len() as u32).map(Symbol::Dv).chain([Symbol::Ds]).collect();
+        Ok(StepKernel { unknowns, kernel })
+    } else {
+        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })
+    };
+    let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
+    let roots = [&[*lagrangian, decay][..], forces, momenta].concat();
+    System {
+        proven: if varying { vec![] } else { vec!["ConformalContact"] },
+        value: None,
+        slopes: None,
+        rate: None,
+        splitting: Some(Err(Missing { marker: "MechanicalIn", term: long, why: FULL_MASS_OF_ACTION, pair: None })),
+        modified: None,
+        pieces: vec![pieces::kernels(graph, "ContactSplitting", (&Err(long), NO_PIECES_OF_VELOCITIES), false)],
+        perturbed: None,
+        implicit: Implicit::Herglotz(HerglotzKernels {
+            varying,
+            mass: mass_kernels(graph, legendre),
+            stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+            polarised,
+        }),
+        integrals: None,
+        domain: Domain::of(
+            graph,
+            Roots { all: &roots, divided: &[*lagrangian] },
+            Form::Contact,
+            &legendre.partial,
+            None,
+        ),
+        lagrangian: None,
+        jet: None,
+    }
+}
+
+fn is_quadratic(legendre: &Legendre) -> bool {
+    legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }))
+}
+
+fn mass_kernels(graph: &mut Graph, legendre: &Legendre) -> MassKernels<Kernel> {
+    let Legendre { lagrangian, momenta, mass, .. } = legendre;
+    let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
+    MassKernels {
+        mass: Kernel::new(Levels::One, known),
+        weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
+        quadratic: is_quadratic(legendre),
     }
 }

@@ -1,11 +1,14 @@
 //! The equations of implicit steps of a Lagrangian, with velocities as unknowns.
 
+mod action;
+
 use super::field::{middle, taking};
 use super::forward::jacobian;
 use super::gradient::discrete_gradient;
 use crate::analyze::Forces;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
+pub(crate) use action::{action_force, action_stage, decaying};
 
 /// What is known of L(q, v, t), and of friction.
 #[derive(Clone, Copy)]
@@ -91,15 +94,7 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
         Symbol::T => Some(late),
         _ => None,
     });
-    let mut momenta = vec![];
-    for i in 0..ends.len() {
-        let mut terms = vec![end.apply(graph, given.shift[i])];
-        for (entry, v) in given.mass[i].iter().zip(&ends) {
-            let entry = end.apply(graph, *entry);
-            terms.push(graph.mul(entry, *v));
-        }
-        momenta.push(graph.sum(&terms));
-    }
+    let momenta = momenta(graph, given, &ends, |graph, node| end.apply(graph, node));
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
     let [by_d, impulse_by_d] = [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns).concat());
     let mut residual = vec![];
@@ -110,6 +105,25 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     }
     let matrix: Vec<Id> = by_d.iter().zip(&impulse_by_d).map(|(a, b)| graph.sub(*a, *b)).collect();
     [residual, impulse, matrix, impulse_by_d].concat()
+}
+
+/// M v + a at a place.
+fn momenta(
+    graph: &mut Graph,
+    given: Given<'_>,
+    velocities: &[Id],
+    mut place: impl FnMut(&mut Graph, Id) -> Id,
+) -> Vec<Id> {
+    let mut momenta = vec![];
+    for i in 0..velocities.len() {
+        let mut terms = vec![place(graph, given.shift[i])];
+        for (entry, v) in given.mass[i].iter().zip(velocities) {
+            let entry = place(graph, *entry);
+            terms.push(graph.mul(entry, *v));
+        }
+        momenta.push(graph.sum(&terms));
+    }
+    momenta
 }
 
 /// v₁ = v₀ + d.

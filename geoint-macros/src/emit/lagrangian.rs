@@ -24,7 +24,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
                 velocity
             }
         }
-        None => quote!(velocity_of(self, t, z)),
+        None => quote!(velocity_of(self, t, z, s)),
     };
     let Energy { name: plain, float, coordinates, form, .. } = context.energy;
     let (state, coordinates) = (state(*form), &coordinates.ty);

@@ -11,6 +11,7 @@ mod damping;
 mod domain;
 mod flow;
 mod flows;
+mod herglotz;
 mod implicit;
 mod jet;
 mod kernel;
@@ -103,6 +104,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
         }
         Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
+        Implicit::Herglotz(kernels) => herglotz::herglotz(context, graph, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| steps::step(context, method, step));
             let stages = kernels.stages.as_ref().map(|stages| steps::stages(context, stages));

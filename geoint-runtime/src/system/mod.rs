@@ -7,6 +7,7 @@ mod bodies;
 mod canonical;
 mod constraints;
 mod contact;
+mod contact_velocities;
 mod forms;
 mod implicit;
 mod integrals;
@@ -24,7 +25,11 @@ pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{on_one_side, projected, tangent};
 pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
-pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
+pub use contact_velocities::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
+pub use forms::{
+    ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, ContactCollocated,
+    ContactGraded, Graded,
+};
 pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use jets::Jets;
@@ -37,8 +42,8 @@ pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
-pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
-pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
+pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
+pub(crate) use velocities::{Orientation, accelerated, acceleration, row_scale, velocity_near};
 
 pub use crate::solving::{Inverse, Inverted};
 

@@ -2,8 +2,8 @@
 
 use super::super::damping;
 use super::super::kernel::Context;
-use super::counted;
-use crate::analyze::{self, Damping, Forces};
+use super::{contact, counted};
+use crate::analyze::{self, Damping, Dissipated, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -229,6 +229,59 @@ fn steps<F: Fn(Symbol) -> String>(
                 "- Newton iteration of the discrete gradient, the polarised one: {}",
                 counted(polarised.operations())
             )
+        }
+        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+    }
+}
+
+/// The report of steps with velocities as unknowns where there is an action; `decay` is −∂L/∂s.
+pub(crate) fn herglotz(
+    context: &Context<'_>,
+    graph: &Graph,
+    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    system: &System<Plan>,
+) -> String {
+    let mut text = String::new();
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let _ = steps_with_action(&mut text, context, &printer, (long, decay, dissipated), system);
+    text
+}
+
+fn steps_with_action<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    system: &System<Plan>,
+) -> Written {
+    let Implicit::Herglotz(kernels) = &system.implicit else { return Ok(()) };
+    let v = context.name_of(Role::Velocity);
+    writeln!(text, "Structure")?;
+    writeln!(
+        text,
+        "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
+        printer.excerpt(long)
+    )?;
+    writeln!(text, "- kick and drift do not exist, nor do pieces with flows in closed form")?;
+    writeln!(text, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", printer.excerpt(decay))?;
+    match kernels.varying {
+        true => writeln!(text, "- s acts back on positions or momenta")?,
+        false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
+    }
+    if let Some(dissipated) = dissipated {
+        contact::decaying(text, printer, ("L", decay), dissipated)?;
+    }
+    let unknowns = context.energy.degrees() + u32::from(kernels.varying);
+    writeln!(text, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)")?;
+    writeln!(
+        text,
+        "- `ContactMidpoint` and `ContactGauss`: {} a stage of an iteration",
+        counted(kernels.stage.operations())
+    )?;
+    match &kernels.polarised {
+        Ok(step) => {
+            let cost = counted(step.kernel.operations());
+            writeln!(text, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
         }
         Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
     }
