@@ -1,7 +1,7 @@
 //! What is derived from L(q, v, t) where velocities are the unknowns of steps.
 
 use super::domain::{Domain, Roots};
-use super::pieces;
+use super::exact::pieces;
 use super::system::{HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels};
 use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};

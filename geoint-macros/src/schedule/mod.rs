@@ -7,6 +7,7 @@
 
 mod arithmetic;
 mod block;
+mod kepler;
 mod kernel;
 mod levels;
 mod lowering;
