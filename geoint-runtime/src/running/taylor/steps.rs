@@ -178,14 +178,16 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, Reason::Diverges));
         }
-        let mut h = self.towards(if wish.min(left) < f64::INFINITY { wish.min(left) } else { self.guess() });
+        // Where nothing else ends it.
+        let whole = if wish < f64::INFINITY { wish } else { self.guess() };
+        let mut h = self.towards(if left < f64::INFINITY { wish.min(left) } else { whole });
         let mut switch = self.switch(h);
         let mut beyond = 0.25 * R::epsilon() * h.abs();
         if let Some(switch) = switch {
             h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
         }
         let arrival = loop {
-            match self.attempt(h, switch.is_none()) {
+            match self.attempt(h, whole, switch.is_none()) {
                 // Which side it is on will be decided by the value.
                 Ok(_) if switch.is_some_and(|switch| !self.is_behind(switch)) && beyond < wish => {
                     h += self.towards(beyond);
@@ -222,10 +224,10 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if self.backwards { -h } else { h }
     }
 
-    /// Where a step of length h leads, and when that is. The coefficients there are computed, and, if `compared`, their first order with
-    /// that of the polynomial.
+    /// Where a step of length h, in place of a whole one, leads, and when that is. The coefficients there are computed, and, if `compared`,
+    /// their first order with that of the polynomial.
     #[inline(always)]
-    fn attempt(&mut self, h: f64, compared: bool) -> Result<(Carried<S, R>, Clock<R>), Reason> {
+    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(Carried<S, R>, Clock<R>), Reason> {
         let (mut x, mut clock) = (self.x, self.clock);
         let part = self.in_units(h);
         let (increment, rate) = taylor::increment_and_rate(self.jet(), part);
@@ -235,7 +237,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         }
         clock.pass_step(R::from_f64(h), DoubleWord::new(zero()));
         let t = clock.now(zero());
-        self.expand(1 - self.present, h, t, PerCoordinate::of(&x));
+        self.expand(1 - self.present, whole, t, PerCoordinate::of(&x));
         if S::EXAMINED
             && let Some(what) = self.system.outside_domain(t, &x.z, &x.s)
         {
@@ -268,7 +270,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         for place in 0..S::Switches::LEN {
             let (mut g, mut power) = ([0.0; taylor::MOST], 1.0);
             for (g, switch) in g.iter_mut().zip(switches) {
-                *g = power * signed(switch.as_slice()[place]);
+                let switch = signed(switch.as_slice()[place]);
+                *g = if switch == 0.0 { 0.0 } else { power * switch };
                 power *= h;
             }
             let roots = taylor::roots(&g[..self.order.min(taylor::MOST)]);
