@@ -46,6 +46,15 @@ pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and mome
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FULL_MASS_OF_ACTION: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
+                                              kick and drift do not exist; use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NO_PIECES_OF_VELOCITIES: &str = "by this entry of the mass matrix, or this term in velocities, the energy has no short formula that could be split; \
+                                                  use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_POLARISED_OF_ACTION: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
+                                                  discrete gradient; use `ContactMidpoint` or `ContactGauss`";
+
 pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
                                         discrete gradient; use `ImplicitMidpoint` or `Gauss`";
 
@@ -54,6 +63,8 @@ pub(crate) const DAMPED: &str =
 
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
+
+pub(crate) const READS_ACTION: &str = "this reads the action, so that the energy changes with ∂H/∂s";
 
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \

@@ -20,12 +20,13 @@ pub use crate::space::{
 pub use crate::system::{
     Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
     Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded,
-    Gradients, Hamiltonian, ImplicitStep, Jets, KeepsEnergy, Lagrangian as LagrangianSystem, Mean,
-    Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient,
-    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField,
-    QuadraticKinetic, Separable, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
+    ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
+    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
+    KeepsEnergy, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Unmet,
+    VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of, energy_of, from_positions,
     rate_of, unmet, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};

@@ -144,7 +144,8 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.values(value, |mut values| values.remove(0)),
-        None if context.energy.form == Form::Lagrangian => quote!(energy_of(self, t, z)),
+        None if matches!(system.implicit, Implicit::Velocities(_)) => quote!(energy_of(self, t, z, &())),
+        None if matches!(system.implicit, Implicit::Herglotz(_)) => quote!(energy_of(self, t, z, s)),
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, graph, &system.domain);

@@ -54,9 +54,9 @@ use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, Sym
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByConstraint, ByField, Collocated, Collocation, Conservative, ConstrainedStep, ContactStages,
-    DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient,
-    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, ByField, ByTree, Collocated, Collocation, Conservative, ConstrainedStep, ContactGraded,
+    ContactStages, DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed,
+    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -234,10 +234,13 @@ pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     compositions!(visitor: ContactLeapfrog);
 }
 
-/// Methods for every contact system.
+/// Methods for every contact system by its energy.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>,
+    S: ImplicitStep<ContactMidpoint, R>
+        + ImplicitStep<ContactDiscreteGradient, R>
+        + ContactStages<R>
+        + ContactGraded<R, Gradient = ByTree>,
 {
     show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);

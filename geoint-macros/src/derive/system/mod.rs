@@ -3,7 +3,8 @@
 mod implicit;
 
 pub(crate) use implicit::{
-    ConstraintKernels, ContactKernels, FieldKernels, Implicit, StageKernel, StepKernel, VelocityKernels,
+    ConstraintKernels, ContactKernels, FieldKernels, HerglotzKernels, Implicit, MassKernels, StageKernel, StepKernel,
+    VelocityKernels,
 };
 
 use super::domain::Domain;

@@ -6,6 +6,7 @@ mod collocation;
 mod constraints;
 mod contact;
 mod discrete;
+mod herglotz;
 mod velocities;
 
 use super::kernel::{Context, write};
@@ -21,6 +22,7 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
         Implicit::Field(kernels) => field(context, graph, (kernels, &system.proven)),
         Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
+        Implicit::Herglotz(kernels) => herglotz::herglotz(context, graph, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| contact::step(context, method, step));
             let stages = kernels.stages.as_ref().map(|stages| contact::stages(context, stages));

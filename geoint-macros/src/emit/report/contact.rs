@@ -20,7 +20,7 @@ pub(crate) fn contact(
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
     let _ = structure(&mut text, &printer, (energy, gradient), system)
-        .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, gradient.s, found)))
+        .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, ("H", gradient.s), found)))
         .and_then(|()| pieces(&mut text, &printer, system))
         .and_then(|()| implicit(&mut text, context.energy.degrees(), system));
     text
@@ -72,11 +72,11 @@ fn structure<F: Fn(Symbol) -> String>(
     }
 }
 
-/// What decays by one factor.
-fn decaying<F: Fn(Symbol) -> String>(
+/// What decays by one factor, by H or L.
+pub(super) fn decaying<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    rate: Id,
+    (by, rate): (&str, Id),
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) -> Written {
     let reads = analyze::reads(printer.graph(), rate);
@@ -87,7 +87,7 @@ fn decaying<F: Fn(Symbol) -> String>(
     };
     writeln!(text, "\nDecaying by the factor {factor}, all alike, so that quotients are constant")?;
     for i in cyclic {
-        writeln!(text, "- {}: H does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+        writeln!(text, "- {}: {by} does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
     }
     for momentum in momenta {
         writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;

@@ -82,18 +82,20 @@ const _: () = {
         ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
         ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
         Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
-        PoissonSplitting, ContactSplitting, ContactStages, ContactState, ContactSystem,
-        Coordinates, CotangentSpace, QuadraticField, DifferentialEquation, DiscreteField,
-        DiscreteGradient, FirstIntegrals, FlowState, ForceGradient, FourthOrderField,
-        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
-        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
-        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
-        VelocityForm, canonical_rate, energy_of, fourth_order, is_positive_semidefinite,
-        modified_verlet, gradient_kick, planar_step, rate_of, recurrence, slope,
-        state_on_constraint, unmet, velocity_of,
+        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
+        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
+        QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
+        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
+        Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
+        Inverted, Jets, LagrangianSystem, Mean, MechanicalContact, Method,
+        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
+        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
+        TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
+        VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -1433,6 +1435,7 @@ const _: () = {
         #[inline]
         fn jet<const P: usize>(
             &self,
+            unit: R,
             t: R,
             z: &[R; 2],
             _: &(),
@@ -1442,7 +1445,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 1],
+                k: &[R; 2],
                 masks: &[R::Mask; 0],
                 u3: &mut [R; P],
                 u4: &mut [R; P],
@@ -1451,14 +1454,14 @@ const _: () = {
             ) {
                 let (whole, next) = (
                     R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
+                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
                 let (c4, c2, c0, c3, c1);
                 c4 = u4[n];
-                c2 = k[0] * c4;
+                c2 = k[1] * c4;
                 c0 = -c2;
                 c3 = u3[n];
-                c1 = k[0] * c3;
+                c1 = k[1] * c3;
                 jet[n].z[0] = next * c0;
                 if n + 1 < P {
                     u3[n + 1] = jet[n].z[0];
@@ -1476,18 +1479,18 @@ const _: () = {
             v0 = q1 * a0;
             v1 = -v0;
             v2 = q0 * a0;
-            let k: [R; 1] = [a0];
+            let k: [R; 2] = [unit, a0];
             let masks: [R::Mask; 0] = [];
             let (mut u3, mut u4) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
             u3[0] = q0;
             u4[0] = q1;
-            jet[0].z[0] = v1;
+            jet[0].z[0] = unit * (v1);
             if P > 1 {
-                u3[1] = v1;
+                u3[1] = jet[0].z[0];
             }
-            jet[0].z[1] = v2;
+            jet[0].z[1] = unit * (v2);
             if P > 1 {
-                u4[1] = v2;
+                u4[1] = jet[0].z[1];
             }
             macro_rules! orders {
                 ($($n:expr)*) => {
