@@ -538,6 +538,9 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// - `system.at(q, v)` and `system.at_time(t, q, v)` are states; with an action `system.at(q, v, s)`, `system.at_time(t, q, v, s)`.
 /// - `system.momentum(t, q, v)` and `system.lagrangian(t, q, v)` are p and L, with `s` as a last argument where there is one.
 /// - `system.velocity(&state)`, or `sim.velocity()`, are v.
+/// - `system.from_positions(t, before, now, h)` is the state at t with the momentum that the implicit midpoint rule has after a step of length h
+///   from one position to the other: with these recursions of positions alone can be compared, or started. Not with an action, nor with
+///   constraints.
 /// - `system.energy(&state)` is H, which is T + V where L = T − V with a T that is quadratic in v, and else is not: `REPORT` says so.
 ///
 /// # Which Lagrangians
@@ -563,8 +566,17 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// It keeps the energy to rounding for every h, and the momenta of coordinates that L does not read; of order 2 and symmetric, so that
 /// `Suzuki4` and others raise its order. Explicit Runge–Kutta methods solve for v wherever they evaluate L. An end of a step at which the
-/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`). With an action there is H, or
-/// nothing.
+/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`).
+///
+/// With an action `ContactMidpoint` and `ContactGauss` are solved for velocities, and for s where it acts back; `ContactDiscreteGradient` is the
+/// polarised one, with slopes Λ_q and Λ_s in q and s, p̄ = (p₀ + p₁)/2 and the energy H₀ before the step,
+///
+/// p₁ − p₀ = h (Λ_q + Λ_s p̄), s₁ − s₀ = h (p̄·v̄ − H₀ φ₁(hΛ_s)), φ₁(x) = (eˣ − 1)/x,
+///
+/// so that H₁ = H₀ exp(hΛ_s) to rounding. `ContactGauss` is solved for velocities wherever L is quadratic in v.
+///
+/// Momenta that no term of L changes when all of it moves or turns are in `REPORT`; Gauss methods keep them, or let them all decay by one
+/// factor.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -646,7 +658,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// # Herglotz' principle
 ///
 /// With an argument `s`, the action, s' = L(q, v, s, t), and the equations are d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v: those of the contact
-/// Hamiltonian p·v − L. A term −γs is friction.
+/// Hamiltonian p·v − L. A term −γs is friction. There is neither `rayleigh` nor `force`: with these no step is a contact map.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -669,6 +681,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
 /// - `rayleigh = R`, `force = F`: see above.
 /// - `constraint = [g₁, g₂]`: functions of positions and parameters that stay zero; see [`hamiltonian`].
+/// - `require(regular, quadratic, constant_mass)`: L is not linear in velocities; it is quadratic in them; ∂²L/∂v² is constant.
 /// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]
