@@ -153,7 +153,7 @@ fn controls_fail() {
     for j in 0..x.len() {
         let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
         x[j] = Dual::variable(x[j].value());
-        let end = rk4(&Drives::system::<Dual>(), Dual::from(t), &x, Dual::from(0.3));
+        let end = rk4(&Drives::over::<Dual>(), Dual::from(t), &x, Dual::from(0.3));
         forms.push(end[4].derivative() - (0..2).map(|i| end[2 + i].value() * end[i].derivative()).sum::<f64>());
     }
     let defect = (0..2).map(|j| (forms[j] + forms[4] * x[2 + j]).abs()).fold(0.0, f64::max);
@@ -195,8 +195,8 @@ fn modified_energies() {
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
         let (t, x) = P::start();
-        let step = run(P::system::<f64>(), ContactSplitting, (t, &x), h, 1).unwrap();
-        let system = P::system::<Dual>();
+        let step = run(P::over::<f64>(), ContactSplitting, (t, &x), h, 1).unwrap();
+        let system = P::over::<Dual>();
         let field = |now: f64, x: &[f64]| -> Vec<f64> {
             let value = |j: usize| {
                 let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();

@@ -6,4 +6,5 @@ pub mod problems;
 pub mod scenes;
 pub mod methods;
 pub mod measure;
+pub mod counting;
 pub mod outer_planets;

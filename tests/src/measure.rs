@@ -135,7 +135,7 @@ pub fn observed(mut error: impl FnMut(u64) -> f64) -> Observed {
 
 /// The solution from a point on.
 fn followed<P: Scene>(t: Double, x: Vec<Double>, duration: Double, parts: usize) -> Vec<Double> {
-    let system = P::system::<Double>();
+    let system = P::over::<Double>();
     extrapolated(|t, x: &[Double]| P::rate(&system, t, x), t, x, duration, parts)
 }
 
@@ -162,7 +162,7 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     let h = Double::from(duration) / n as f64;
     let (start, x) = P::start();
     let x: Vec<Double> = x.into_iter().map(Double::from).collect();
-    let mut sim = Integrator::new(P::system::<Double>(), method, h, point(start.into(), &x));
+    let mut sim = Integrator::new(P::over::<Double>(), method, h, point(start.into(), &x));
     let mut sum = 0.0;
     for (look, expected) in (1..=LOOKS).zip(solutions) {
         sim.advance(n / LOOKS)?;
@@ -187,7 +187,7 @@ pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, 
     for direction in &directions {
         let seeded: Vec<Dual> =
             before.iter().zip(direction).map(|(x, d)| Dual::from(*x) + Dual::variable(0.0) * *d).collect();
-        let mut sim = Integrator::new(P::system::<Dual>(), method, h.into(), point(start.into(), &seeded));
+        let mut sim = Integrator::new(P::over::<Dual>(), method, h.into(), point(start.into(), &seeded));
         sim.advance(steps)?;
         let end = flat(&sim.state());
         after = end.iter().map(|x| x.value()).collect();
@@ -199,7 +199,7 @@ pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, 
 /// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id| at the start, in `f64`, relative to the largest coordinate if that is above 1.
 pub fn symmetry_defect<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64, steps: u64) -> Result<f64, StepError> {
     let (start, x) = P::start();
-    let mut sim = Integrator::new(P::system::<f64>(), method, h, point(start, &x));
+    let mut sim = Integrator::new(P::over::<f64>(), method, h, point(start, &x));
     sim.advance(steps)?;
     sim.set_step_size(-h);
     sim.advance(steps)?;

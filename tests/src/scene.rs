@@ -16,7 +16,7 @@ pub trait Scene {
     const NAME: &'static str;
 
     /// The system with its parameters.
-    fn system<R: Scalar>() -> Self::Over<R>;
+    fn over<R: Scalar>() -> Self::Over<R>;
 
     /// When and where it starts; an action comes last.
     fn start() -> (f64, Vec<f64>);
@@ -47,7 +47,7 @@ impl<P: Problem> Scene for P {
     type Over<R: Scalar> = P::Over<R>;
     const NAME: &'static str = P::NAME;
 
-    fn system<R: Scalar>() -> Self::Over<R> {
+    fn over<R: Scalar>() -> Self::Over<R> {
         <P as Problem>::system()
     }
 

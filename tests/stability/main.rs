@@ -15,3 +15,4 @@ mod rounding;
 mod time;
 mod names;
 mod tolerance;
+mod saved;

@@ -9,8 +9,8 @@ use crate::solving::noise;
 use crate::solving::predictor::{self, Predictor};
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::Sizes;
-use crate::space::Array;
 use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
@@ -86,6 +86,21 @@ impl<A: Array> Found<A> {
 
     fn none(refusal: Refusal) -> Self {
         Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
+    }
+}
+
+impl<A: Array> Record<A::Real> for Newton<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.predictor.record(tape);
+        // Kinds follow from the method.
+        let Iteration { sizes, kinds: _, missing, rough, reach, steps, stiff } = &mut self.iteration;
+        let mut counts = [*missing as u64, u64::from(*steps)];
+        sizes.record(tape);
+        counts.iter_mut().for_each(|n| tape.count(n));
+        (*missing, *steps) = ((counts[0] as usize).min(predictor::POINTS), counts[1] as u32);
+        tape.flag(rough);
+        tape.number(reach);
+        tape.flag(stiff);
     }
 }
 

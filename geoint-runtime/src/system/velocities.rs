@@ -5,7 +5,7 @@ use crate::scalar::{Real, zero};
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
-use crate::space::{Array, Square};
+use crate::space::{Array, Record, Square, Tape};
 
 /// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix M = ∂²L/∂v².
 pub trait VelocityForm<R: Real = f64>: Lagrangian<R, Action = ()> + Collocated<R, Stages = ByVelocities> {
@@ -132,6 +132,15 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
 /// Whether the determinant of the mass matrix is positive, which it stays on a run: it has no zero on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Orientation(Option<bool>);
+
+impl<R> Record<R> for Orientation {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        let (mut known, mut positive) = (self.0.is_some(), self.0 == Some(true));
+        tape.flag(&mut known);
+        tape.flag(&mut positive);
+        self.0 = known.then_some(positive);
+    }
+}
 
 impl Orientation {
     pub(crate) fn unknown() -> Self {

@@ -82,7 +82,7 @@ impl Scene for Spheres {
     type Over<R: Scalar> = OnASphere<R>;
     const NAME: &'static str = "OnASphere";
 
-    fn system<R: Scalar>() -> OnASphere<R> {
+    fn over<R: Scalar>() -> OnASphere<R> {
         OnASphere { m: R::from_f64(1.4), l: R::from_f64(1.5), g: R::from_f64(2.1) }
     }
     fn start() -> (f64, Vec<f64>) {
@@ -105,7 +105,7 @@ impl Scene for Ellipses {
     type Over<R: Scalar> = OnAnEllipse<R>;
     const NAME: &'static str = "OnAnEllipse";
 
-    fn system<R: Scalar>() -> OnAnEllipse<R> {
+    fn over<R: Scalar>() -> OnAnEllipse<R> {
         let m = [1.7, 0.6].map(R::from_f64);
         OnAnEllipse { m, a: R::from_f64(1.3), b: R::from_f64(0.8), g: R::from_f64(2.3) }
     }

@@ -39,7 +39,7 @@ pub fn cooling(q: f64, p: f64, s: f64, t: f64, k: f64, since: f64) -> f64 {
 
 /// A relativistic oscillator with friction: T is not quadratic.
 #[contact_hamiltonian]
-pub fn relativistic(q: f64, p: f64, s: f64, m: f64, gamma: f64) -> f64 {
+pub fn relativistic_with_friction(q: f64, p: f64, s: f64, m: f64, gamma: f64) -> f64 {
     (m * m + p * p).sqrt() + q * q / 2.0 + 0.1 * q.powi(4) + gamma * s
 }
 
@@ -91,7 +91,7 @@ macro_rules! scenes {
             type Over<R: Scalar> = $System<R>;
             const NAME: &'static str = stringify!($System);
 
-            fn system<R: Scalar>() -> $System<R> {
+            fn over<R: Scalar>() -> $System<R> {
                 $System { $($field: R::from_f64($value)),* }
             }
             fn start() -> (f64, Vec<f64>) {
@@ -114,7 +114,7 @@ scenes! {
     Swings Swing { m: 1.7, g: 1.3, gamma: 0.4 } from 0.2, [1.1, 0.6, 0.3];
     Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Coolings Cooling { k: 1.7, since: 0.4 } from 0.2, [1.0, -0.2, 0.1];
-    Relativists Relativistic { m: 0.8, gamma: 0.4 } from 0.2, [0.7, 0.5, 0.3], decaying by 0.4;
+    Relativists RelativisticWithFriction { m: 0.8, gamma: 0.4 } from 0.2, [0.7, 0.5, 0.3], decaying by 0.4;
     Quartics Quartic { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
     Blows Blown { wind: 0.6, since: 0.4 } from 0.2, [0.7, 0.5, 0.3];
     Masses Coupled { a: 0.4 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];

@@ -36,7 +36,7 @@ macro_rules! scenes {
             type Over<R: Scalar> = $System<R>;
             const NAME: &'static str = stringify!($System);
 
-            fn system<R: Scalar>() -> $System<R> {
+            fn over<R: Scalar>() -> $System<R> {
                 $System { $($field: $value.over()),* }
             }
             fn start() -> (f64, Vec<f64>) {

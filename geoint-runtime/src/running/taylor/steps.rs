@@ -5,6 +5,8 @@ use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point, Snapshot};
+#[cfg(feature = "alloc")]
+use crate::space::{Record, Tape};
 use crate::system::{Jets, StateOf};
 use crate::taylor::{self, Estimate, TaylorMethod};
 
@@ -102,6 +104,26 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         self.estimate.include(&PerCoordinate::of(&x));
         // There is no last step to look into.
         self.within = false;
+    }
+
+    /// Everything but the coefficients.
+    #[cfg(feature = "alloc")]
+    pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.clock.record(tape);
+        self.x.record(tape);
+        tape.steps(&mut self.taken);
+        tape.flag(&mut self.backwards);
+        self.estimate.record(tape);
+        tape.number(&mut self.last.1);
+        let mut stuck = u64::from(self.stuck);
+        tape.count(&mut stuck);
+        self.stuck = stuck.min(u64::from(STUCK)) as u32;
+    }
+
+    /// The coefficients are to be computed anew, and there is no last step to look into.
+    #[cfg(feature = "alloc")]
+    pub(super) fn forget(&mut self) {
+        (self.known, self.within) = (false, false);
     }
 
     pub(in crate::running) fn time(&self) -> R {
