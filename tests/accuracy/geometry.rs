@@ -1,7 +1,7 @@
 //! Symplecticity and symmetry of every method, as claimed and not otherwise.
 
 use geoint_runtime::Method;
-use geoint_runtime::prelude::*;
+use geoint_runtime::method::Refusal;
 use geoint_tests::measure::{form_defect, symmetry_defect};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
@@ -23,7 +23,7 @@ impl<P: Problem> Geometry<P> {
 
     /// `kept` bounds the defect from above if the property is claimed, 10⁻⁶ from below if not: of a composition of high
     /// order that is not asked, because it may come as close to the exact flow as its order says.
-    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, StepError>, kept: f64) {
+    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, Refusal>, kept: f64) {
         let control = !claimed && order <= 2;
         self.controls += usize::from(control);
         let good = matches!(defect, Ok(defect) if (!claimed || defect <= kept) && (!control || defect > 1e-6));

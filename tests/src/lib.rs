@@ -5,6 +5,7 @@ pub mod scene;
 pub mod problems;
 pub mod scenes;
 pub mod methods;
+pub mod bare;
 pub mod measure;
 pub mod counting;
 pub mod outer_planets;

@@ -1,9 +1,12 @@
 //! What is measured of a method: error against an independent solution, order, drift, symplecticity, symmetry.
 
 use crate::scalars::{Double, Dual, Scalar};
-use crate::scene::{Scene, flat, point};
+use crate::bare::Bare;
+use crate::problems::flat;
+use crate::scene::Scene;
 use geoint_runtime::space::Array;
-use geoint_runtime::{Hamiltonian, Integrator, Method, State, StepError};
+use geoint_runtime::method::Refusal;
+use geoint_runtime::{Hamiltonian, Method, State};
 
 /// The state of a system without damping after a time, by [`extrapolated`]: all that is used of the system is ∇H.
 pub fn solution<S: Hamiltonian<R>, R: Scalar>(
@@ -158,20 +161,20 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     duration: f64,
     n: u64,
     solutions: &[Vec<Double>],
-) -> Result<f64, StepError> {
+) -> Result<f64, Refusal> {
     let h = Double::from(duration) / n as f64;
     let (start, x) = P::start();
     let x: Vec<Double> = x.into_iter().map(Double::from).collect();
-    let mut sim = Integrator::new(P::over::<Double>(), method, h, point(start.into(), &x));
+    let mut sim = Bare::<P, M, Double>::new(method, h, start.into(), &x);
     let mut sum = 0.0;
     for (look, expected) in (1..=LOOKS).zip(solutions) {
         sim.advance(n / LOOKS)?;
         let t = Double::from(start) + Double::from(duration) * look as f64 / LOOKS as f64;
         let late = sim.time() - t;
         let gap = if late.value().abs() < 1e-25 {
-            distance(&flat(&sim.state()), expected)
+            distance(&P::compared(sim.state()), expected)
         } else {
-            distance(&flat(&sim.state()), &followed::<P>(t, expected.clone(), late, 4))
+            distance(&P::compared(sim.state()), &followed::<P>(t, expected.clone(), late, 4))
         };
         sum += gap.powi(2);
     }
@@ -180,16 +183,16 @@ pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
 
 /// How far `steps` steps are from keeping the form of a scene, from one run in dual numbers for each direction in which its start may be
 /// moved.
-pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, StepError> {
+pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
     let (start, before) = P::start();
     let directions = P::directions();
     let (mut after, mut images) = (vec![], vec![]);
     for direction in &directions {
         let seeded: Vec<Dual> =
             before.iter().zip(direction).map(|(x, d)| Dual::from(*x) + Dual::variable(0.0) * *d).collect();
-        let mut sim = Integrator::new(P::over::<Dual>(), method, h.into(), point(start.into(), &seeded));
+        let mut sim = Bare::<P, M, Dual>::new(method, h.into(), start.into(), &seeded);
         sim.advance(steps)?;
-        let end = flat(&sim.state());
+        let end = sim.state();
         after = end.iter().map(|x| x.value()).collect();
         images.push(end.iter().map(|x| x.derivative()).collect::<Vec<f64>>());
     }
@@ -197,13 +200,13 @@ pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, 
 }
 
 /// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id| at the start, in `f64`, relative to the largest coordinate if that is above 1.
-pub fn symmetry_defect<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64, steps: u64) -> Result<f64, StepError> {
+pub fn symmetry_defect<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
     let (start, x) = P::start();
-    let mut sim = Integrator::new(P::over::<f64>(), method, h, point(start, &x));
+    let mut sim = Bare::<P, M, f64>::new(method, h, start, &x);
     sim.advance(steps)?;
-    sim.set_step_size(-h);
+    let mut sim = sim.back();
     sim.advance(steps)?;
-    Ok(distance(&flat(&sim.state()), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
+    Ok(distance(&sim.state(), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
 }
 
 /// A straight line y = offset + slope·x by least squares.

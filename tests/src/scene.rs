@@ -34,6 +34,12 @@ pub trait Scene {
     /// `images`.
     fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], before: &[f64], after: &[f64]) -> f64;
 
+    /// What of a state is compared with solutions: all, unless a method carries something along that the state of a system with constraints
+    /// has not.
+    fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
+        x
+    }
+
     /// What an energy has become after a time: of contact systems it may decay.
     fn energy_after(_duration: f64, energy: f64) -> f64 {
         energy

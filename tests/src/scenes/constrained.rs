@@ -38,6 +38,19 @@ impl<R: Real, const N: usize> Surface<R, N> {
         velocity.into_iter().chain(force).collect()
     }
 
+    /// The momentum without what leads away from the surface: p − G (G·v)/(G·M⁻¹G).
+    fn tangent(&self, mut x: Vec<R>) -> Vec<R> {
+        let normal: [R; N] = core::array::from_fn(|i| self.weights[i] * x[i]);
+        let (mut away, mut inertia) = (R::from_f64(0.0), R::from_f64(0.0));
+        for i in 0..N {
+            away += normal[i] * x[N + i] / self.masses[i];
+            inertia += normal[i] * normal[i] / self.masses[i];
+        }
+        let multiplier = away / inertia;
+        (0..N).for_each(|i| x[N + i] -= multiplier * normal[i]);
+        x
+    }
+
     /// Gradients by (q, p) of the constraint and of its rate.
     fn gradients(&self, x: &[R]) -> [Vec<R>; 2] {
         let (q, p) = x.split_at(N);
@@ -96,6 +109,9 @@ impl Scene for Spheres {
     fn directions() -> Vec<Vec<f64>> {
         tangents(sphere().gradients(&Self::start().1))
     }
+    fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
+        sphere().tangent(x)
+    }
     fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], _: &[f64], _: &[f64]) -> f64 {
         canonical_defect(directions, images)
     }
@@ -119,6 +135,9 @@ impl Scene for Ellipses {
     }
     fn directions() -> Vec<Vec<f64>> {
         tangents(ellipse().gradients(&Self::start().1))
+    }
+    fn compared<R: Scalar>(x: Vec<R>) -> Vec<R> {
+        ellipse().tangent(x)
     }
     fn form_defect(directions: &[Vec<f64>], images: &[Vec<f64>], _: &[f64], _: &[f64]) -> f64 {
         canonical_defect(directions, images)

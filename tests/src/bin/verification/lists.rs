@@ -50,7 +50,7 @@ lists! {
     itoh_abe_one_way, "The same one way.":
         DoublePendulum over 1.3 by 0.1, Relativistic over 1.3;
     coordinate_increment, "Along one direction, which needs one degree of freedom.":
-        Shears over 2.3 by 0.1, Pendulum over 1.1;
+        Shears over 2.3 by 0.1, SwingingMass over 3.9;
     projected, "Steps that are projected onto the energy.":
         HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
     relaxed, "Steps that are scaled to keep the energy.":

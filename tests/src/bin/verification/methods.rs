@@ -3,25 +3,26 @@
 use crate::lists;
 use crate::page::{Page, short};
 use crate::sources;
-use geoint_runtime::method::{Probe, Step, Visitor};
-use geoint_runtime::space::{Plain, Point, Snapshot};
-use geoint_runtime::{Claims, Integrator, Method, PhaseSpace, StepError};
+use geoint_runtime::method::{Refusal, Visitor};
+use geoint_runtime::{Claims, Method};
+use geoint_tests::bare::Bare;
 use geoint_tests::counting::allocations_during;
 use geoint_tests::measure::{Observed, error, form_defect, observed, solutions, symmetry_defect};
 use geoint_tests::scalars::{Double, Dual};
-use geoint_tests::scene::{Scene, point};
+use geoint_tests::scene::Scene;
 use std::hint::black_box;
 use std::marker::PhantomData;
 
 /// How far an observed order may be from the claim.
 const TOLERANCE: f64 = 0.15;
-/// From this order on errors reach the rounding of tables before the leading term is alone.
+/// From this order on errors reach the rounding of tables before the leading term is alone, and may fall faster than it, or by so much less.
 const HIGH: u32 = 8;
+const ROUNDED: f64 = 0.75;
 /// What a property that is claimed may be off by, and one that is not must be off by, of a method of order 2 at most.
 const SYMMETRIC: f64 = 1e-13;
 const FORM: f64 = 1e-12;
 const ENERGY: f64 = 2e-12;
-const SEEN: f64 = 1e-6;
+const SEEN: f64 = 1e-9;
 /// Steps over which the energy is followed.
 const STEPS: u64 = 2000;
 
@@ -39,9 +40,9 @@ pub(crate) struct Row {
     claims: Claims,
     /// For each scene, with the constant of the leading term.
     orders: Vec<(Observed, f64)>,
-    symmetry: Result<f64, StepError>,
-    form: Result<f64, StepError>,
-    energy: Result<f64, StepError>,
+    symmetry: Result<f64, Refusal>,
+    form: Result<f64, Refusal>,
+    energy: Result<f64, Refusal>,
     evaluations: f64,
     allocations: u64,
 }
@@ -115,55 +116,26 @@ impl<P: Scene> Visitor<P::Over<f64>> for Runs<'_, P> {
         let row = self.list.row(method.name().to_string(), method.claims());
         row.symmetry = symmetry_defect::<P, M>(method, h, 3);
         row.energy = energy_error::<P, M>(method, h);
-        row.evaluations = evaluations::<P, M>(method, h);
         let (t, x) = P::start();
-        let mut sim = Integrator::new(P::over::<f64>(), method, h, point(t, &x));
-        row.allocations = allocations_during(|| {
-            black_box(sim.advance(20).and_then(|()| sim.step()).is_ok());
-            black_box((sim.energy(), sim.state()));
-            sim.set_step_size(1e200);
-            black_box(sim.advance(3).is_err());
-        });
+        let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
+        row.allocations = allocations_during(|| black_box(sim.advance(100)).map_or((), drop));
+        row.evaluations = sim.evaluations() as f64 / 100.0;
     }
 }
 
 /// The largest error of the energy, relative to what it was.
-fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, StepError> {
+fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, Refusal> {
     let (t, x) = P::start();
-    let mut sim = Integrator::new(P::over::<f64>(), method, h, point(t, &x));
+    let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
     let energy = sim.energy();
     let mut largest = 0.0_f64;
     for _ in 0..STEPS {
         sim.step()?;
-        largest = largest.max((sim.energy() - P::energy_after(sim.time() - t, energy)).abs() / energy.abs());
+        let off = (sim.energy() - P::energy_after(sim.time() - t, energy)).abs() / energy.abs();
+        // Not `max`: that would lose a NaN.
+        largest = if off > largest || off.is_nan() { off } else { largest };
     }
     Ok(largest)
-}
-
-/// At how many points a step evaluates the energy, or its derivatives, in the mean.
-fn evaluations<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> f64 {
-    const STEPS: u64 = 100;
-    let system = P::over::<f64>();
-    let (start, x) = P::start();
-    let (t, z, action) = point::<<P::Over<f64> as PhaseSpace>::State>(start, &x).parts();
-    let (prepared, mut memory, mut count) = (method.prepare(&system, h), M::memory(), Count(0));
-    let mut x = Point::<_, Plain, _>::with_action(z, action);
-    M::enter(&prepared, &system, t, &mut x.z);
-    for n in 0..STEPS {
-        let step = Step { system: &system, t: t + n as f64 * h, x: &mut x, probe: &mut count };
-        if M::step(&prepared, &mut memory, step).is_err() {
-            return f64::NAN;
-        }
-    }
-    count.0 as f64 / STEPS as f64
-}
-
-struct Count(u64);
-
-impl<S: PhaseSpace> Probe<S, f64> for Count {
-    fn visit(&mut self, _: f64, _: &S::Phase, _: &S::Action) {
-        self.0 += 1;
-    }
 }
 
 impl Row {
@@ -173,14 +145,14 @@ impl Row {
         let mut failures = vec![];
         for (Observed { order: seen, .. }, _) in &self.orders {
             let excess = seen - f64::from(order);
-            let rounded = order > HIGH && !(excess <= 0.0);
-            if !(rounded || excess >= -TOLERANCE && (excess <= TOLERANCE || order >= HIGH)) {
+            let good = if order < HIGH { excess.abs() <= TOLERANCE } else { excess.is_nan() || excess >= -ROUNDED };
+            if !good {
                 failures.push(format!("order {order} is claimed, {seen:.3} is observed"));
             }
         }
-        let mut property = |what: &str, claimed: bool, defect: &Result<f64, StepError>, bound: f64| {
+        let mut property = |what: &str, claimed: bool, defect: &Result<f64, Refusal>, bound: f64| {
             let control = !claimed && order <= 2;
-            let off = defect.as_ref().map_or(f64::INFINITY, |defect| *defect);
+            let off = defect.as_ref().map_or(f64::INFINITY, |defect| if defect.is_nan() { f64::INFINITY } else { *defect });
             if !(claimed && off <= bound || control && off > SEEN || !claimed && !control) {
                 failures.push(format!("{what}: {claimed} is claimed, it is off by {off:.1e}"));
             }
@@ -197,7 +169,7 @@ impl Row {
     fn cells(&self) -> [String; 8] {
         let Claims { order, symmetric, symplectic, conserves_energy, forces, .. } = self.claims;
         let join = |of: &dyn Fn(&(Observed, f64)) -> String| self.orders.iter().map(of).collect::<Vec<_>>().join(", ");
-        let property = |claimed: bool, defect: &Result<f64, StepError>| {
+        let property = |claimed: bool, defect: &Result<f64, Refusal>| {
             let claimed = if claimed { "yes" } else { "no" };
             defect.as_ref().map_or_else(|error| format!("{claimed}, {error}"), |x| format!("{claimed}, {}", short(*x)))
         };
@@ -228,7 +200,7 @@ pub(crate) fn section(page: &mut Page) {
          reach rounding at once. Constants are the errors at the end divided by the power of the step, for each scene. What follows is measured on the first \
          scene: by how much three steps forth and back miss the start; by how much the derivative of three steps, from dual numbers, misses the \
          form (symplectic, contact or Poisson); the largest relative error of the energy, or of the law of its decay, in 2000 steps; the \
-         forces a step costs, or the points at which an equation is evaluated to solve it; allocations in 24 steps, a refused one among them.",
+         forces a step costs, or the points at which an equation is evaluated to solve it; allocations in 100 steps.",
     );
     let lists = lists::all();
     for List { name, about, scenes, rows } in &lists {

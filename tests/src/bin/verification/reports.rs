@@ -45,6 +45,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("a state starts with g = 0", "tests/constraints/refusals.rs::a_state_off_a_constraint_is_named"),
     ("momenta as unknowns", "tests/constraints/figures.rs::rattle"),
     // Contact systems.
+    ("exact in time", "tests/contact/methods.rs::claims_hold"),
     ("T + g·s + V", "tests/contact/methods.rs::claims_hold"),
     ("Decaying by the factor", "tests/contact/laws.rs::angular_momentum_decays_with_the_form"),
     ("momenta are multiplied by one number", "tests/lagrangian/herglotz.rs::dissipated_momenta_decay_alike"),
@@ -79,6 +80,7 @@ const SENTENCES: &[(&str, &str)] = &[
         "tests/accuracy/first_integrals/splittings.rs::more_than_three_coordinates_by_planes",
     ),
     ("no structure is kept", "tests/accuracy/first_integrals/splittings.rs::claims"),
+    ("Jacobi's multiplier", "geoint-macros/src/tests/facts/identity/search.rs::multipliers_of_jacobi_are_products_of_powers"),
     // Lagrangians.
     ("L is linear in the velocities", "tests/lagrangian/degenerate.rs::velocities_are_those_of_lagranges_equations"),
     ("no canonical coordinates", "tests/lagrangian/degenerate.rs::reports_say_what_was_found"),
