@@ -23,11 +23,8 @@ pub struct Bare<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> {
 }
 
 /// Where a scene is.
-type PointOf<P, R> = Point<
-    <<P as Scene>::Over<R> as PhaseSpace<R>>::Phase,
-    Plain,
-    <<P as Scene>::Over<R> as PhaseSpace<R>>::Action,
->;
+type PointOf<P, R> =
+    Point<<<P as Scene>::Over<R> as PhaseSpace<R>>::Phase, Plain, <<P as Scene>::Over<R> as PhaseSpace<R>>::Action>;
 
 /// Points at which an energy was evaluated to solve an equation.
 struct Count(u64);

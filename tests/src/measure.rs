@@ -1,11 +1,11 @@
 //! What is measured of a method: error against an independent solution, order, drift, symplecticity, symmetry.
 
-use crate::scalars::{Double, Dual, Scalar};
 use crate::bare::Bare;
 use crate::problems::flat;
+use crate::scalars::{Double, Dual, Scalar};
 use crate::scene::Scene;
-use geoint_runtime::space::Array;
 use geoint_runtime::method::Refusal;
+use geoint_runtime::space::Array;
 use geoint_runtime::{Hamiltonian, Method, State};
 
 /// The state of a system without damping after a time, by [`extrapolated`]: all that is used of the system is ∇H.

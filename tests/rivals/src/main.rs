@@ -8,6 +8,7 @@
 //!
 //! `target/geoint/work_precision` then has a figure for each problem, `results.csv`, and `index.html` with all of it.
 
+#[allow(dead_code, reason = "the benches of steps use all of it")]
 #[path = "../../benches/by_hand/mod.rs"]
 mod by_hand;
 mod entry;
@@ -15,6 +16,7 @@ mod measure;
 mod page;
 mod problems;
 mod rivals;
+#[allow(dead_code, reason = "the benches of steps use all of it")]
 #[path = "../../benches/systems.rs"]
 mod systems;
 mod winners;
@@ -27,7 +29,8 @@ use std::time::Duration;
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let commit = arguments.iter().any(|argument| argument == "--commit");
-    let wanted = |name: &str| arguments.iter().filter(|word| !word.starts_with("--")).all(|word| name.contains(word.as_str()));
+    let wanted =
+        |name: &str| arguments.iter().filter(|word| !word.starts_with("--")).all(|word| name.contains(word.as_str()));
     let chosen: Vec<_> = problems::ALL.into_iter().filter(|(name, _)| wanted(name)).collect();
     let bar = ProgressBar::new(chosen.len() as u64 * (measure::ROUNDS as u64 + 1));
     bar.set_style(ProgressStyle::with_template("{prefix} {bar:30} {pos}/{len} {elapsed} {msg}")?);

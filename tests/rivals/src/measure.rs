@@ -83,12 +83,12 @@ pub fn time_at(points: &[Point], level: f64) -> Option<f64> {
     let mut best: Option<f64> = None;
     for (i, point) in points.iter().enumerate() {
         if point.error <= level {
-            best = Some(best.map_or(point.least, |best| best.min(point.least())));
+            best = Some(best.map_or(point.least(), |best| best.min(point.least())));
         }
         let Some(next) = points.get(i + 1) else { continue };
         if point.error > level && next.error <= level {
             let part = (point.error / level).ln() / (point.error / next.error).ln();
-            let time = (point.least.ln() + part * (next.least / point.least()).ln()).exp();
+            let time = (point.least().ln() + part * (next.least() / point.least()).ln()).exp();
             best = Some(best.map_or(time, |best| best.min(time)));
         }
     }

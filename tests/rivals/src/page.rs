@@ -46,11 +46,17 @@ pub fn write(all: &[Measured], commit: bool) -> Result<(), Box<dyn Error>> {
 fn envelope<'a>(measured: &'a Measured, chosen: impl Fn(&Entry) -> bool) -> Vec<(f64, f64)> {
     let entries = measured.problem.entries.iter().zip(&measured.points).filter(|(entry, _)| chosen(entry));
     let mut points: Vec<(f64, f64)> = entries
-        .flat_map(|(_, points)| points.iter().map(|point| (1e6 * point.least() / measured.problem.duration, point.error)))
+        .flat_map(|(_, points)| {
+            points.iter().map(|point| (1e6 * point.least() / measured.problem.duration, point.error))
+        })
         .collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut least = f64::INFINITY;
-    points.retain(|point| std::mem::replace(&mut least, least.min(point.1)) > point.1);
+    points.retain(|point| {
+        let better = point.1 < least;
+        least = least.min(point.1);
+        better
+    });
     points
 }
 
@@ -68,7 +74,9 @@ fn families(problem: &Problem, whose: Whose) -> Vec<&'static str> {
 fn panel(measured: &Measured) -> Panel {
     let Problem { title, note, .. } = &measured.problem;
     let mut curves = vec![];
-    for (whose, inks) in [(Whose::Ours, &palette::ALL[..]), (Whose::Rival, &palette::ALL[1..]), (Whose::Hand, &palette::ALL[6..])] {
+    for (whose, inks) in
+        [(Whose::Ours, &palette::ALL[..]), (Whose::Rival, &palette::ALL[1..]), (Whose::Hand, &palette::ALL[6..])]
+    {
         for (family, ink) in families(&measured.problem, whose).into_iter().zip(inks.iter().cycle()) {
             let points = envelope(measured, |entry| entry.whose == whose && entry.family == family);
             let curve = Curve::line(family, *ink, points);

@@ -5,7 +5,7 @@ use crate::problems::Field;
 use differential_equations::methods::SymplecticIntegrator;
 use differential_equations::prelude::{ExplicitRungeKutta, Hamiltonian, IVP, ODE};
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod};
-use nalgebra::SVector;
+use nalgebra_of_ode_solvers::SVector;
 use ode_solvers::dop853::Dop853;
 use scirs2_integrate::ode::{ODEMethod, ODEOptions, solve_ivp};
 use std::hint::black_box;
@@ -54,8 +54,8 @@ pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Ent
                 .build()
                 .ok()?;
             let mut solver = problem.tsit45().ok()?;
-            let (states, _, _) = solver.solve(duration).ok()?;
-            Some((0..N).map(|i| states[(i, states.ncols() - 1)]).collect())
+            let (states, times, _) = solver.solve(duration).ok()?;
+            Some((0..N).map(|i| states[(i, times.len() - 1)]).collect())
         }),
         Entry::tolerances(Whose::Rival, "scirs2-integrate", "scirs2-integrate DOP853", move |tolerance| {
             let options = ODEOptions {
@@ -79,7 +79,9 @@ pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Ent
 }
 
 /// Positions first, then momenta, q' a function of momenta and p' of positions.
-impl<F: Field<N>, const N: usize> Hamiltonian<f64, Vec<f64>> for (F, [(); N]) {
+struct Halves<F, const N: usize>(F);
+
+impl<F: Field<N>, const N: usize> Hamiltonian<f64, Vec<f64>> for Halves<F, N> {
     fn velocity(&self, t: f64, q: &Vec<f64>, p: &Vec<f64>, dq: &mut Vec<f64>) {
         halves(&self.0, t, q, p, dq, 0);
     }
@@ -101,13 +103,19 @@ pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first:
     let start = field.start();
     macro_rules! entry {
         ($name:literal, $method:ident) => {
-            Entry::steps(Whose::Rival, "differential-equations", concat!("differential-equations ", $name), first, move |n| {
-                let method = SymplecticIntegrator::$method(duration / n as f64).max_steps(100_000_000);
-                let system = (field, [(); N]);
-                let start = black_box(start).to_vec();
-                let solution = IVP::hamiltonian(&system, 0.0, duration, start).method(method).solve().ok()?;
-                solution.y.last().cloned()
-            })
+            Entry::steps(
+                Whose::Rival,
+                "differential-equations",
+                concat!("differential-equations ", $name),
+                first,
+                move |n| {
+                    let method = SymplecticIntegrator::$method(duration / n as f64).max_steps(100_000_000);
+                    let system = Halves::<F, N>(field);
+                    let start = black_box(start).to_vec();
+                    let solution = IVP::hamiltonian(&system, 0.0, duration, start).method(method).solve().ok()?;
+                    solution.y.last().cloned()
+                },
+            )
         };
     }
     vec![entry!("velocity_verlet", velocity_verlet), entry!("ruth_forest", ruth_forest)]

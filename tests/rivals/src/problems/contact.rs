@@ -110,7 +110,15 @@ pub(super) fn perturbed_kepler() -> Problem {
     }));
     entries.extend(of_field(Braked, duration));
     let note = "α = −0.07, Ω = 2π, q = (0.6, 0), p = (0, 1.5), T = 100".into();
-    Problem { name: "perturbed_kepler", title: "Kepler with friction that comes and goes", note, duration, reference, entries, judge }
+    Problem {
+        name: "perturbed_kepler",
+        title: "Kepler with friction that comes and goes",
+        note,
+        duration,
+        reference,
+        entries,
+        judge,
+    }
 }
 
 /// Taylor series, of which the first `n` numbers are compared.

@@ -1,6 +1,6 @@
 //! A free body.
 
-use super::{Field, Problem, Way, adaptive, by_hand, fixed, ours, reference, taylor};
+use super::{Field, Problem, Way, adaptive, by_hand, ours, reference, taylor};
 use crate::by_hand::free_body::FreeBody;
 use crate::rivals::of_field;
 use crate::systems::FreeMomentum;
@@ -39,7 +39,9 @@ pub(super) fn euler_top() -> Problem {
     entries.push(adaptive((system, DOP853), way));
     entries.push(taylor(system, way));
     entries.push(by_hand("discrete gradient by hand", 300, move |n| {
-        FreeBody { inertia: black_box(INERTIA) }.discrete_gradient::<false>(duration / n as f64, n, black_box(Top.start())).to_vec()
+        FreeBody { inertia: black_box(INERTIA) }
+            .discrete_gradient::<false>(duration / n as f64, n, black_box(Top.start()))
+            .to_vec()
     }));
     entries.extend(of_field(Top, duration));
     let note = "moments 1, 2, 3, angular momentum (0.5, 1.6, −1.2), T = 200".into();

@@ -1,6 +1,6 @@
 //! A chain of many masses.
 
-use super::{Field, Problem, Way, adaptive, fixed, ours, reference, taylor};
+use super::{Field, Problem, Way, adaptive, ours, reference, taylor};
 use crate::rivals::{of_field, of_separable};
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;

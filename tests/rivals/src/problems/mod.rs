@@ -9,9 +9,7 @@ mod planets;
 use crate::entry::{Entry, Whose};
 use crate::measure::relative_to;
 use geoint_runtime::prelude::*;
-use geoint_runtime::running::Dense as _;
 use geoint_runtime::system::{Jets, Rates, StateOf};
-use geoint_runtime::{Real, TaylorMethod};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::{Double, Scalar};
 use geoint_tests::scene::flat;
@@ -113,7 +111,8 @@ fn adaptive<S: PhaseSpace + Rates + 'static, M: Method<S> + 'static>(
 /// Taylor series.
 fn taylor<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> Entry {
     Entry::tolerances(Whose::Ours, "Taylor", "Taylor", move |tolerance| {
-        let mut sim = geoint_runtime::TaylorIntegrator::new(black_box(system), Taylor { tolerance }, black_box(way.start));
+        let mut sim =
+            geoint_runtime::TaylorIntegrator::new(black_box(system), Taylor { tolerance }, black_box(way.start));
         sim.advance_to(way.duration).ok()?;
         Some(flat(&sim.state()))
     })

@@ -1,6 +1,6 @@
 //! One and two degrees of freedom: pendulum, Kepler, Hénon and Heiles, double pendulum.
 
-use super::{Field, Problem, Way, adaptive, by_hand, fixed, ours, reference, taylor};
+use super::{Field, Problem, Way, adaptive, by_hand, ours, reference, taylor};
 use crate::by_hand as hand;
 use crate::rivals::{of_field, of_separable};
 use crate::systems::{DoublePendulum, HenonHeiles, Kepler, Pendulum};
@@ -41,7 +41,9 @@ pub(super) fn pendulum() -> Problem {
     entries.push(taylor(system, way));
     let by = || hand::pendulum::Pendulum { m: black_box(1.0), l: black_box(1.0), g: black_box(1.0) };
     let list = |(q, p): (f64, f64)| vec![q, p];
-    entries.push(by_hand("Verlet by hand", 2000, move |n| list(by().verlet(duration / n as f64, n, black_box((1.5, 0.0))))));
+    entries.push(by_hand("Verlet by hand", 2000, move |n| {
+        list(by().verlet(duration / n as f64, n, black_box((1.5, 0.0))))
+    }));
     entries.push(by_hand("BlanesMoan4 by hand", 1000, move |n| {
         list(by().blanes_moan_4(duration / n as f64, n, black_box((1.5, 0.0))))
     }));
@@ -87,7 +89,9 @@ pub(super) fn kepler() -> Problem {
     entries.push(taylor(system, way));
     let by = || hand::kepler::Kepler { m: black_box(1.0), mu: black_box(1.0) };
     let start = [0.4, 0.0, 0.0, 2.0];
-    entries.push(by_hand("Verlet by hand", 10_000, move |n| by().verlet(duration / n as f64, n, black_box(start)).to_vec()));
+    entries.push(by_hand("Verlet by hand", 10_000, move |n| {
+        by().verlet(duration / n as f64, n, black_box(start)).to_vec()
+    }));
     entries.push(by_hand("BlanesMoan4 by hand", 4000, move |n| {
         by().blanes_moan_4(duration / n as f64, n, black_box(start)).to_vec()
     }));
@@ -163,12 +167,8 @@ impl Field<4> for Rods {
         let below = R::from_f64(1.0) + sin * sin;
         let above = u * u + two * v * v - two * u * v * cos;
         let by_angle = (u * v * sin - above * sin * cos / below) / below;
-        *dy = [
-            (u - v * cos) / below,
-            (two * v - u * cos) / below,
-            -by_angle - two * g * a.sin(),
-            by_angle - g * b.sin(),
-        ];
+        *dy =
+            [(u - v * cos) / below, (two * v - u * cos) / below, -by_angle - two * g * a.sin(), by_angle - g * b.sin()];
     }
 }
 
@@ -186,7 +186,8 @@ pub(super) fn double_pendulum() -> Problem {
     }
     entries.push(adaptive((system, DOP853), way));
     entries.push(taylor(system, way));
-    let by = || hand::double_pendulum::DoublePendulum { m: black_box([1.0; 2]), l: black_box([1.0; 2]), g: black_box(9.81) };
+    let by =
+        || hand::double_pendulum::DoublePendulum { m: black_box([1.0; 2]), l: black_box([1.0; 2]), g: black_box(9.81) };
     entries.push(by_hand("midpoint by hand", 400, move |n| {
         by().implicit_midpoint(duration / n as f64, n, black_box([0.9, -0.4, 0.3, 0.2])).to_vec()
     }));

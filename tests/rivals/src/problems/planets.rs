@@ -1,6 +1,6 @@
 //! Six bodies.
 
-use super::{Field, Problem, Way, adaptive, by_hand, fixed, ours, reference, taylor};
+use super::{Field, Problem, Way, adaptive, by_hand, ours, reference, taylor};
 use crate::by_hand::outer_solar_system as hand;
 use crate::rivals::{of_field, of_separable};
 use crate::systems::OuterSolarSystem;
@@ -31,7 +31,8 @@ impl Field<36> for Planets {
             for j in 0..i {
                 let d: [R; 3] = std::array::from_fn(|k| y[3 * i + k] - y[3 * j + k]);
                 let square = d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
-                let factor = R::from_f64(G) * R::from_f64(MASSES[i]) * R::from_f64(MASSES[j]) / (square * Real::sqrt(square));
+                let factor =
+                    R::from_f64(G) * R::from_f64(MASSES[i]) * R::from_f64(MASSES[j]) / (square * Real::sqrt(square));
                 for k in 0..3 {
                     dy[18 + 3 * i + k] -= factor * d[k];
                     dy[18 + 3 * j + k] += factor * d[k];
@@ -64,7 +65,8 @@ pub(super) fn outer_solar_system() -> Problem {
         black_box((state.q.map(Into::into), state.p.map(Into::into)))
     };
     entries.push(by_hand("Verlet by hand", 500, move |n| list(by().verlet(duration / n as f64, n, begin()))));
-    entries.push(by_hand("BlanesMoanSrkn14a by hand", 100, move |n| list(by().srkn_14a(duration / n as f64, n, begin()))));
+    entries
+        .push(by_hand("BlanesMoanSrkn14a by hand", 100, move |n| list(by().srkn_14a(duration / n as f64, n, begin()))));
     entries.extend(of_field(Planets, duration));
     entries.extend(of_separable(Planets, duration, 500));
     let note = "200 000 days, from ephemerides of 1994".into();

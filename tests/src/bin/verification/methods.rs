@@ -152,7 +152,8 @@ impl Row {
         }
         let mut property = |what: &str, claimed: bool, defect: &Result<f64, Refusal>, bound: f64| {
             let control = !claimed && order <= 2;
-            let off = defect.as_ref().map_or(f64::INFINITY, |defect| if defect.is_nan() { f64::INFINITY } else { *defect });
+            let off =
+                defect.as_ref().map_or(f64::INFINITY, |defect| if defect.is_nan() { f64::INFINITY } else { *defect });
             if !(claimed && off <= bound || control && off > SEEN || !claimed && !control) {
                 failures.push(format!("{what}: {claimed} is claimed, it is off by {off:.1e}"));
             }

@@ -80,7 +80,10 @@ const SENTENCES: &[(&str, &str)] = &[
         "tests/accuracy/first_integrals/splittings.rs::more_than_three_coordinates_by_planes",
     ),
     ("no structure is kept", "tests/accuracy/first_integrals/splittings.rs::claims"),
-    ("Jacobi's multiplier", "geoint-macros/src/tests/facts/identity/search.rs::multipliers_of_jacobi_are_products_of_powers"),
+    (
+        "Jacobi's multiplier",
+        "geoint-macros/src/tests/facts/identity/search.rs::multipliers_of_jacobi_are_products_of_powers",
+    ),
     // Lagrangians.
     ("L is linear in the velocities", "tests/lagrangian/degenerate.rs::velocities_are_those_of_lagranges_equations"),
     ("no canonical coordinates", "tests/lagrangian/degenerate.rs::reports_say_what_was_found"),
