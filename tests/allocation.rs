@@ -1,54 +1,15 @@
 //! Stepping allocates nothing, whatever the method. Alone in its program, because it owns the allocator.
 
-#![allow(unsafe_code, reason = "an allocator cannot be written without it")]
-
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
+use geoint_tests::counting::{Counting, allocations_during};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::hint::black_box;
 use std::marker::PhantomData;
 
-thread_local! {
-    /// Per thread: the test harness may allocate on others.
-    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
-}
-
-struct Counting;
-
-fn count() {
-    ALLOCATIONS.with(|n| n.set(n.get() + 1));
-}
-
-// SAFETY: everything is left to the allocator of the system; counting neither allocates nor unwinds.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count();
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count();
-        unsafe { System.alloc_zeroed(layout) }
-    }
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        count();
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
-
-fn allocations_during(run: impl FnOnce()) -> u64 {
-    let before = ALLOCATIONS.with(Cell::get);
-    run();
-    ALLOCATIONS.with(Cell::get) - before
-}
 
 /// Everything that can be done with an integrator, an error included.
 struct Steps<P>(usize, PhantomData<P>);
