@@ -15,6 +15,20 @@ struct Scope {
     always: Table<()>,
 }
 
+/// How many numbers nodes are together: a matrix is more than one.
+pub(super) fn width_of_slots(graph: &Graph, slots: &[Id]) -> usize {
+    let width = |id: &Id| match graph.node(*id) {
+        Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
+        _ => 1,
+    };
+    slots.iter().map(width).sum()
+}
+
+/// A number that counts something.
+fn whole(graph: &Graph, id: Id) -> usize {
+    graph.as_number(id).map_or(0, |number| number.to_f64() as usize)
+}
+
 pub(super) struct Lowering<'a, F> {
     pub(super) graph: &'a mut Graph,
     pub(super) levels: &'a mut KnownLevels<F>,
@@ -127,7 +141,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             slots.push(id);
             slots.len() - 1
         });
-        Operand::Slot(level, index)
+        Operand::Slot(level, width_of_slots(self.graph, &self.slots[level][..index]))
     }
 
     /// The value of an instruction; equal ones are one statement.
@@ -166,6 +180,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function, args) if Function::KEPLER.contains(&function) => self.kepler(id, &args),
+            Node::Call(Function::FlowMatrix, args) => self.flow_matrix(&args),
+            Node::Call(Function::FlowChange, args) => self.flow_change(&args),
             Node::Call(function, args) => self.call(function, &args),
             Node::Select(condition, _, _) => self.select(id, condition),
             Node::Compare(relation, a, b) => {
@@ -262,6 +278,40 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     fn kepler_calls(&mut self, orbits: &[Vec<Id>]) -> Vec<Id> {
         let of = |args: &Vec<Id>| Function::KEPLER.map(|function| self.graph.call(function, args));
         orbits.iter().flat_map(of).collect()
+    }
+
+    /// exp(A) − 1 of a matrix, by its size and its entries with their places.
+    fn flow_matrix(&mut self, args: &[Id]) -> Operand {
+        let (size, entries) = (whole(self.graph, args[0]), &args[1..]);
+        let entries: Vec<(usize, Operand)> =
+            entries.chunks_exact(2).map(|entry| (whole(self.graph, entry[0]), self.operand(entry[1]))).collect();
+        let ready = entries.iter().map(|(_, entry)| self.ready(entry)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
+        let register = self.register(ready);
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.block.statements.push(Statement::FlowMatrix(register, size, entries));
+        }
+        Operand::Register(register)
+    }
+
+    /// All rows of such a matrix times a vector, as one call.
+    fn flow_change(&mut self, args: &[Id]) -> Operand {
+        let (row, of) = (whole(self.graph, args[0]), args[1..].to_vec());
+        let matrix = self.operand(of[0]);
+        let x: Vec<Operand> = of[1..].iter().map(|x| self.operand(*x)).collect();
+        let ready = x.iter().map(|x| self.ready(x)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
+        let registers: Vec<Register> = x.iter().map(|_| self.register(ready)).collect();
+        for (row, register) in registers.iter().enumerate() {
+            let row = self.graph.integer(row as i128);
+            let result = self.graph.call(Function::FlowChange, &[&[row], &of[..]].concat());
+            if let Some(scope) = self.scopes.last_mut() {
+                scope.values.insert(result, Operand::Register(*register));
+            }
+        }
+        let own = Operand::Register(registers[row]);
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.block.statements.push(Statement::FlowChange(registers, matrix, x));
+        }
+        own
     }
 
     /// All selections by one condition that do not need each other, as one `if`.

@@ -300,6 +300,8 @@ impl Builder<'_> {
             | Function::SineSlope
             | Function::CosineAt
             | Function::CosineSlope
+            | Function::FlowMatrix
+            | Function::FlowChange
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate
