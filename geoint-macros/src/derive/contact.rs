@@ -1,11 +1,12 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
+use super::exact::pieces;
+use super::implicit;
 use super::jet::JetKernel;
 use super::system::{
     ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
 };
-use super::{implicit, pieces};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;

@@ -9,13 +9,10 @@ mod system;
 mod implicit;
 mod jet;
 mod canonical;
-mod perturbed;
-mod pieces;
 mod contact;
+mod exact;
 mod bodies;
 mod flow;
-mod parts;
-mod liouville;
 mod velocities;
 mod constraints;
 pub(crate) mod proof;
@@ -25,13 +22,13 @@ pub(crate) use canonical::canonical;
 pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
+pub(crate) use exact::parts::{Parted, parts};
+pub(crate) use exact::perturbed::Perturbed;
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;
-pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
-pub(crate) use parts::{Parted, parts};
-pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
+pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     ConstraintKernels, FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing,
     Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels,

@@ -3,30 +3,17 @@
 use super::arithmetic::{Of, Powers};
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::KnownLevels;
+use super::matrix::width_of_slots;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
 
 /// A routine, or a branch in it, while it is being written.
 #[derive(Default)]
-struct Scope {
-    block: Block,
-    values: Table<Operand>,
+pub(super) struct Scope {
+    pub(super) block: Block,
+    pub(super) values: Table<Operand>,
     numbered: HashMap<Instruction, Operand>,
     /// What is computed here whatever the conditions are.
-    always: Table<()>,
-}
-
-/// How many numbers nodes are together: a matrix is more than one.
-pub(super) fn width_of_slots(graph: &Graph, slots: &[Id]) -> usize {
-    let width = |id: &Id| match graph.node(*id) {
-        Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
-        _ => 1,
-    };
-    slots.iter().map(width).sum()
-}
-
-/// A number that counts something.
-fn whole(graph: &Graph, id: Id) -> usize {
-    graph.as_number(id).map_or(0, |number| number.to_f64() as usize)
+    pub(super) always: Table<()>,
 }
 
 pub(super) struct Lowering<'a, F> {
@@ -35,7 +22,7 @@ pub(super) struct Lowering<'a, F> {
     slots: &'a mut Vec<Vec<Id>>,
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
-    scopes: Vec<Scope>,
+    pub(super) scopes: Vec<Scope>,
     /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
     ready: Vec<u32>,
     /// Bases of which several negative powers are needed.
@@ -161,7 +148,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         operand
     }
 
-    fn register(&mut self, ready: u32) -> Register {
+    pub(super) fn register(&mut self, ready: u32) -> Register {
         self.ready.push(ready);
         self.ready.len() - 1
     }
@@ -232,84 +219,6 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         };
         if let Some(scope) = self.scopes.last_mut() {
             scope.values.insert(id, others);
-        }
-        own
-    }
-
-    /// Kepler's motion along all orbits that do not need each other, as one call.
-    fn kepler(&mut self, id: Id, args: &[Id]) -> Operand {
-        let mut orbits: Vec<Vec<Id>> = vec![args.to_vec()];
-        let always: Vec<Id> = self.scopes.last().map(|scope| scope.always.ids().collect()).unwrap_or_default();
-        for other in always {
-            if let Node::Call(Function::KeplerF, args) = self.graph.node(other)
-                && self.known(other).is_none()
-                && !orbits.contains(args)
-            {
-                let args = args.clone();
-                let (reached, ends) = (self.graph.reachable(&args), self.kepler_calls(&orbits));
-                let needs = |ids: &[Id], end: &[Id]| ids.iter().any(|id| end.contains(id));
-                let before = self.graph.reachable(&orbits.concat());
-                let own = self.kepler_calls(std::slice::from_ref(&args));
-                if !needs(&reached, &ends) && !needs(&before, &own) {
-                    orbits.push(args);
-                }
-            }
-        }
-        let operands: Vec<Vec<Operand>> =
-            orbits.iter().map(|args| args.iter().map(|arg| self.operand(*arg)).collect()).collect();
-        let ready = operands.iter().flatten().map(|x| self.ready(x)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
-        let registers: Vec<[Register; 4]> =
-            orbits.iter().map(|_| std::array::from_fn(|_| self.register(ready))).collect();
-        let results = self.kepler_calls(&orbits);
-        let mut own = Operand::Register(registers[0][0]);
-        if let Some(scope) = self.scopes.last_mut() {
-            for (result, register) in results.iter().zip(registers.as_flattened()) {
-                scope.values.insert(*result, Operand::Register(*register));
-                if *result == id {
-                    own = Operand::Register(*register);
-                }
-            }
-            scope.block.statements.push(Statement::Kepler(registers, operands));
-        }
-        own
-    }
-
-    /// The four nodes of each orbit, in order.
-    fn kepler_calls(&mut self, orbits: &[Vec<Id>]) -> Vec<Id> {
-        let of = |args: &Vec<Id>| Function::KEPLER.map(|function| self.graph.call(function, args));
-        orbits.iter().flat_map(of).collect()
-    }
-
-    /// exp(A) − 1 of a matrix, by its size and its entries with their places.
-    fn flow_matrix(&mut self, args: &[Id]) -> Operand {
-        let (size, entries) = (whole(self.graph, args[0]), &args[1..]);
-        let entries: Vec<(usize, Operand)> =
-            entries.chunks_exact(2).map(|entry| (whole(self.graph, entry[0]), self.operand(entry[1]))).collect();
-        let ready = entries.iter().map(|(_, entry)| self.ready(entry)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
-        let register = self.register(ready);
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.block.statements.push(Statement::FlowMatrix(register, size, entries));
-        }
-        Operand::Register(register)
-    }
-
-    /// All rows of such a matrix times a vector, as one call.
-    fn flow_change(&mut self, args: &[Id]) -> Operand {
-        let (row, of) = (whole(self.graph, args[0]), args[1..].to_vec());
-        let matrix = self.operand(of[0]);
-        let x: Vec<Operand> = of[1..].iter().map(|x| self.operand(*x)).collect();
-        let ready = x.iter().map(|x| self.ready(x)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
-        let registers: Vec<Register> = x.iter().map(|_| self.register(ready)).collect();
-        for (row, register) in registers.iter().enumerate() {
-            let row = self.graph.integer(row as i128);
-            let result = self.graph.call(Function::FlowChange, &[&[row], &of[..]].concat());
-            if let Some(scope) = self.scopes.last_mut() {
-                scope.values.insert(result, Operand::Register(*register));
-            }
-        }
-        let own = Operand::Register(registers[row]);
-        if let Some(scope) = self.scopes.last_mut() {
-            scope.block.statements.push(Statement::FlowChange(registers, matrix, x));
         }
         own
     }

@@ -7,8 +7,8 @@ pub(crate) use implicit::{
 };
 
 use super::domain::Domain;
+use super::exact::perturbed::Perturbed;
 use super::jet::JetKernel;
-use super::perturbed::Perturbed;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};

@@ -5,6 +5,7 @@
 
 mod attraction;
 mod bodies;
+mod frame;
 mod heliocentric;
 mod jacobi;
 

@@ -2,28 +2,20 @@
 //!
 //! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
 
+use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Square, Summation};
-use crate::system::{ByVelocities, Orientation, Poles, VelocityForm, acceleration, row_scale, velocity_near};
+use crate::system::{ByVelocities, Orientation, VelocityForm, acceleration, row_scale, velocity_near};
 
-/// Coefficients of one step.
+/// The coefficients of one step, and what is known of the system.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    poles: Poles,
-    constants: P,
-    h: R,
-    /// h·A.
-    coupling: [[R; S]; S],
-    /// h·c.
-    nodes: [R; S],
-    /// h·b.
-    weights: [R; S],
+pub struct PreparedVelocities<P, R, const S: usize> {
+    stages: Prepared<P, R, S>,
     /// The determinant of the mass matrix has one sign everywhere.
     semidefinite: bool,
 }
@@ -39,18 +31,12 @@ impl<Y: VelocityForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for By
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y::Constants, R, S>;
+    type Prepared = PreparedVelocities<Y::Constants, R, S>;
     type Memory = Memory<Y::Array, S>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
-        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
-        Prepared {
-            poles: Poles::of(system),
-            constants: VelocityForm::constants(system),
-            h,
-            coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
-            nodes: c.map(|c| R::from_f64(c) * h),
-            weights: b.map(|b| R::from_f64(b) * h),
+        PreparedVelocities {
+            stages: Prepared::new(system, VelocityForm::constants(system), h),
             semidefinite: system.is_semidefinite(),
         }
     }
@@ -61,7 +47,7 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
+        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
         Memory { newton, orientation }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
@@ -88,7 +74,7 @@ where
         let before = start::<Y, R, C>(x);
         x.add(&[change, impulse]);
         // The end has a velocity, and the mass matrix has not changed its orientation.
-        if !prepared.semidefinite {
+        if !semidefinite {
             let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
             orientation.agrees(end.map(|(_, positive)| positive))?;
         }

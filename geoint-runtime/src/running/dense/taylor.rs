@@ -1,6 +1,6 @@
 //! Where a function of the state changes sign along the polynomial of a step: all its zeros, in order.
 
-use super::crossings::{Crossing, Direction, ZEROS};
+use super::crossings::{Crossing, Direction, ZEROS, next};
 use super::has_reached;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
@@ -178,20 +178,12 @@ where
     type Item = Result<Crossing<StateOf<S, R>>, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.done {
-            if let Some(found) = self.earliest() {
-                return Some(Ok(found));
-            }
-            match self.step() {
-                Ok(true) => {}
-                Ok(false) => self.done = true,
-                Err(error) => {
-                    self.done = true;
-                    return Some(Err(error));
-                }
-            }
+        if self.done {
+            return None;
         }
-        None
+        let found = next(self, |search| search.earliest().map(Ok), Self::step);
+        self.done = !matches!(found, Some(Ok(_)));
+        found
     }
 }
 
