@@ -216,7 +216,7 @@ fn taylor_series_allocate_nothing() {
                 sim.step().unwrap();
                 assert!(sim.at(sim.state().t).is_some());
                 black_box(sim.sampled_every(0.1).take(5).filter(Result::is_ok).count());
-                black_box(sim.crossings(Direction::Both, |state| state.q[0]).take(2).filter(Result::is_ok).count());
+                black_box(sim.crossings(Direction::Any, |state| state.q[0]).take(2).filter(Result::is_ok).count());
                 sim.advance_to(20.0).unwrap();
                 black_box((sim.energy(), sim.state()));
             });
