@@ -123,7 +123,58 @@ fn steps_of_velocities_allocate_nothing() {
             assert_eq!(count, 0);
         )* };
     }
-    none!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>, DiscreteGradient, RK4);
+    none!(
+        ImplicitMidpoint,
+        Gauss::<2>,
+        Gauss::<3>,
+        DiscreteGradient,
+        RK4,
+        Suzuki4.of(DiscreteGradient),
+        Projection(RK4, Energy)
+    );
+}
+
+/// The same with friction by an action that acts back, and of an energy that is made of L.
+#[lagrangian]
+fn fading_arm(q: [f64; 3], v: [f64; 3], s: f64, m: f64) -> f64 {
+    let coupled = v[0] * v[1] * (q[0] - q[1]).cos() + v[1] * v[2] * (q[1] - q[2]).cos();
+    m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + coupled) + q[0].cos() + q[2].cos() - 0.2 * s - s * s / 30.0
+}
+
+#[lagrangian]
+fn fading_pendulum(q: [f64; 2], v: [f64; 2], s: f64, m: f64) -> f64 {
+    m * (v[0] * v[0] + v[1] * v[1] + v[0] * v[1] * (q[0] - q[1]).cos()) + q[0].cos() - 0.2 * s
+}
+
+/// ϑ(q)·v − H.
+#[lagrangian]
+fn prey(q: [f64; 2], v: [f64; 2], a: f64) -> f64 {
+    q[1].ln() / q[0] * v[0] + a * (q[0] + q[1]) - q[0].ln() - q[1].ln()
+}
+
+#[test]
+fn steps_of_lagrangians_allocate_nothing() {
+    macro_rules! none {
+        ($system:expr, $start:expr; $($method:expr),*) => { $(
+            let mut sim = $system.integrator($method, 0.05, $start);
+            let count = allocations_during(|| {
+                sim.advance(100).expect("steps");
+                sim.step().expect("a step");
+                black_box((sim.energy(), sim.state()));
+                sim.set_step_size(1e200);
+                black_box(sim.advance(3).is_err());
+            });
+            assert_eq!(count, 0);
+        )* };
+    }
+    let arm = FadingArm { m: 0.7 };
+    none!(arm, arm.at([0.3, -0.2, 0.5], [0.1, 0.0, -0.4], 0.1);
+        ContactMidpoint, ContactGauss::<2>, ContactGauss::<3>, ContactDiscreteGradient, Suzuki4.of(ContactMidpoint));
+    let pendulum = FadingPendulum { m: 0.7 };
+    none!(pendulum, pendulum.at([0.3, -0.2], [0.1, 0.0], 0.1);
+        ContactMidpoint, ContactGauss::<2>, ContactDiscreteGradient);
+    let prey = Prey { a: 0.7 };
+    none!(prey, prey.at([1.0, 1.5]); ImplicitMidpoint, Gauss::<2>, DiscreteGradient);
 }
 
 /// A rod with a mass at each end that slides along two walls.

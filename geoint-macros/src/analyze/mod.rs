@@ -21,7 +21,7 @@ mod squares;
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
-pub(crate) use conserved::{Dissipated, Momentum, dissipated};
+pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};

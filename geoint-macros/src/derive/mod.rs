@@ -17,7 +17,7 @@ mod velocities;
 mod constraints;
 pub(crate) mod proof;
 
-pub(crate) use bodies::{Bodies, Turn, bodies};
+pub(crate) use bodies::{Bodies, Shift, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
@@ -30,7 +30,8 @@ pub(crate) use jet::JetKernel;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    ConstraintKernels, FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing,
-    Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels,
+    ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Integrals,
+    KickDrift, Lagrangian, MassKernels, Missing, Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System,
+    Undamped, VelocityKernels, VelocityStages,
 };
-pub(crate) use velocities::velocities;
+pub(crate) use velocities::{herglotz, velocities};

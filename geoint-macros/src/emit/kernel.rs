@@ -200,11 +200,15 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What users call a number of an attitude, or of an angular momentum.
+    /// What users call a number of an attitude, of an angular momentum, or of a centre of mass.
     fn body_name(&self, symbol: Symbol) -> Option<String> {
+        let attitudes = 4 * self.energy.bodies();
+        let (vector, rotor) = (["x", "y", "z", ""], ["i", "j", "k", "w"]);
         let (role, index, numbers) = match symbol {
-            Symbol::Q(i) => (Role::Attitude, i, ["i", "j", "k", "w"]),
-            Symbol::P(i) => (Role::AngularMomentum, i, ["x", "y", "z", ""]),
+            Symbol::Q(i) if i < attitudes => (Role::Attitude, i, rotor),
+            Symbol::P(i) if i < attitudes => (Role::AngularMomentum, i, vector),
+            Symbol::Q(i) => (Role::Position, i - attitudes, vector),
+            Symbol::P(i) => (Role::Momentum, i - attitudes, vector),
             _ => return None,
         };
         let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;

@@ -19,7 +19,7 @@ mod modified;
 mod fields;
 mod perturbed;
 
-pub(crate) use fields::{Motion, NoPart, Part, parts, planes};
+pub(crate) use fields::{Motion, NoPart, Part, parts, planes, solved_planes};
 pub(crate) use flow::{Family, Flow, Piece, Space};
 pub(crate) use increment::increments;
 pub(crate) use mechanics::{Mechanics, mechanics};

@@ -20,14 +20,15 @@ pub use bodies::PrincipalAxes;
 pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
 pub use implicit::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
-    Constrained, ConstrainedStep, DiscreteField, Graded, Gradients, Mean, PolarisedForm, QuadraticField, Unmet,
-    VelocityForm, energy_of, rate_of, unmet, velocity_of,
+    Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactVelocities,
+    DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Unmet, VelocityForm,
+    contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
 };
 pub(crate) use implicit::{Orientation, acceleration, on_one_side, projected, row_scale, tangent, velocity_near};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use jets::Jets;
 pub(crate) use jumps::jump_between;
-pub use lagrangian::Lagrangian;
+pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;

@@ -101,6 +101,16 @@ impl Generator {
         matches!(self.kind, Kind::Momentum(_) | Kind::Position).then(|| self.terms[0].1[0])
     }
 
+    /// Whether it moves positions by a rotation or a translation, and velocities as a rotation does.
+    pub(super) fn is_rigid(&self) -> bool {
+        matches!(self.kind, Kind::Angular(_) | Kind::Momentum(_))
+    }
+
+    /// Whether it moves positions alone.
+    pub(super) fn is_translation(&self) -> bool {
+        matches!(self.kind, Kind::Momentum(_))
+    }
+
     /// Whether it reads no others than these variables.
     pub(super) fn is_function_of(&self, variables: &[Variable]) -> bool {
         self.terms.iter().all(|(_, pair)| pair.iter().all(|x| *x == UNIT || variables.contains(x)))

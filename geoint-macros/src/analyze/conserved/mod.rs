@@ -3,8 +3,10 @@
 mod dissipated;
 mod generators;
 mod momenta;
+mod noether;
 mod weights;
 
-pub(crate) use dissipated::{Dissipated, dissipated};
+pub(crate) use dissipated::{Dissipated, decay, dissipated, dissipated_by_velocities};
 pub(crate) use momenta::Momentum;
 pub(super) use momenta::momenta;
+pub(crate) use noether::{noether, translations};

@@ -7,7 +7,7 @@
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, clear, times, weights};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::Dependence;
+use crate::analyze::dependence::{Dependence, Reads};
 use crate::analyze::equations::{Equations, Row, add_multiple};
 use crate::analyze::leaves::leaves;
 use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
@@ -37,12 +37,24 @@ pub(in crate::analyze) fn momenta(
     energy: Id,
     coordinates: &Shape,
 ) -> Vec<Momentum> {
-    let generators = generators(coordinates);
+    of_generators(graph, (dependence, degrees), energy, coordinates, &generators(coordinates))
+}
+
+/// Those that are combinations of some generators.
+pub(super) fn of_generators(
+    graph: &mut Graph,
+    (dependence, degrees): (&Dependence, &Degrees),
+    energy: Id,
+    coordinates: &Shape,
+    generators: &[Generator],
+) -> Vec<Momentum> {
     let found = forms(graph, dependence, degrees, energy).and_then(|forms| {
-        let brackets = brackets(&moves(&generators, coordinates.len()), &forms)?;
-        // Weights that depend on time, or on an action, would change.
-        let steady =
-            |atom: &Atom| !matches!(atom, Atom::Node(id) if dependence.reads(*id).t || dependence.reads(*id).s);
+        let brackets = brackets(&moves(generators, coordinates.len()), &forms)?;
+        // Weights that depend on time, on velocities, or on an action, would change.
+        let steady = |atom: &Atom| match atom {
+            Atom::Node(id) => dependence.reads(*id) == Reads::default(),
+            _ => true,
+        };
         let mut unknowns: Vec<Unknown> =
             (0..generators.len()).map(|generator| Unknown { generator, weight: vec![] }).collect();
         for (generator, weight) in weights(generators.len(), &brackets, steady).into_iter().enumerate() {

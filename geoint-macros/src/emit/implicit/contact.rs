@@ -58,7 +58,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
     }
 }
 
-/// `impl ContactStages`.
+/// `impl ContactStages`, and which steps there are.
 pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> TokenStream {
     let StageKernel { moved, kernel: plan } = stages;
     let (name, n) = (self_type(context), moved.len());
@@ -76,6 +76,11 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
     let action = context.planned(&plan.last[2], (&[], ""), |mut values| values.remove(0));
     let (phase, parts) = (context.phase(), context.parts());
     quote! {
+        impl<R: Real> ContactCollocated<R> for #name {
+            type Proof = ();
+            type Stages = ByField;
+            type Midpoint = ByField;
+        }
         impl<R: Real> ContactStages<R> for #name {
             type Proof = ();
             type Moved = #unknown;

@@ -6,10 +6,12 @@ mod collocation;
 mod constraints;
 mod contact;
 mod discrete;
+mod herglotz;
 mod velocities;
 
 use super::kernel::{Context, write};
-use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use super::system::self_type;
+use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
 use proc_macro2::TokenStream;
@@ -21,9 +23,23 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
         Implicit::Field(kernels) => field(context, graph, (kernels, &system.proven)),
         Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
+        Implicit::Herglotz(kernels) => herglotz::herglotz(context, graph, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| contact::step(context, method, step));
-            let stages = kernels.stages.as_ref().map(|stages| contact::stages(context, stages));
+            let stages = kernels.stages.as_ref().map(|stages| {
+                let stages = match stages {
+                    ContactStages::Points(stages) => contact::stages(context, stages),
+                    ContactStages::Velocities(stages) => herglotz::stages(context, stages, &quote!(ByField)),
+                };
+                let name = self_type(context);
+                quote! {
+                    impl<R: Real> ContactGraded<R> for #name {
+                        type Proof = ();
+                        type Gradient = ByTree;
+                    }
+                    #stages
+                }
+            });
             quote!(#(#steps)* #stages)
         }
     }

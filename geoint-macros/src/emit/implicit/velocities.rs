@@ -1,7 +1,7 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
 use super::{square, write_field};
-use crate::derive::{Missing, VelocityKernels};
+use crate::derive::{MassKernels, Missing, VelocityKernels};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
 use crate::emit::system::{cotangent, keeps_energy, self_type};
@@ -12,19 +12,11 @@ use quote::quote;
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
 pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
-    let VelocityKernels { increments, mass, weights, stage, polarised, keeps } = kernels;
+    let VelocityKernels { increments, mass, stage, polarised, keeps, .. } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let squares = square(&places);
-    let (n, quadratic, keeps) = (places.len(), polarised.is_ok(), *keeps);
-    let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
-    let semidefinite = weights.as_ref().map(|weights| {
-        let holds = context.values(weights, |weights| quote!(true #(&& !#weights.any_below(0.0))*));
-        quote! {
-            fn is_semidefinite(&self) -> bool {
-                #holds
-            }
-        }
-    });
+    let n = places.len();
+    let mass = mass_form(context, mass);
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
@@ -45,23 +37,18 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
     quote! {
         #cotangent
         #kept
+        #mass
         impl<R: Real> Collocated<R> for #name {
             type Proof = ();
             type Stages = ByVelocities;
         }
         impl<R: Real> VelocityForm<R> for #name {
             type Proof = ();
-            const QUADRATIC: bool = #quadratic;
             type Constants = [R; #prepared];
 
-            #semidefinite
             #[inline]
             fn constants(&self) -> [R; #prepared] {
                 #constants
-            }
-            #[inline(always)]
-            fn mass(&self, t: R, q: &#array, v: &#array, momentum: &mut #array, mass: &mut Square<#array>) {
-                #mass
             }
             #[inline(always)]
             fn stage(
@@ -83,6 +70,40 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
             }
         }
         #polarised
+    }
+}
+
+/// `impl MassForm`.
+pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> TokenStream {
+    let MassKernels { mass, weights, quadratic } = kernels;
+    let (name, array, action) = (self_type(context), context.array(), context.action());
+    let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
+    let semidefinite = weights.as_ref().map(|weights| {
+        let holds = context.values(weights, |weights| quote!(true #(&& !#weights.any_below(0.0))*));
+        quote! {
+            fn is_semidefinite(&self) -> bool {
+                #holds
+            }
+        }
+    });
+    quote! {
+        impl<R: Real> MassForm<R> for #name {
+            type Proof = ();
+            const QUADRATIC: bool = #quadratic;
+
+            #semidefinite
+            #[inline(always)]
+            fn mass(
+                &self,
+                t: R,
+                q: &#array,
+                v: &#array,
+                s: &#action,
+                (momentum, mass): (&mut #array, &mut Square<#array>),
+            ) {
+                #mass
+            }
+        }
     }
 }
 

@@ -53,6 +53,7 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
             #[inline]
             fn jet<const P: usize>(
                 &self,
+                unit: R,
                 t: R,
                 z: &#phase,
                 #given,
@@ -114,6 +115,7 @@ impl Writer<'_> {
     /// The body of an order.
     fn order(&mut self) -> TokenStream {
         let mut body = TokenStream::new();
+        let unit = self.number(Prepared::Unit);
         let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
         for (i, group) in groups.iter().enumerate() {
             let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
@@ -166,7 +168,7 @@ impl Writer<'_> {
                 jet: &mut [PerCoordinate<#phase, #action>; P],
                 switches: &mut [[R; #switches]; P],
             ) {
-                let (whole, next) = (R::from_f64(n as f64), R::from_f64(1.0 / (n + 1) as f64));
+                let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
                 let (#(#names,)*);
                 #body
             }
@@ -228,9 +230,9 @@ impl Writer<'_> {
         }
         for rate in &self.jet.rates {
             let (place, value) = (self.place(rate.symbol), &values[rate.value]);
-            first.extend(quote!(jet[0].#place = #value;));
+            first.extend(quote!(jet[0].#place = unit * (#value);));
             if let Some(array) = self.array_of(rate.symbol) {
-                first.extend(quote!(if P > 1 { #array[1] = #value; }));
+                first.extend(quote!(if P > 1 { #array[1] = jet[0].#place; }));
             }
         }
         for (i, (value, _)) in self.jet.switches.iter().enumerate() {

@@ -26,7 +26,7 @@ mod fields;
 pub(crate) mod prepared;
 mod stages;
 mod tableau;
-mod velocities;
+pub(in crate::method) mod velocities;
 
 pub use tableau::GaussTableau;
 

@@ -15,16 +15,16 @@ use crate::system::{ByVelocities, Orientation, VelocityForm, acceleration, row_s
 /// The coefficients of one step, and what is known of the system.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedVelocities<P, R, const S: usize> {
-    stages: Prepared<P, R, S>,
+    pub(in crate::method) stages: Prepared<P, R, S>,
     /// The determinant of the mass matrix has one sign everywhere.
-    semidefinite: bool,
+    pub(in crate::method) semidefinite: bool,
 }
 
 /// What a step hands on to the next one.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A, const S: usize> {
-    newton: Newton<[A; S]>,
-    orientation: Orientation,
+    pub(in crate::method) newton: Newton<[A; S]>,
+    pub(in crate::method) orientation: Orientation,
 }
 
 impl<Y: VelocityForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByVelocities
@@ -53,7 +53,7 @@ where
     ) -> Result<(), Refusal> {
         let (none, z) = (Y::Array::zero(), x.z);
         probe.visit(t, &z, &());
-        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
+        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &(), none)?.1))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
         let (v, _) = newton.solve(&equation, &mut seen).checked()?;
@@ -75,7 +75,7 @@ where
         x.add(&[change, impulse]);
         // The end has a velocity, and the mass matrix has not changed its orientation.
         if !semidefinite {
-            let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
+            let end = velocity_near(system, t + *h, &x.z, &(), v[S - 1]);
             orientation.agrees(end.map(|(_, positive)| positive))?;
         }
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
@@ -170,7 +170,7 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
     /// The velocities as if v' were constant.
     fn explicit(&self) -> [Y::Array; S] {
         let none = Y::Array::zero();
-        let v = velocity_near(self.system, self.t, &self.z, none).map_or(none, |(v, _)| v);
+        let v = velocity_near(self.system, self.t, &self.z, &(), none).map_or(none, |(v, _)| v);
         let rate = acceleration(self.system, self.t, &self.z[0], &v);
         self.prepared.nodes.map(|node| moved(&v, node, &rate))
     }

@@ -1,7 +1,7 @@
 //! How the equations of implicit steps are posed: by a field in positions and momenta, or by a Lagrangian in velocities.
 
 use crate::scalar::Real;
-use crate::system::PhaseSpace;
+use crate::system::{Contact, PhaseSpace};
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(
@@ -54,3 +54,31 @@ pub struct ByConstraint;
 /// The polarised one: see [`PolarisedForm`](super::PolarisedForm).
 #[derive(Clone, Copy, Debug)]
 pub struct ByPolarisation;
+
+/// A contact system whose steps of Gauss collocation can be solved for: momenta are followed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no contact Gauss methods",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactCollocated<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What [`ContactGauss`](crate::ContactGauss) solves for: [`ByField`] or [`ByVelocities`].
+    type Stages;
+    /// The same of [`ContactMidpoint`](crate::ContactMidpoint).
+    type Midpoint;
+}
+
+/// A contact system whose energy has a discrete gradient.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no discrete gradient of a contact system",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactGraded<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// [`ByTree`] or [`ByPolarisation`].
+    type Gradient;
+}

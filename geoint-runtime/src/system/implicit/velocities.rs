@@ -1,29 +1,46 @@
 //! Lagrangians whose steps are solved for velocities: v follows from p by an equation, and no energy as a function of p is emitted.
 
-use crate::scalar::{Real, zero};
+use crate::scalar::Real;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
+use crate::space::vector::dot;
 use crate::space::{Array, Square};
 use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 
-/// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix M = ∂²L/∂v².
-pub trait VelocityForm<R: Real = f64>: Lagrangian<R, Action = ()> + Collocated<R, Stages = ByVelocities> {
+/// The momenta of L(q, v, s, t), and how they depend on v: by the mass matrix M = ∂²L/∂v².
+pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// Whether L is quadratic in v, so that one linear equation gives v.
     const QUADRATIC: bool;
-    /// What depends on parameters only.
-    type Constants: Copy + core::fmt::Debug;
 
     /// Whether M was proven to have no negative direction at any state, for these parameters: its determinant then has one sign.
     fn is_semidefinite(&self) -> bool {
         false
     }
+    /// p = ∂L/∂v, and M.
+    fn mass(
+        &self,
+        t: R,
+        q: &Self::Array,
+        v: &Self::Array,
+        s: &Self::Action,
+        values: (&mut Self::Array, &mut Square<Self::Array>),
+    );
+}
+
+/// L(q, v, t) by its derivatives: half of the unknowns of an energy, and no inverse of the mass matrix.
+pub trait VelocityForm<R: Real = f64>:
+    MassForm<R> + Lagrangian<R, Action = ()> + Collocated<R, Stages = ByVelocities>
+{
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What depends on parameters only.
+    type Constants: Copy + core::fmt::Debug;
+
     /// What depends on parameters only.
     fn constants(&self) -> Self::Constants;
-    /// p = ∂L/∂v, and M.
-    fn mass(&self, t: R, q: &Self::Array, v: &Self::Array, momentum: &mut Self::Array, mass: &mut Square<Self::Array>);
     /// p = ∂L/∂v, f = ∂L/∂q less friction, and [∂p/∂q, ∂p/∂v, ∂f/∂q, ∂f/∂v].
     fn stage(
         &self,
@@ -72,10 +89,11 @@ pub(crate) type Moving<A> = (A, bool);
 /// v of a point by Newton's iteration for ∂L/∂v = p from `guess` on: one linear equation where L is quadratic. `None` where M is
 /// singular, or the iteration leads nowhere.
 #[inline]
-pub(crate) fn velocity_near<S: VelocityForm<R>, R: Real>(
+pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
     system: &S,
     t: R,
     [q, p]: &S::Phase,
+    s: &S::Action,
     guess: S::Array,
 ) -> Option<Moving<S::Array>> {
     let minus = R::from_f64(-1.0);
@@ -83,7 +101,7 @@ pub(crate) fn velocity_near<S: VelocityForm<R>, R: Real>(
     let mut corrections = Corrections::of_order(2);
     for _ in 0..MAX_ITERATIONS {
         let (mut delta, mut mass) = (none, S::Array::fill(none));
-        system.mass(t, q, &v, &mut delta, &mut mass);
+        system.mass(t, q, &v, s, (&mut delta, &mut mass));
         delta.add_scaled(minus, p);
         let positive = solve_for_velocity(&mut mass, &mut delta)?;
         v.add_scaled(minus, &delta);
@@ -156,8 +174,8 @@ impl Orientation {
 
 /// v at a point; not a number where there is none.
 #[inline]
-pub fn velocity_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> S::Array {
-    velocity_near(system, t, z, S::Array::zero()).map_or_else(unknown, |(v, _)| v)
+pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> S::Array {
+    velocity_near(system, t, z, s, S::Array::zero()).map_or_else(unknown, |(v, _)| v)
 }
 
 fn unknown<A: Array>() -> A {
@@ -168,9 +186,9 @@ fn unknown<A: Array>() -> A {
 
 /// p·v − L at a point.
 #[inline]
-pub fn energy_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> R {
-    let v = velocity_of(system, t, z);
-    let mut energy = -system.lagrangian(t, &z[0], &v, &());
+pub fn energy_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> R {
+    let v = velocity_of(system, t, z, s);
+    let mut energy = -system.lagrangian(t, &z[0], &v, s);
     for (p, v) in z[1].as_slice().iter().zip(v.as_slice()) {
         energy = p.multiply_add(*v, energy);
     }
@@ -180,7 +198,7 @@ pub fn energy_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase) ->
 /// (q', p') at a point.
 #[inline]
 pub fn rate_of<S: VelocityForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, dz: &mut S::Phase) {
-    let v = velocity_of(system, t, z);
+    let v = velocity_of(system, t, z, &());
     *dz = [v, system.force(&system.constants(), t, &z[0], &v)];
 }
 
@@ -190,17 +208,18 @@ pub(crate) fn acceleration<S: VelocityForm<R>, R: Real>(system: &S, t: R, q: &S:
     let none = S::Array::zero();
     let (mut p, mut f, mut derivatives) = (none, none, [S::Array::fill(none); 4]);
     system.stage(&system.constants(), t, q, v, [&mut p, &mut f], &mut derivatives);
-    let [mut by_q, mut mass, ..] = derivatives;
-    for (f, row) in f.as_mut_slice().iter_mut().zip(S::Array::entries::<S::Array>(&mut by_q)) {
-        for (by_q, v) in row.as_slice().iter().zip(v.as_slice()) {
-            *f = (-*by_q).multiply_add(*v, *f);
-        }
+    let [by_q, mass, ..] = derivatives;
+    accelerated(f, &by_q, v, mass)
+}
+
+/// M⁻¹(p' − ∂p/∂q v), or zeros where M is singular.
+#[inline]
+pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut mass: Square<A>) -> A {
+    for (f, row) in rate.as_mut_slice().iter_mut().zip(A::entries_of::<A>(by_q)) {
+        *f -= dot(row, v);
     }
-    match solve_for_velocity(&mut mass, &mut f) {
-        Some(_) => f,
-        None => {
-            f.as_mut_slice().fill(zero());
-            f
-        }
+    match solve_for_velocity(&mut mass, &mut rate) {
+        Some(_) => rate,
+        None => A::zero(),
     }
 }

@@ -1,12 +1,9 @@
-//! What the factors of a step are.
+//! What the factors of a step are, and what they do.
 
-use crate::method::Refusal;
-use crate::method::gauss::prepared::Prepared;
 use crate::scalar::{Real, zero};
 use crate::solving::linear;
 use crate::solving::size::Sizes;
-use crate::space::Array;
-use crate::system::ContactStages;
+use crate::space::vector::sum_of_products;
 
 /// rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ, and ∂rᵢ/∂σⱼ.
 #[derive(Clone, Copy)]
@@ -18,20 +15,6 @@ pub(super) struct Factors<R, const S: usize> {
 }
 
 impl<R: Real, const S: usize> Factors<R, S> {
-    /// Those that time alone decides; `None` where there are none of that kind.
-    #[inline(always)]
-    pub(super) fn known<Y: ContactStages<R>>(
-        system: &Y,
-        prepared: &Prepared<Y::StageConstants, R, S>,
-        t: R,
-    ) -> Result<Option<Self>, Refusal> {
-        if varying::<Y, R>() {
-            return Ok(None);
-        }
-        let decay = prepared.nodes.map(|node| system.decay(&prepared.constants, t + node, &Y::Moved::zero()));
-        Self::new::<false>(&prepared.coupling, &decay).map(Some).ok_or(Refusal::Singular)
-    }
-
     /// Derivatives are wanted where they are not known beforehand. `None` where there are no factors.
     #[inline(always)]
     pub(super) fn new<const DERIVED: bool>(coupling: &[[R; S]; S], decay: &[R; S]) -> Option<Self> {
@@ -53,9 +36,29 @@ impl<R: Real, const S: usize> Factors<R, S> {
         }
         Some(Factors { decay: *decay, r, by_decay })
     }
-}
 
-/// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
-pub(super) const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
-    Y::Moved::LEN > <Y::Phase as Array>::LEN
+    /// Where there are none no solution is found.
+    pub(super) fn unknown() -> Self {
+        let unknown = R::from_f64(f64::NAN);
+        Factors { decay: [unknown; S], r: [unknown; S], by_decay: [[unknown; S]; S] }
+    }
+
+    /// r₁ − 1 = h Σ bᵢ rᵢ σᵢ; `None` where the form would not be multiplied by a positive number.
+    #[inline(always)]
+    pub(super) fn growth(&self, weights: &[R; S]) -> Option<R> {
+        let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| self.r[i] * self.decay[i]));
+        let factor = R::from_f64(1.0) + grown;
+        let positive = factor.magnitude() > 0.0 && !factor.any_below(0.0);
+        positive.then_some(grown)
+    }
+
+    /// s' at the stages from its values at s₀: aᵢ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
+    #[inline(always)]
+    pub(super) fn rates_of_action(&self, coupling: &[[R; S]; S], mut at_start: [R; S]) -> Option<[R; S]> {
+        let one = R::from_f64(1.0);
+        let mut matrix: [[R; S]; S] = core::array::from_fn(|i| {
+            core::array::from_fn(|j| (if i == j { one } else { zero() }) + self.decay[i] * coupling[i][j])
+        });
+        linear::solve::<[R; S]>(&mut matrix, &mut at_start, &Sizes::equal()).map(|_| at_start)
+    }
 }

@@ -1,16 +1,27 @@
-//! The equations of the stages.
+//! The equations of the stages, for positions, momenta and perhaps the action.
 
-use super::PreparedContact;
-use super::factors::{Factors, varying};
-use crate::method::Probe;
+use super::ContactGauss;
+use super::factors::Factors;
+use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::prepared::Prepared;
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
+use crate::solving::newton::Newton;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, scaled, sum, sum_of_products};
-use crate::space::{Array, PerCoordinate, Square};
-use crate::system::ContactStages;
+use crate::space::{Array, PerCoordinate, Square, Summation};
+use crate::system::{ByField, ContactStages};
+
+/// The coefficients of one step.
+#[derive(Clone, Copy, Debug)]
+pub struct PreparedContact<P, R, const S: usize> {
+    stages: Prepared<P, R, S>,
+    /// bᵀA⁻¹: what increments of the stages add up to in the end.
+    shares: [R; S],
+}
 
 /// f = (∂H/∂p, −∂H/∂q, s') and ∂H/∂s at a stage, and the derivatives of both.
 #[derive(Clone, Copy)]
@@ -22,13 +33,13 @@ struct At<A: Array> {
 }
 
 /// The equations of all stages for their increments.
-pub(super) struct StagePoints<'a, Y: ContactStages<R>, R: Real, const S: usize> {
-    pub(super) system: &'a Y,
-    pub(super) prepared: &'a PreparedContact<Y::StageConstants, R, S>,
-    pub(super) t: R,
-    pub(super) origin: Y::Moved,
+struct StagePoints<'a, Y: ContactStages<R>, R: Real, const S: usize> {
+    system: &'a Y,
+    prepared: &'a PreparedContact<Y::StageConstants, R, S>,
+    t: R,
+    origin: Y::Moved,
     /// The factors, where they do not depend on what is solved for.
-    pub(super) known: Option<Factors<R, S>>,
+    known: Option<Factors<R, S>>,
 }
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, R, S> {
@@ -51,7 +62,7 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
 
     /// What the step adds; `None` where the form would not be multiplied by a positive number.
     #[inline(always)]
-    pub(super) fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
+    fn end(&self, (d, s): (&[Y::Moved; S], R)) -> Option<PerCoordinate<Y::Phase, R>> {
         let PreparedContact { stages: Prepared { constants, coupling, nodes, weights, .. }, shares } = self.prepared;
         let (n, one, origin) = (Y::Array::LEN, R::from_f64(1.0), self.origin.as_slice());
         let decay = |i: usize| self.system.decay(constants, self.t + nodes[i], &sum(&self.origin, &d[i]));
@@ -59,12 +70,8 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
             Some(known) => known,
             None => Factors::new::<false>(coupling, &core::array::from_fn(decay))?,
         };
-        let grown = sum_of_products(weights, &core::array::from_fn::<_, S, _>(|i| factors.r[i] * factors.decay[i]));
+        let grown = factors.growth(weights)?;
         let factor = one + grown;
-        let positive = factor.magnitude() > 0.0 && !factor.any_below(0.0);
-        if !positive {
-            return None;
-        }
         let mut end = PerCoordinate { z: Y::Phase::zero(), s: zero() };
         let z = Array::as_mut_slice(&mut end.z);
         for k in 0..n {
@@ -84,23 +91,79 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
         Some(end)
     }
 
-    /// s' at the stages where it is not solved for: aᵢ − σᵢsᵢ with a = p·∂H/∂p − H at s = 0.
+    /// s' at the stages where it is not solved for.
     #[inline(always)]
     fn actions(&self, factors: &Factors<R, S>, d: &[Y::Moved; S], s: R) -> Option<[R; S]> {
-        let one = R::from_f64(1.0);
         let Prepared { coupling, constants, nodes, .. } = &self.prepared.stages;
-        let mut rates: [R; S] = core::array::from_fn(|i| {
+        let at_start: [R; S] = core::array::from_fn(|i| {
             let x = sum(&self.origin, &d[i]);
             let mut z = Y::Phase::zero();
             Array::as_mut_slice(&mut z).copy_from_slice(x.as_slice());
             self.system.action(constants, self.t + nodes[i], &z, &s)
         });
-        // aᵢ − σᵢs₀ = kᵢ + σᵢ h Σ aᵢⱼ kⱼ.
-        let mut matrix: [[R; S]; S] = core::array::from_fn(|i| {
-            core::array::from_fn(|j| (if i == j { one } else { zero() }) + factors.decay[i] * coupling[i][j])
-        });
-        linear::solve::<[R; S]>(&mut matrix, &mut rates, &Sizes::equal()).map(|_| rates)
+        factors.rates_of_action(coupling, at_start)
     }
+}
+
+/// Whether the factors depend on what is solved for: those of H = g(t)·s + H₀ do not.
+const fn varying<Y: ContactStages<R>, R: Real>() -> bool {
+    Y::Moved::LEN > <Y::Phase as Array>::LEN
+}
+
+impl<Y: ContactStages<R>, R: Real, const S: usize> StepsOf<ContactGauss<S>, Y, R> for ByField
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Prepared = PreparedContact<Y::StageConstants, R, S>;
+    type Memory = Newton<[Y::Moved; S]>;
+
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
+        PreparedContact {
+            stages: Prepared::new(system, system.stage_constants(), h),
+            shares: shares(&Gauss::<S>::TABLEAU).map(R::from_f64),
+        }
+    }
+
+    fn memory() -> Self::Memory {
+        Newton::new(Y::Array::LEN, 2 + (Y::Moved::LEN - Y::Phase::LEN))
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        newton: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let mut origin = Y::Moved::zero();
+        let entries = origin.as_mut_slice();
+        entries[..Y::Phase::LEN].copy_from_slice(Array::as_slice(&x.z));
+        if let Some(s) = entries.get_mut(Y::Phase::LEN) {
+            *s = x.s;
+        }
+        probe.visit(t, &x.z, &x.s);
+        let Prepared { poles, h, constants, nodes, coupling, .. } = &prepared.stages;
+        let known = if varying::<Y, R>() {
+            None
+        } else {
+            let decay = nodes.map(|node| system.decay(constants, t + node, &Y::Moved::zero()));
+            Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
+        };
+        let equation = StagePoints { system, prepared, t, origin, known };
+        let (d, _) = newton.solve(&equation, probe).checked()?;
+        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
+        let before = start::<Y, R, C>(x);
+        x.add_everywhere(&end);
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// bᵀA⁻¹.
+fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
+    let mut transposed: [[f64; S]; S] = core::array::from_fn(|i| core::array::from_fn(|j| a[j][i]));
+    let mut shares = *b;
+    // The matrix of a Gauss method is regular.
+    linear::solve::<[f64; S]>(&mut transposed, &mut shares, &Sizes::equal());
+    shares
 }
 
 impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Moved; S], P>
@@ -141,14 +204,9 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
             probe.visit(t, &z, &s);
             self.evaluated(t, &x)
         });
-        let unknown = R::from_f64(f64::NAN);
         let Factors { r, by_decay, .. } = match self.known {
             Some(known) => known,
-            None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or(Factors {
-                decay: [unknown; S],
-                r: [unknown; S],
-                by_decay: [[unknown; S]; S],
-            }),
+            None => Factors::new::<true>(coupling, &stages.map(|stage| stage.decay)).unwrap_or_else(Factors::unknown),
         };
         let one = R::from_f64(1.0);
         let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
