@@ -199,7 +199,8 @@ use proc_macro::TokenStream;
 /// `WisdomHolman`, `Aba10_6_4`, `Perturbation(table)` and their like alternate the exact flow of a part A of the energy with kicks by the
 /// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
 ///
-/// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
+/// - the kinetic energy with the quadratic terms of V, and the other terms, where there are such: then nothing has to be said. Of masses that
+///   springs couple up to 32 move together, by a matrix that is prepared: that pays for few, as eight;
 /// - the quadratic terms with whatever else reads momenta, and the other terms, where q and p are coupled and the flow of the former is
 ///   known: a charge in a uniform magnetic field, a frame that rotates;
 /// - those of `split = "A | B"`, if A has a flow in closed form, see below, and B reads positions and time alone;
@@ -245,7 +246,8 @@ use proc_macro::TokenStream;
 /// Where terms couple positions and momenta there are no kicks and drifts. H may still be a sum of pieces whose flows are known in closed form,
 /// for `PieceSplitting` and its compositions. These are found:
 ///
-/// - quadratic forms of two degrees of freedom at most, with linear terms: charges in uniform fields, rotating frames, coupled springs;
+/// - quadratic forms in which 32 degrees of freedom at most are coupled, with linear terms: charges in uniform fields, rotating frames, coupled
+///   springs;
 /// - F(ℓ₁, …, ℓₖ) of linear forms in involution: (p₁ − A(q₀))², F(q₀, p₁), cos(k·q), (q + p)⁴;
 /// - p·X(q) where q' = X(q) has a solution in closed form; f(qᵢ)pᵢ²; products qᵐpⁿ; the conjugates of all these;
 /// - F(A) of an A of these: (p² + q²)², a root of an oscillator.
