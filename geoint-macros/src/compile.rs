@@ -168,8 +168,14 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let dissipated = analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.lift.is_none());
     let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
-    let (derived, gradient) =
-        derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
+    let (derived, gradient) = derive::contact(
+        graph,
+        root,
+        (&pieces, &mechanics),
+        &lowered.partial,
+        (degrees, energy.lift.is_some()),
+        legendre,
+    );
     check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);

@@ -2,7 +2,9 @@
 
 use super::domain::{Domain, Roots};
 use super::exact::pieces;
-use super::system::{HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels};
+use super::system::{
+    HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
+};
 use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
@@ -92,10 +94,8 @@ pub(crate) fn velocities(
 pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
-    let force = lagrangian::action_force(graph, given, *lagrangian);
-    let stage = lagrangian::action_stage(graph, given, *lagrangian);
-    let decay = force[momenta.len()];
-    let varying = analyze::reads(graph, decay).state();
+    let stages = velocity_stages(graph, legendre);
+    let decay = analyze::decay(graph, *lagrangian);
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::decaying(graph, given, *lagrangian);
         let kernel = Kernel::new(Levels::Iterated, collected(graph, &equation));
@@ -104,10 +104,9 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })
     };
-    let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
     let roots = [&[*lagrangian, decay][..], forces, momenta].concat();
     System {
-        proven: if varying { vec![] } else { vec!["ConformalContact"] },
+        proven: if stages.varying { vec![] } else { vec!["ConformalContact"] },
         value: None,
         slopes: None,
         rate: None,
@@ -115,12 +114,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
         modified: None,
         pieces: vec![pieces::kernels(graph, "ContactSplitting", (&Err(long), NO_PIECES_OF_VELOCITIES), false)],
         perturbed: None,
-        implicit: Implicit::Herglotz(HerglotzKernels {
-            varying,
-            mass: mass_kernels(graph, legendre),
-            stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
-            polarised,
-        }),
+        implicit: Implicit::Herglotz(HerglotzKernels { stages, polarised }),
         integrals: None,
         domain: Domain::of(
             graph,
@@ -132,6 +126,27 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
         lagrangian: None,
         jet: None,
     }
+}
+
+/// Stages of collocation of L(q, v, s, t).
+fn velocity_stages(graph: &mut Graph, legendre: &Legendre) -> VelocityStages<Kernel> {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
+    let force = lagrangian::action_force(graph, given, *lagrangian);
+    let stage = lagrangian::action_stage(graph, given, *lagrangian);
+    let varying = analyze::reads(graph, force[momenta.len()]).state();
+    let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
+    VelocityStages {
+        varying,
+        mass: mass_kernels(graph, legendre),
+        stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+    }
+}
+
+/// Stages of collocation of a Lagrangian with an energy, if they are solved for velocities: half of the unknowns. What has a conjugate is not,
+/// because all momenta are those of some velocity, but not all velocities have a momentum.
+pub(super) fn stages_of_energy(graph: &mut Graph, legendre: &Legendre) -> Option<VelocityStages<Kernel>> {
+    is_quadratic(legendre).then(|| velocity_stages(graph, legendre))
 }
 
 fn is_quadratic(legendre: &Legendre) -> bool {

@@ -10,6 +10,7 @@
 //! with the last digits of both ends.
 
 mod circular;
+mod coupled;
 mod exponential;
 mod hyperbolic;
 mod flows;
@@ -19,6 +20,7 @@ mod kinks;
 mod linear;
 
 pub use circular::{arc, arc_derivative, sinc, sinc_derivative};
+pub use coupled::{flow_change, flow_matrix, joined};
 pub use exponential::{exp, exp_derivative, exp2, ln, ln_derivative, powf, powf_derivative};
 pub use flows::{decay_mean, grown, phi_1, phi_1_derivative, stumpff_c0, stumpff_c1, stumpff_c1_derivative};
 pub use free_body::{five_rotations, free_rotation, symmetric_rotation};

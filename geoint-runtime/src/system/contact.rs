@@ -168,7 +168,7 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
 }
 
 /// The field of H as contact Gauss methods evaluate it at their stages.
-pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField> {
+pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField, Midpoint = ByField> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.

@@ -1,7 +1,7 @@
 //! How long a step may be: from its last two coefficients.
 
 use crate::scalar::Real;
-use crate::space::{Action, Array, PerCoordinate};
+use crate::space::{Action, Array, PerCoordinate, Record, Tape};
 
 /// Steps for an error so many times smaller than the tolerance, in powers of 2: at the accuracy of the scalar the energy of a Kepler
 /// orbit would drift with what is truncated, 1.7·10⁻¹³ in 10⁴ periods, where it walks 2·10⁻¹⁴ by rounding.
@@ -16,6 +16,12 @@ pub(crate) struct Estimate<Z, S> {
     alike: usize,
     /// Of every group, at its first coordinate.
     sizes: PerCoordinate<Z, S>,
+}
+
+impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for Estimate<Z, S> {
+    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+        self.sizes.record(tape);
+    }
 }
 
 impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {

@@ -30,14 +30,20 @@ pub(crate) struct MassKernels<K> {
     pub(crate) quadratic: bool,
 }
 
-/// A Lagrangian with an action by its derivatives.
+/// Stages of collocation of a Lagrangian with an action, for velocities.
 #[derive(Debug)]
-pub(crate) struct HerglotzKernels<K> {
+pub(crate) struct VelocityStages<K> {
     /// Whether ∂L/∂s reads the state, so that s is solved for.
     pub(crate) varying: bool,
     pub(crate) mass: MassKernels<K>,
     /// ∂L/∂v and ∂L/∂q, with their derivatives by q and v; L, σ = −∂L/∂s, and the derivatives of all by s; ∂L/∂q and σ.
     pub(crate) stage: K,
+}
+
+/// A Lagrangian with an action by its derivatives.
+#[derive(Debug)]
+pub(crate) struct HerglotzKernels<K> {
+    pub(crate) stages: VelocityStages<K>,
     /// What is solved for by the polarised discrete gradient, and its equation, as the runtime has it. Of an L that is quadratic in v.
     pub(crate) polarised: Result<StepKernel<K>, Missing>,
 }
@@ -109,7 +115,14 @@ pub(crate) struct ContactKernels<K> {
     /// Of each method by name.
     pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
     /// Of collocation; nothing if momenta are not followed.
-    pub(crate) stages: Option<StageKernel<K>>,
+    pub(crate) stages: Option<ContactStages<K>>,
+}
+
+/// What collocation of a contact system solves for.
+#[derive(Debug)]
+pub(crate) enum ContactStages<K> {
+    Points(StageKernel<K>),
+    Velocities(VelocityStages<K>),
 }
 
 /// The field of a contact system at a stage.
@@ -151,15 +164,20 @@ impl<K> Implicit<K> {
                 let polarised = polarised.map(&mut *of);
                 Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised, momenta })
             }
-            Implicit::Herglotz(HerglotzKernels { varying, mass, stage, polarised }) => {
-                let (mass, stage) = (mass.map(of), of(stage));
+            Implicit::Herglotz(HerglotzKernels { stages, polarised }) => {
+                let stages = stages.map(of);
                 let polarised =
                     polarised.map(|StepKernel { unknowns, kernel }| StepKernel { unknowns, kernel: of(kernel) });
-                Implicit::Herglotz(HerglotzKernels { varying, mass, stage, polarised })
+                Implicit::Herglotz(HerglotzKernels { stages, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
                 let steps = mapped(steps, of);
-                let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
+                let stages = stages.map(|stages| match stages {
+                    ContactStages::Points(StageKernel { moved, kernel }) => {
+                        ContactStages::Points(StageKernel { moved, kernel: of(kernel) })
+                    }
+                    ContactStages::Velocities(stages) => ContactStages::Velocities(stages.map(of)),
+                });
                 Implicit::Contact(ContactKernels { steps, stages })
             }
             Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
@@ -173,6 +191,12 @@ impl<K> Implicit<K> {
                 })
             }
         }
+    }
+}
+
+impl<K> VelocityStages<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> VelocityStages<L> {
+        VelocityStages { varying: self.varying, mass: self.mass.map(of), stage: of(self.stage) }
     }
 }
 

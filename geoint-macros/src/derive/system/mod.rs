@@ -3,8 +3,8 @@
 mod implicit;
 
 pub(crate) use implicit::{
-    ConstraintKernels, ContactKernels, FieldKernels, HerglotzKernels, Implicit, MassKernels, StageKernel, StepKernel,
-    VelocityKernels,
+    ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit, MassKernels,
+    StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 
 use super::domain::Domain;

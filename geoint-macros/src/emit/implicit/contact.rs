@@ -79,10 +79,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
         impl<R: Real> ContactCollocated<R> for #name {
             type Proof = ();
             type Stages = ByField;
-        }
-        impl<R: Real> ContactGraded<R> for #name {
-            type Proof = ();
-            type Gradient = ByTree;
+            type Midpoint = ByField;
         }
         impl<R: Real> ContactStages<R> for #name {
             type Proof = ();

@@ -2,7 +2,7 @@
 
 use super::square;
 use super::velocities::mass_form;
-use crate::derive::{HerglotzKernels, Missing, StepKernel};
+use crate::derive::{HerglotzKernels, Missing, StepKernel, VelocityStages};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
 use crate::emit::system::{cotangent, self_type};
@@ -13,10 +13,32 @@ use quote::quote;
 
 /// `impl Contact`, `impl ContactVelocities` and `impl ContactPolarised`, and which steps they are for.
 pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzKernels<Plan>) -> TokenStream {
-    let HerglotzKernels { varying, mass, stage, polarised } = kernels;
-    let (name, array, phase, places) = (self_type(context), context.array(), context.phase(), context.coordinates());
+    let (name, phase) = (self_type(context), context.phase());
+    let (stages, cotangent) = (stages(context, &kernels.stages, &quote!(ByVelocities)), cotangent(context));
+    let polarised = match &kernels.polarised {
+        Ok(step) => self::polarised(context, step),
+        Err(missing) => not_polarised(context, graph, *missing),
+    };
+    quote! {
+        #cotangent
+        impl<R: Real> ContactSystem<R> for #name {
+            type Proof = ();
+            #[inline]
+            fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
+                contact_gradient_of(self, t, z, s, slopes, ds);
+            }
+        }
+        #stages
+        #polarised
+    }
+}
+
+/// `impl ContactVelocities`, for `ContactGauss`; and how `ContactMidpoint` is solved.
+pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpoint: &TokenStream) -> TokenStream {
+    let VelocityStages { varying, mass, stage } = stages;
+    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let (n, squares) = (places.len(), square(&places));
-    let (mass, cotangent) = (mass_form(context, mass), cotangent(context));
+    let mass = mass_form(context, mass);
     let moved = if *varying { context.unknown_type(n + 1) } else { array.clone() };
     let constants = context.stored(stage, 0);
     let prepared = Literal::usize_unsuffixed(stage.slots[0]);
@@ -45,23 +67,12 @@ pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzK
             *decay_by_action = #decay_by_s;
         }
     });
-    let polarised = match polarised {
-        Ok(step) => self::polarised(context, step),
-        Err(missing) => not_polarised(context, graph, *missing),
-    };
     quote! {
-        #cotangent
         #mass
-        impl<R: Real> ContactSystem<R> for #name {
-            type Proof = ();
-            #[inline]
-            fn gradient(&self, t: R, z: &#phase, s: &R, slopes: &mut #phase, ds: &mut R) {
-                contact_gradient_of(self, t, z, s, slopes, ds);
-            }
-        }
         impl<R: Real> ContactCollocated<R> for #name {
             type Proof = ();
             type Stages = ByVelocities;
+            type Midpoint = #midpoint;
         }
         impl<R: Real> ContactVelocities<R> for #name {
             type Proof = ();
@@ -99,7 +110,6 @@ pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzK
                 #force
             }
         }
-        #polarised
     }
 }
 

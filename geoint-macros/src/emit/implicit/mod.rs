@@ -10,7 +10,8 @@ mod herglotz;
 mod velocities;
 
 use super::kernel::{Context, write};
-use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use super::system::self_type;
+use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
 use proc_macro2::TokenStream;
@@ -25,7 +26,20 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
         Implicit::Herglotz(kernels) => herglotz::herglotz(context, graph, kernels),
         Implicit::Contact(kernels) => {
             let steps = kernels.steps.iter().map(|(method, step)| contact::step(context, method, step));
-            let stages = kernels.stages.as_ref().map(|stages| contact::stages(context, stages));
+            let stages = kernels.stages.as_ref().map(|stages| {
+                let stages = match stages {
+                    ContactStages::Points(stages) => contact::stages(context, stages),
+                    ContactStages::Velocities(stages) => herglotz::stages(context, stages, &quote!(ByField)),
+                };
+                let name = self_type(context);
+                quote! {
+                    impl<R: Real> ContactGraded<R> for #name {
+                        type Proof = ();
+                        type Gradient = ByTree;
+                    }
+                    #stages
+                }
+            });
             quote!(#(#steps)* #stages)
         }
     }

@@ -3,7 +3,7 @@
 use super::super::kernel::Context;
 use super::counted;
 use crate::analyze::{self, Dissipated};
-use crate::derive::{Implicit, KickDrift, System, Undamped};
+use crate::derive::{ContactStages, Implicit, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::Plan;
@@ -122,8 +122,14 @@ fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {
     let Some(stages) = &kernels.stages else {
         return writeln!(text, "- none: the momenta of a lift are not followed");
     };
-    let cost = counted(stages.kernel.operations());
-    let unknowns = stages.moved.len() as u32;
-    let beside = if unknowns == 2 * degrees { ": s follows, and friction costs nothing beside `Gauss`" } else { "" };
-    writeln!(text, "- `ContactGauss`, unknowns {unknowns} a stage: {cost} a stage of an iteration{beside}")
+    let (kernel, unknowns, varying) = match stages {
+        ContactStages::Points(stages) => {
+            let unknowns = stages.moved.len() as u32;
+            (&stages.kernel, unknowns, unknowns > 2 * degrees)
+        }
+        ContactStages::Velocities(stages) => (&stages.stage, degrees + u32::from(stages.varying), stages.varying),
+    };
+    let (cost, of) = (counted(kernel.operations()), if unknowns < 2 * degrees { " (velocities)" } else { "" });
+    let beside = if varying { "" } else { ": s follows, and friction costs nothing beside `Gauss`" };
+    writeln!(text, "- `ContactGauss`, unknowns {unknowns}{of} a stage: {cost} a stage of an iteration{beside}")
 }

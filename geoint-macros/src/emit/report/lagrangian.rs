@@ -264,19 +264,19 @@ fn steps_with_action<F: Fn(Symbol) -> String>(
     )?;
     writeln!(text, "- kick and drift do not exist, nor do pieces with flows in closed form")?;
     writeln!(text, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", printer.excerpt(decay))?;
-    match kernels.varying {
+    match kernels.stages.varying {
         true => writeln!(text, "- s acts back on positions or momenta")?,
         false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
     }
     if let Some(dissipated) = dissipated {
         contact::decaying(text, printer, ("L", decay), dissipated)?;
     }
-    let unknowns = context.energy.degrees() + u32::from(kernels.varying);
+    let unknowns = context.energy.degrees() + u32::from(kernels.stages.varying);
     writeln!(text, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)")?;
     writeln!(
         text,
         "- `ContactMidpoint` and `ContactGauss`: {} a stage of an iteration",
-        counted(kernels.stage.operations())
+        counted(kernels.stages.stage.operations())
     )?;
     match &kernels.polarised {
         Ok(step) => {

@@ -177,7 +177,7 @@ macro_rules! methods {
 }
 
 methods! {
-    ContactMidpoint: ContactCollocated, Stages, Claims::of_order(2).symmetric().symplectic();
+    ContactMidpoint: ContactCollocated, Midpoint, Claims::of_order(2).symmetric().symplectic();
     ContactDiscreteGradient: ContactGraded, Gradient, Claims::of_order(2).symmetric().conserving_energy();
 }
 substeps!([] ContactMidpoint; [] ContactDiscreteGradient);

@@ -5,6 +5,8 @@ use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed, zero};
 use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point, Snapshot};
+#[cfg(feature = "alloc")]
+use crate::space::{Record, Tape};
 use crate::system::{Jets, StateOf};
 use crate::taylor::{self, Estimate, TaylorMethod};
 
@@ -110,6 +112,27 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         self.within = false;
     }
 
+    /// Everything but the coefficients.
+    #[cfg(feature = "alloc")]
+    pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.clock.record(tape);
+        self.x.record(tape);
+        tape.steps(&mut self.taken);
+        tape.flag(&mut self.backwards);
+        self.estimate.record(tape);
+        tape.number(&mut self.last.1);
+        tape.number(&mut self.expansions[self.present].unit);
+        let mut stuck = u64::from(self.stuck);
+        tape.count(&mut stuck);
+        self.stuck = stuck.min(u64::from(STUCK)) as u32;
+    }
+
+    /// The coefficients are to be computed anew, and there is no last step to look into.
+    #[cfg(feature = "alloc")]
+    pub(super) fn forget(&mut self) {
+        (self.known, self.within) = (false, false);
+    }
+
     pub(in crate::running) fn time(&self) -> R {
         self.clock.now(zero())
     }
@@ -128,12 +151,14 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
     }
 
-    /// The coefficients at the start of a run, in a unit of time in which none of them overflows.
+    /// The coefficients where a run starts, in a unit of time in which none of them overflows, or goes on, in the unit before.
     #[cold]
     fn begin(&mut self) {
         let (t, x) = (self.time(), PerCoordinate::of(&self.x));
-        self.expand(self.present, self.last.1, t, x);
-        self.expand(self.present, self.guess(), t, x);
+        self.expand(self.present, self.expansions[self.present].unit, t, x);
+        if self.taken == 0 {
+            self.expand(self.present, self.guess(), t, x);
+        }
         self.known = true;
     }
 

@@ -64,8 +64,10 @@ pub struct ByPolarisation;
 pub trait ContactCollocated<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// [`ByField`] or [`ByVelocities`].
+    /// What [`ContactGauss`](crate::ContactGauss) solves for: [`ByField`] or [`ByVelocities`].
     type Stages;
+    /// The same of [`ContactMidpoint`](crate::ContactMidpoint).
+    type Midpoint;
 }
 
 /// A contact system whose energy has a discrete gradient.

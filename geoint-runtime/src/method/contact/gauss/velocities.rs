@@ -122,8 +122,23 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
     #[inline(always)]
     fn apart(&self, d: &Y::Moved) -> (Y::Array, R) {
         let mut v = Y::Array::zero();
-        v.as_mut_slice().copy_from_slice(&d.as_slice()[..Y::Array::LEN]);
+        for (v, d) in v.as_mut_slice().iter_mut().zip(d.as_slice()) {
+            *v = *d;
+        }
         (v, d.as_slice().get(Y::Array::LEN).copied().unwrap_or_else(zero))
+    }
+
+    /// The same in a row, with what belongs to s if that is solved for.
+    #[inline(always)]
+    fn together(&self, v: &Y::Array, s: R) -> Y::Moved {
+        let mut row = Y::Moved::zero();
+        for (x, v) in row.as_mut_slice().iter_mut().zip(v.as_slice()) {
+            *x = *v;
+        }
+        if let Some(last) = row.as_mut_slice().get_mut(Y::Array::LEN) {
+            *last = s;
+        }
+        row
     }
 
     /// What velocities of stages move positions by.
@@ -198,11 +213,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     /// The accuracy of a velocity that can be seen in the position which h times it is added to.
     #[inline(always)]
     fn origin(&self) -> [Y::Moved; S] {
-        let mut origin = Y::Moved::zero();
-        let (velocities, action) = origin.as_mut_slice().split_at_mut(Y::Array::LEN);
-        velocities.copy_from_slice(scaled(R::from_f64(1.0) / self.prepared.h, &self.z[0]).as_slice());
-        action.fill(self.s);
-        [origin; S]
+        [self.together(&scaled(R::from_f64(1.0) / self.prepared.h, &self.z[0]), self.s); S]
     }
 
     /// The velocities as if v' and s' were constant.
@@ -212,13 +223,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         let mut at = ContactStage::none();
         system.stage(&prepared.constants, *t, &z[0], &v, s, &mut at);
         let rate = at.acceleration(&v);
-        prepared.nodes.map(|node| {
-            let mut d = Y::Moved::zero();
-            let (velocities, action) = d.as_mut_slice().split_at_mut(Y::Array::LEN);
-            velocities.copy_from_slice(moved(&v, node, &rate).as_slice());
-            action.fill(node * at.lagrangian);
-            d
-        })
+        prepared.nodes.map(|node| self.together(&moved(&v, node, &rate), node * at.lagrangian))
     }
 
     #[inline(always)]
@@ -257,8 +262,8 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
             }
         };
         let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
-        core::array::from_fn(|i| {
-            let mut residual = Y::Moved::zero();
+        let mut residuals = [Y::Moved::zero(); S];
+        for (i, residual) in residuals.iter_mut().enumerate() {
             for row in 0..n {
                 let entry = |stage: &ContactStage<Y::Array>, of: usize| {
                     Y::Array::entries_of::<Y::Array>(&stage.derivatives[of])[row]
@@ -282,11 +287,12 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                     for j in 0..S {
                         by_v.add_scaled(-(coupling[i][j] * r[j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
                     }
-                    let mut by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
-                    if i == k {
-                        by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
-                    }
+                    let mut by_s = zero();
                     if varying::<Y, R>() {
+                        by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
+                        if i == k {
+                            by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
+                        }
                         // What σ of the stage m does by all factors.
                         for m in 0..S {
                             let mut by = p * by_decay[i][m];
@@ -301,9 +307,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                             }
                         }
                     }
-                    let target = rows[i * length + row][k].as_mut_slice();
-                    target[..n].copy_from_slice(scaled(scale, &by_v).as_slice());
-                    target[n..].fill(scale * by_s);
+                    rows[i * length + row][k] = self.together(&scaled(scale, &by_v), scale * by_s);
                 }
             }
             // s₀ + h Σ aᵢⱼ Lⱼ, if it is solved for.
@@ -319,13 +323,12 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                         by_v.add_scaled(-(coupling[i][j] * coupling[j][k]), &stages[j].force);
                     }
                     let own = if i == k { one } else { zero() };
-                    let target = rows[i * length + row][k].as_mut_slice();
-                    target[..n].copy_from_slice(by_v.as_slice());
-                    target[n..].fill(coupling[i][k].multiply_add(stages[k].decay, own));
+                    let by_s = coupling[i][k].multiply_add(stages[k].decay, own);
+                    rows[i * length + row][k] = self.together(&by_v, by_s);
                 }
             }
-            residual
-        })
+        }
+        residuals
     }
 }
 
