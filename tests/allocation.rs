@@ -1,54 +1,15 @@
 //! Stepping allocates nothing, whatever the method. Alone in its program, because it owns the allocator.
 
-#![allow(unsafe_code, reason = "an allocator cannot be written without it")]
-
 use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
+use geoint_tests::counting::{Counting, allocations_during};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::cell::Cell;
 use std::hint::black_box;
 use std::marker::PhantomData;
 
-thread_local! {
-    /// Per thread: the test harness may allocate on others.
-    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
-}
-
-struct Counting;
-
-fn count() {
-    ALLOCATIONS.with(|n| n.set(n.get() + 1));
-}
-
-// SAFETY: everything is left to the allocator of the system; counting neither allocates nor unwinds.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count();
-        unsafe { System.alloc(layout) }
-    }
-    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
-        count();
-        unsafe { System.alloc_zeroed(layout) }
-    }
-    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
-        count();
-        unsafe { System.realloc(pointer, layout, size) }
-    }
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
-
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
-
-fn allocations_during(run: impl FnOnce()) -> u64 {
-    let before = ALLOCATIONS.with(Cell::get);
-    run();
-    ALLOCATIONS.with(Cell::get) - before
-}
 
 /// Everything that can be done with an integrator, an error included.
 struct Steps<P>(usize, PhantomData<P>);
@@ -209,6 +170,85 @@ fn steps_with_constraints_allocate_nothing() {
     let mut steps = Steps(0);
     methods::constrained(&mut steps);
     assert!(steps.0 > 4);
+}
+
+/// A charge in a field that grows, pulled by a spring: pieces that are drifts of a kind and a kick, one at frozen time.
+#[hamiltonian]
+fn charge(q: [f64; 2], p: [f64; 2], t: f64, m: f64, b: f64) -> f64 {
+    let [x, y] = q;
+    (p[0] * p[0] + (p[1] - b * (1.0 + t * t).sin() * x * x).powi(2)) / (2.0 * m) + (x * y).cos()
+}
+
+/// Three masses on springs that couple them all.
+#[hamiltonian]
+fn springs(q: [f64; 3], p: [f64; 3], k: f64) -> f64 {
+    let [a, b] = [q[1] - q[0], q[2] - q[1]];
+    (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 2.0 + k * (a * a + b * b) / 2.0 + 0.1 * (a.powi(4) + b.powi(4))
+}
+
+#[test]
+fn flows_of_pieces_allocate_nothing() {
+    struct Steps(usize);
+    impl Visitor<Charge> for Steps {
+        fn visit<M: Method<Charge> + 'static>(&mut self, method: M) {
+            self.0 += 1;
+            let name = method.name().to_string();
+            let count = allocations_during(|| {
+                let start = State::new([0.3, 0.1], [0.5, -0.4]);
+                let mut sim = Integrator::new(Charge { m: 1.5, b: 1.25 }, method, 0.01, start);
+                sim.advance(20).unwrap();
+                sim.step().unwrap();
+                black_box((sim.energy(), sim.state()));
+                sim.set_step_size(f64::NAN);
+                assert!(sim.step().is_err());
+            });
+            assert_eq!(count, 0, "charge with {name}");
+        }
+    }
+    let mut steps = Steps(0);
+    methods::coupled(&mut steps);
+    assert!(steps.0 > 4);
+    let count = allocations_during(|| {
+        let start = State::new([0.3, 0.1, -0.2], [0.5, -0.4, 0.1]);
+        let mut sim = Springs { k: 2.0 }.integrator(Aba8_6_4, 0.1, start).compensated();
+        sim.advance(20).unwrap();
+        sim.set_step_size(f64::NAN);
+        assert!(sim.step().is_err());
+    });
+    assert_eq!(count, 0);
+}
+
+#[test]
+fn taylor_series_allocate_nothing() {
+    macro_rules! none {
+        ($($method:expr),*) => { $(
+            let count = allocations_during(|| {
+                let start = State::new([0.3, 0.1, -0.2], [0.5, -0.4, 0.1]);
+                let mut sim = Springs { k: 2.0 }.taylor($method, start);
+                sim.step().unwrap();
+                assert!(sim.at(sim.state().t).is_some());
+                black_box(sim.sampled_every(0.1).take(5).filter(Result::is_ok).count());
+                black_box(sim.crossings(Direction::Any, |state| state.q[0]).take(2).filter(Result::is_ok).count());
+                sim.advance_to(20.0).unwrap();
+                black_box((sim.energy(), sim.state()));
+            });
+            assert_eq!(count, 0);
+        )* };
+    }
+    none!(Taylor { tolerance: 1e-12 }, TaylorOrder::<12> { tolerance: 1e-9 }, TaylorFixed::<16> { h: 0.05 });
+    // A pole ends the run.
+    let count = allocations_during(|| {
+        let mut sim = Pole.taylor(Taylor { tolerance: 1e-12 }, FlowState::new([1.0]));
+        assert!(sim.advance_to(2.0).is_err());
+        assert!((sim.state().t - 1.0).abs() < 1e-12);
+    });
+    assert_eq!(count, 0);
+}
+
+/// x' = x².
+#[vector_field]
+fn pole(x: [f64; 1]) -> [f64; 1] {
+    [x[0] * x[0]]
 }
 
 #[test]

@@ -6,18 +6,21 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// The path of the output file `name`, in the folder `geoint` of cargo's target directory, which is made if need be.
+/// The path of the output file `name`, in the folder `geoint` of cargo's target directory, or in one below it that the name has; folders are
+/// made if need be.
 ///
 /// # Errors
-/// If the folder cannot be made.
+/// If a folder cannot be made.
 pub fn output(name: &str) -> io::Result<PathBuf> {
     let target = match env::var_os("CARGO_TARGET_DIR") {
         Some(target) => PathBuf::from(target),
         None => Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("target"),
     };
     let folder = target.join("geoint");
+    let path = folder.join(name);
     fs::create_dir_all(&folder)?;
-    Ok(folder.join(name))
+    fs::create_dir_all(path.parent().unwrap_or(&folder))?;
+    Ok(path)
 }
 
 /// A path as short as it can be said from the current directory.

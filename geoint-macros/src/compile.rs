@@ -239,7 +239,7 @@ fn bodies(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let found = analyze::bodies(graph, lowered.energy, energy.degrees() / 4); // T and V, or the term in the way
+    let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way
     let found = check::bodies(energy, found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
     let graph = &*graph;

@@ -1,14 +1,12 @@
 //! Symplecticity and symmetry of every method, as claimed and not otherwise.
 
 use geoint_runtime::Method;
-use geoint_runtime::prelude::*;
-use geoint_tests::measure::{symmetry_defect, symplecticity_defect};
+use geoint_runtime::method::Refusal;
+use geoint_tests::measure::{form_defect, symmetry_defect};
 use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::*;
 use geoint_tests::scalars::Dual;
 use std::marker::PhantomData;
-
-const FROM: f64 = 0.4;
 
 /// A step long enough for what is not symplectic or symmetric to show.
 struct Geometry<P> {
@@ -25,7 +23,7 @@ impl<P: Problem> Geometry<P> {
 
     /// `kept` bounds the defect from above if the property is claimed, 10⁻⁶ from below if not: of a composition of high
     /// order that is not asked, because it may come as close to the exact flow as its order says.
-    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, StepError>, kept: f64) {
+    fn judge(&mut self, name: &str, order: u32, claimed: bool, defect: Result<f64, Refusal>, kept: f64) {
         let control = !claimed && order <= 2;
         self.controls += usize::from(control);
         let good = matches!(defect, Ok(defect) if (!claimed || defect <= kept) && (!control || defect > 1e-6));
@@ -45,7 +43,7 @@ impl<P: Problem> Geometry<P> {
 impl<P: Problem> Visitor<P::Over<Dual>, Dual> for Geometry<P> {
     fn visit<M: Method<P::Over<Dual>, Dual> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        let defect = symplecticity_defect::<P, M>(method, FROM, self.h, 3);
+        let defect = form_defect::<P, M>(method, self.h, 3);
         self.judge(&name, method.claims().order, method.claims().symplectic, defect, 1e-12);
     }
 }
@@ -56,7 +54,7 @@ struct Symmetry<P>(Geometry<P>);
 impl<P: Problem> Visitor<P::Over<f64>, f64> for Symmetry<P> {
     fn visit<M: Method<P::Over<f64>, f64> + 'static>(&mut self, method: M) {
         let name = method.name().to_string();
-        let defect = symmetry_defect::<P, M>(method, FROM, self.0.h, 3);
+        let defect = symmetry_defect::<P, M>(method, self.0.h, 3);
         self.0.judge(&name, method.claims().order, method.claims().symmetric, defect, 1e-13);
     }
 }

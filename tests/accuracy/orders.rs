@@ -13,8 +13,6 @@ use geoint_tests::problems::*;
 use geoint_tests::scalars::Double;
 use std::marker::PhantomData;
 
-/// Where runs start: not where forces begin.
-const FROM: f64 = 0.4;
 /// How far an observed order may be from the claim.
 const TOLERANCE: f64 = 0.15;
 
@@ -29,13 +27,13 @@ struct Orders<P> {
 
 impl<P: Problem> Orders<P> {
     fn over(duration: f64) -> Self {
-        let solutions = solutions::<P>(FROM, duration, 24);
+        let solutions = solutions::<P>(duration, 24);
         Orders { duration, solutions, failures: vec![], visited: 0, problem: PhantomData }
     }
 
     fn observe<M: Method<P::Over<Double>, Double>>(&self, method: M) -> f64 {
         // A long step may fail; the order is about short ones.
-        observed_order(|n| error::<P, M>(method, FROM, self.duration, n, &self.solutions).unwrap_or(f64::INFINITY))
+        observed_order(|n| error::<P, M>(method, self.duration, n, &self.solutions).unwrap_or(f64::INFINITY))
     }
 
     fn finish(self, expected: usize) {
@@ -243,7 +241,7 @@ fn methods_are_refused_without_proof() {
 #[test]
 fn the_reference_is_accurate() {
     fn check<P: Problem>(duration: f64) {
-        let [coarse, fine] = [24, 36].map(|parts| solutions::<P>(FROM, duration, parts));
+        let [coarse, fine] = [24, 36].map(|parts| solutions::<P>(duration, parts));
         let gap = coarse.iter().zip(&fine).map(|(a, b)| distance(a, b)).fold(0.0, f64::max);
         assert!(gap < 1e-21, "{}: {gap:.1e}", P::NAME);
     }

@@ -1,114 +1,15 @@
 //! Every splitting for contact systems: order, symmetry, the contact form, laws that are exact.
 
-use crate::measure::{field, form_defect, run, solution};
+use crate::measure::{field, run, solution, state};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, Cotangent, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
-use geoint_tests::measure::{LOOKS, distance, observed_order};
+use geoint_runtime::{Contact, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
+use geoint_tests::measure::{distance, error, form_defect, observed_order, solutions, symmetry_defect};
 use geoint_tests::scalars::{Double, Dual, Scalar};
-
-/// Kick and drift exact in time.
-#[contact_hamiltonian]
-fn swing(q: f64, p: f64, s: f64, t: f64, m: f64, g: f64, gamma: f64) -> f64 {
-    p * p / (2.0 * m) - g * q.cos() + gamma * s + 0.3 * t.cos() * q
-}
-
-/// Coupled masses under friction that comes and goes: time is frozen.
-#[contact_hamiltonian]
-fn driven(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
-    let kinetic = p[0] * p[0] / 3.4 + p[1] * p[1] / 1.2 + 0.3 * p[0] * p[1];
-    kinetic + a * (0.7 + (1.3 * t).sin()) * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
-}
-
-/// Coupled masses, whose mass matrix is not diagonal, under constant friction.
-#[contact_hamiltonian]
-fn coupled(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
-    let kinetic = p[0] * p[0] / 3.4 + p[1] * p[1] / 1.2 + 0.3 * p[0] * p[1];
-    kinetic + a * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
-}
-
-/// Friction 2/t.
-#[contact_hamiltonian]
-fn star(q: f64, p: f64, s: f64, t: f64, k: f64) -> f64 {
-    p * p / 2.0 + 2.0 / t * s + k * q.powi(4) / 4.0
-}
-
-/// Friction k/(t₀ + t) of a parameter.
-#[contact_hamiltonian]
-fn cooling(q: f64, p: f64, s: f64, t: f64, k: f64, since: f64) -> f64 {
-    p * p / 3.4 + k / (since + t) * s + 0.35 * q.powi(4) + 0.2 * t.sin() * q
-}
-
-/// A relativistic oscillator with friction: T is not quadratic.
-#[contact_hamiltonian]
-fn relativistic(q: f64, p: f64, s: f64, m: f64, gamma: f64) -> f64 {
-    (m * m + p * p).sqrt() + q * q / 2.0 + 0.1 * q.powi(4) + gamma * s
-}
-
-/// Quartic kinetic energies under friction and forces that come and go.
-#[contact_hamiltonian]
-fn quartic(q: [f64; 2], p: [f64; 2], s: f64, t: f64, a: f64) -> f64 {
-    let kinetic = (1.0 + 0.2 * t.cos()) * p[0].powi(4) / 4.0 + (p[0] - p[1]).powi(2) / 3.4 + (0.3 * p[1]).cosh();
-    kinetic + a * (0.7 + (1.3 * t).sin()) * s + q[0].powi(4) / 4.0 + (q[0] - q[1]).cosh() + t.cos() * q[1]
-}
-
-/// A wind that carries along, and friction 1.7/(t₀ + t).
-#[contact_hamiltonian]
-fn blown(q: f64, p: f64, s: f64, t: f64, wind: f64, since: f64) -> f64 {
-    p * p / 3.4 + wind * p + 1.7 * s / (t + since) - 1.3 * q.cos()
-}
-
-/// Three pieces, none of which is a drift or a kick.
-#[contact_hamiltonian]
-fn tangled(q: f64, p: f64, s: f64, t: f64, a: f64) -> f64 {
-    a * p * s + (0.3 + q * q) * s + q.sin() + 0.2 * (1.0 + 0.4 * (t * t).sin()) * p * p * q * q + 0.3 * p * p
-}
-
-/// A charge in a magnetic field and a trap, with friction: squares of sums.
-#[contact_hamiltonian]
-fn charge(q: [f64; 2], p: [f64; 2], s: f64, b: f64, g: f64) -> f64 {
-    let kinetic = (p[0] + b * q[1]).powi(2) / 3.4 + (p[1] - b * q[0]).powi(2) / 3.4;
-    kinetic + (q[0] * q[0] + 2.0 * q[1] * q[1]).powi(2) / 4.0 + g * s
-}
-
-/// A system with where it starts.
-trait Case {
-    const NAME: &'static str;
-    const START: (f64, &'static [f64]);
-    /// The longest step that is tried.
-    const LONGEST: f64 = 0.5;
-    type Over<R: Scalar>: Contact<R>;
-    fn system<R: Scalar>() -> Self::Over<R>;
-}
-
-macro_rules! cases {
-    ($($case:ident $System:ident { $($field:ident: $value:expr),* } from $t:expr, $x:expr;)*) => { $(
-        struct $case;
-        impl Case for $case {
-            const NAME: &'static str = stringify!($case);
-            const START: (f64, &'static [f64]) = ($t, &$x);
-            type Over<R: Scalar> = $System<R>;
-            fn system<R: Scalar>() -> $System<R> {
-                $System { $($field: R::from_f64($value)),* }
-            }
-        }
-    )* };
-}
-
-cases! {
-    Swings Swing { m: 1.7, g: 1.3, gamma: 0.4 } from 0.2, [1.1, 0.6, 0.3];
-    Drives Driven { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
-    Coolings Cooling { k: 1.7, since: 0.4 } from 0.2, [1.0, -0.2, 0.1];
-    Relativists Relativistic { m: 0.8, gamma: 0.4 } from 0.2, [0.7, 0.5, 0.3];
-    Quartics Quartic { a: 0.6 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
-    Blows Blown { wind: 0.6, since: 0.4 } from 0.2, [0.7, 0.5, 0.3];
-    Masses Coupled { a: 0.4 } from 0.2, [0.7, -0.4, 0.5, 0.8, 0.3];
-    Stars Star { k: 1.4 } from 0.6, [1.0, -0.2, 0.1];
-    Charges Charge { b: 0.8, g: 0.4 } from 0.0, [0.7, -0.4, 0.5, 0.8, 0.3];
-    Tangles Tangled { a: 0.7 } from 0.2, [0.6, 0.4, 0.3];
-}
+use geoint_tests::scene::Scene;
+use geoint_tests::scenes::*;
 
 /// What is done with a method.
-trait Visitor<P: Case> {
+trait Visitor<P: Scene> {
     fn visit<M>(&mut self, name: &'static str, method: M)
     where
         M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>;
@@ -119,7 +20,7 @@ macro_rules! visit {
 }
 
 /// Methods for every split.
-fn split<P: Case>(visitor: &mut impl Visitor<P>)
+fn split<P: Scene>(visitor: &mut impl Visitor<P>)
 where
     P::Over<f64>: Pieces<ContactSplitting>,
     P::Over<Double>: Pieces<ContactSplitting, Double>,
@@ -131,7 +32,7 @@ where
 }
 
 /// Methods for T + g·s + V.
-fn mechanical<P: Case>(visitor: &mut impl Visitor<P>)
+fn mechanical<P: Scene>(visitor: &mut impl Visitor<P>)
 where
     P::Over<f64>: Mechanical,
     P::Over<Double>: Mechanical<Double>,
@@ -143,7 +44,7 @@ where
 }
 
 /// Methods for an exact flow of T + g·s with quadratic T.
-fn nystrom<P: Case>(visitor: &mut impl Visitor<P>)
+fn nystrom<P: Scene>(visitor: &mut impl Visitor<P>)
 where
     P::Over<f64>: QuadraticKinetic,
     P::Over<Double>: QuadraticKinetic<Double>,
@@ -153,7 +54,7 @@ where
 }
 
 /// Methods for that, with force gradients.
-fn force_gradient<P: Case>(visitor: &mut impl Visitor<P>)
+fn force_gradient<P: Scene>(visitor: &mut impl Visitor<P>)
 where
     P::Over<f64>: ForceGradient,
     P::Over<Double>: ForceGradient<Double>,
@@ -165,45 +66,44 @@ where
 
 /// Orders, symmetry, the form.
 #[derive(Default)]
-struct Geometry(Vec<String>);
+struct Geometry {
+    failures: Vec<String>,
+    /// The solution of the scene that was met last.
+    solved: Option<(&'static str, Vec<Vec<Double>>)>,
+}
+
+impl Geometry {
+    fn solutions<P: Scene>(&mut self) -> &[Vec<Double>] {
+        let solved = self.solved.take().filter(|solved| solved.0 == P::NAME);
+        &self.solved.insert(solved.unwrap_or_else(|| (P::NAME, solutions::<P>(DURATION, 4)))).1
+    }
+}
 
 /// Not a multiple of any period.
 const DURATION: f64 = 2.3;
+/// A step long enough for what is not kept to show.
+const STEP: f64 = 0.0625;
 
-impl<P: Case> Visitor<P> for Geometry {
+impl<P: Scene> Visitor<P> for Geometry {
     fn visit<M>(&mut self, name: &'static str, method: M)
     where
         M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>,
     {
         let claims = Method::<P::Over<f64>>::claims(&method);
-        let (t, x) = P::START;
-        let system = P::system::<Double>();
-        let looks: Vec<Vec<Double>> =
-            (1..=LOOKS).map(|i| solution(&system, t, x, DURATION * i as f64 / LOOKS as f64, 4 * i as usize)).collect();
-        let start: Vec<Double> = x.iter().map(|x| Double::from(*x)).collect();
-        let order = observed_order(|steps| {
-            let h = DURATION / steps as f64;
-            let errors = (1..=LOOKS).zip(&looks).map(|(i, exact)| {
-                let found = run(system, method, (t, &start), h, steps * i / LOOKS);
-                found.map_or(f64::INFINITY, |found| distance(&found, exact))
-            });
-            errors.fold(0.0, f64::max)
-        });
-        let h = P::LONGEST / 8.0;
-        let there = run(P::system::<f64>(), method, (t, x), h, 4).expect("a step");
-        let back = run(P::system::<f64>(), method, (t + 4.0 * h, &there), -h, 4).expect("a step");
-        let symmetry = distance(&back, x);
-        let form = form_defect(P::system::<Dual>(), method, (t, x), h, 4).expect("a step");
+        let solutions = self.solutions::<P>();
+        let order = observed_order(|n| error::<P, M>(method, DURATION, n, solutions).unwrap_or(f64::INFINITY));
+        let symmetry = symmetry_defect::<P, M>(method, STEP, 4).expect("a step");
+        let form = form_defect::<P, M>(method, STEP, 4).expect("a step");
         println!("{:10} {name:36} order {order:5.2}  symmetry {symmetry:7.1e}  form {form:7.1e}", P::NAME);
         let claimed = f64::from(claims.order);
         if (order - claimed).abs() > 0.15 {
-            self.0.push(format!("{}, {name}: order {order:.2}", P::NAME));
+            self.failures.push(format!("{}, {name}: order {order:.2}", P::NAME));
         }
         if claims.symmetric != (symmetry < 1e-13) {
-            self.0.push(format!("{}, {name}: symmetry {symmetry:.1e}", P::NAME));
+            self.failures.push(format!("{}, {name}: symmetry {symmetry:.1e}", P::NAME));
         }
         if claims.symplectic && form > 1e-12 {
-            self.0.push(format!("{}, {name}: form {form:.1e}", P::NAME));
+            self.failures.push(format!("{}, {name}: form {form:.1e}", P::NAME));
         }
     }
 }
@@ -212,27 +112,27 @@ impl<P: Case> Visitor<P> for Geometry {
 fn claims_hold() {
     let mut geometry = Geometry::default();
     split::<Swings>(&mut geometry);
-    split::<Drives>(&mut geometry);
-    split::<Stars>(&mut geometry);
-    split::<Coolings>(&mut geometry);
-    split::<Relativists>(&mut geometry);
-    split::<Tangles>(&mut geometry);
-    split::<Charges>(&mut geometry);
     mechanical::<Swings>(&mut geometry);
+    nystrom::<Swings>(&mut geometry);
+    force_gradient::<Swings>(&mut geometry);
+    split::<Drives>(&mut geometry);
     mechanical::<Drives>(&mut geometry);
+    split::<Stars>(&mut geometry);
     mechanical::<Stars>(&mut geometry);
+    nystrom::<Stars>(&mut geometry);
+    force_gradient::<Stars>(&mut geometry);
+    split::<Coolings>(&mut geometry);
     mechanical::<Coolings>(&mut geometry);
-    mechanical::<Relativists>(&mut geometry);
-    mechanical::<Quartics>(&mut geometry);
-    mechanical::<Blows>(&mut geometry);
     nystrom::<Coolings>(&mut geometry);
     force_gradient::<Coolings>(&mut geometry);
-    nystrom::<Swings>(&mut geometry);
-    nystrom::<Stars>(&mut geometry);
-    force_gradient::<Swings>(&mut geometry);
-    force_gradient::<Stars>(&mut geometry);
+    split::<Relativists>(&mut geometry);
+    mechanical::<Relativists>(&mut geometry);
+    split::<Tangles>(&mut geometry);
+    split::<Charges>(&mut geometry);
+    mechanical::<Quartics>(&mut geometry);
+    mechanical::<Blows>(&mut geometry);
     force_gradient::<Masses>(&mut geometry);
-    assert!(geometry.0.is_empty(), "{}", geometry.0.join("\n"));
+    assert!(geometry.failures.is_empty(), "{}", geometry.failures.join("\n"));
 }
 
 /// A method of another order is seen, and one that is no contact map.
@@ -248,12 +148,12 @@ fn controls_fail() {
         let d = field(system, t + h, &ahead(h, &c));
         (0..x.len()).map(|i| x[i] + h / real(6.0) * (a[i] + real(2.0) * (b[i] + c[i]) + d[i])).collect()
     }
-    let (t, x) = Drives::START;
+    let (t, x) = Drives::start();
     let mut forms = vec![];
     for j in 0..x.len() {
         let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
         x[j] = Dual::variable(x[j].value());
-        let end = rk4(&Drives::system::<Dual>(), Dual::from(t), &x, Dual::from(0.3));
+        let end = rk4(&Drives::over::<Dual>(), Dual::from(t), &x, Dual::from(0.3));
         forms.push(end[4].derivative() - (0..2).map(|i| end[2 + i].value() * end[i].derivative()).sum::<f64>());
     }
     let defect = (0..2).map(|j| (forms[j] + forms[4] * x[2 + j]).abs()).fold(0.0, f64::max);
@@ -289,23 +189,21 @@ fn bob(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
 /// One step is the flow of H + h²H₂ but for h⁵.
 #[test]
 fn modified_energies() {
-    fn defect<P: Case>(h: f64) -> f64
+    fn defect<P: Scene>(h: f64) -> f64
     where
         P::Over<f64>: Pieces<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,
     {
-        let (t, x) = P::START;
-        let step = run(P::system::<f64>(), ContactSplitting, (t, x), h, 1).unwrap();
-        let system = P::system::<Dual>();
+        let (t, x) = P::start();
+        let step = run(P::over::<f64>(), ContactSplitting, (t, &x), h, 1).unwrap();
+        let system = P::over::<Dual>();
         let field = |now: f64, x: &[f64]| -> Vec<f64> {
             let value = |j: usize| {
                 let mut x: Vec<Dual> = x.iter().map(|x| Dual::from(*x)).collect();
                 if let Some(x) = x.get_mut(j) {
                     *x = Dual::variable(x.value());
                 }
-                let state =
-                    crate::measure::state::<<P::Over<Dual> as Cotangent<Dual>>::Coordinates>(Dual::from(now), &x);
-                ModifiedEnergy::modified_energy(&system, Dual::from(h), &state)
+                ModifiedEnergy::modified_energy(&system, Dual::from(h), &state(Dual::from(now), &x))
             };
             let n = x.len() / 2;
             let slopes: Vec<f64> = (0..x.len()).map(|j| value(j).derivative()).collect();
@@ -314,10 +212,10 @@ fn modified_energies() {
             let action = (0..n).map(|i| x[n + i] * rates[i]).sum::<f64>() - value(usize::MAX).value();
             rates.iter().copied().chain(forces).chain([action]).collect()
         };
-        let exact = geoint_tests::measure::extrapolated(field, t, x.to_vec(), h, 1);
+        let exact = geoint_tests::measure::extrapolated(field, t, x.clone(), h, 1);
         distance(&step, &exact)
     }
-    fn check<P: Case>()
+    fn check<P: Scene>()
     where
         P::Over<f64>: Pieces<ContactSplitting>,
         P::Over<Dual>: ModifiedEnergy<Dual>,

@@ -1,10 +1,10 @@
 //! Runs of contact systems whose steps adapt, and those whose sums compensate.
 
-use crate::measure::{flat, run, solution, state};
+use crate::measure::{field, flat, run, solution, state};
+use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
-use geoint_runtime::space::{Array, PerCoordinate};
+use geoint_runtime::space::{Array, PerCoordinate, Snapshot};
 use geoint_runtime::system::Rates;
-use geoint_runtime::{Contact, Coordinates};
 use geoint_tests::measure::distance;
 use geoint_tests::scalars::Double;
 
@@ -54,7 +54,7 @@ where
     S: Contact,
     M: Method<S>,
 {
-    let mut sim = Adaptive::new(system, method, tolerance, state::<S::Coordinates>(t, x));
+    let mut sim = Adaptive::new(system, method, tolerance, state(t, x));
     sim.advance_to(t + duration).unwrap();
     assert_eq!(sim.time(), t + duration);
     let end: Vec<Double> = flat(&sim.state()).into_iter().map(Double::from).collect();
@@ -145,26 +145,15 @@ fn a_lift_adapts() {
 #[test]
 fn rates_are_those_of_the_equation() {
     fn check<S: Contact>(system: S, t: f64, x: &[f64]) {
-        let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
-        let rates = system.rates(t, &PerCoordinate { z: [q.into_array(), p.into_array()], s });
+        let (_, z, s) = state::<S::State>(t, x).parts();
+        let rates = system.rates(t, &PerCoordinate { z, s });
         let rates = [rates.z[0].as_slice(), rates.z[1].as_slice(), &[rates.s]].concat();
-        let gap = distance_of(&rates, &field_of(&system, t, x));
+        let gap = distance_of(&rates, &field(&system, t, x));
         assert!(gap < 1e-14, "{gap:.1e}");
     }
     check(Coupled { a: 0.4 }, COUPLED.0, &COUPLED.1);
     check(Tangled { a: 0.7 }, 0.2, &[0.6, 0.4, 0.3]);
     check(Relativistic { m: 0.8, gamma: 0.4 }, 0.2, &[0.7, 0.5, 0.3]);
-}
-
-fn field_of<S: Contact>(system: &S, t: f64, x: &[f64]) -> Vec<f64> {
-    let ContactState { q, p, s, .. } = state::<S::Coordinates>(t, x);
-    let z = [q.into_array(), p.into_array()];
-    let (mut slopes, mut ds) = ([S::Array::zero(); 2], 0.0);
-    system.gradient(t, &z, &s, &mut slopes, &mut ds);
-    let (p, [dq, dp]) = (z[1].as_slice(), slopes.each_ref().map(Array::as_slice));
-    let power: f64 = p.iter().zip(dp).map(|(p, rate)| p * rate).sum();
-    let forces = p.iter().zip(dq).map(|(p, slope)| -slope - p * ds);
-    dp.iter().copied().chain(forces).chain([power - system.hamiltonian(t, &z, &s)]).collect()
 }
 
 fn distance_of(a: &[f64], b: &[f64]) -> f64 {
@@ -184,7 +173,7 @@ where
         let end: Vec<Double> = flat(end).into_iter().map(Double::from).collect();
         distance(&end, &exact)
     };
-    let mut plain = Integrator::new(system, method, h, state::<S::Coordinates>(t, x));
+    let mut plain = Integrator::new(system, method, h, state(t, x));
     let mut compensated = plain.clone().compensated();
     plain.advance(steps).unwrap();
     compensated.advance(steps).unwrap();

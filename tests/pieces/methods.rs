@@ -7,26 +7,7 @@ use geoint_runtime::system::Pieces;
 use geoint_runtime::{Coordinates, Cotangent, Method, Real};
 use geoint_tests::measure::{extrapolated, observed_order};
 use geoint_tests::scalars::{Double, Dual, Scalar};
-
-/// A charge in a field that grows, with a mass: two pieces, for which Runge–Kutta–Nyström tables keep their order.
-#[hamiltonian]
-fn sheet(q: [f64; 2], p: [f64; 2], m: f64, b: f64) -> f64 {
-    let [x, _] = q;
-    (p[0] * p[0] + (p[1] - b * (x + x * x / 4.0)).powi(2)) / (2.0 * m)
-}
-
-/// With a potential in both coordinates and a field that pulsates: three pieces, one of them at frozen time.
-#[hamiltonian]
-fn driven(q: [f64; 2], p: [f64; 2], t: f64, m: f64, b: f64) -> f64 {
-    let [x, y] = q;
-    (p[0] * p[0] + (p[1] - b * (t * t).sin() * x * x).powi(2)) / (2.0 * m) + (x * y).cos() + 0.3 * y * t
-}
-
-/// Four shears.
-#[hamiltonian]
-fn cubic(q: f64, p: f64) -> f64 {
-    (p * p + q * q) / 2.0 + 0.2 * q * q * p + 0.1 * q * p.powi(3)
-}
+use geoint_tests::scenes::{Pulsating, Shears, Sheet};
 
 fn end<R: Scalar, const N: usize, S: Over<R, N>, M: Method<S, R>>(system: S, method: M, x: &[R], steps: u64) -> Vec<R> {
     let point = |x: &[R]| {
@@ -87,8 +68,8 @@ fn orders<const N: usize, S: Over<Double, N>>(system: S, start: &[f64], nystrom:
 fn methods_have_their_orders() {
     let real = Double::from;
     orders(Sheet { m: real(1.5), b: real(1.25) }, &[0.3, 0.1, 0.5, -0.4], |orders| catalogue::nystrom_pieces(orders));
-    orders(Driven { m: real(1.5), b: real(1.25) }, &[0.3, 0.1, 0.5, -0.4], |_| {});
-    orders(Cubic, &[0.5, 0.3], |_| {});
+    orders(Pulsating { m: real(1.5), b: real(1.25) }, &[0.3, 0.1, 0.5, -0.4], |_| {});
+    orders(Shears { a: real(0.2) }, &[0.5, 0.3], |_| {});
 }
 
 /// Flows that are merged between steps, and between parts of steps, are what they are one after the other.
@@ -144,7 +125,7 @@ fn steps_are_symplectic_and_symmetric() {
         .map(|j| {
             let mut x: Vec<Dual> = [0.3, 0.1, 0.5, -0.4].map(Dual::from).to_vec();
             x[j] = Dual::variable(x[j].value());
-            let system = Driven { m: real(1.5), b: real(1.25) };
+            let system = Pulsating { m: real(1.5), b: real(1.25) };
             end(system, BlanesMoan6X.of(PieceSplitting), &x, 7).iter().map(|x| x.derivative()).collect()
         })
         .collect();

@@ -1,7 +1,11 @@
 //! What the test programs share: energies, scalars, the list of all methods, measurements. Not published.
 
 pub mod scalars;
+pub mod scene;
 pub mod problems;
+pub mod scenes;
 pub mod methods;
+pub mod bare;
 pub mod measure;
+pub mod counting;
 pub mod outer_planets;

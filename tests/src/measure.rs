@@ -1,9 +1,12 @@
 //! What is measured of a method: error against an independent solution, order, drift, symplecticity, symmetry.
 
-use crate::problems::{Problem, flat};
+use crate::bare::Bare;
+use crate::problems::flat;
 use crate::scalars::{Double, Dual, Scalar};
+use crate::scene::Scene;
+use geoint_runtime::method::Refusal;
 use geoint_runtime::space::Array;
-use geoint_runtime::{Coordinates, Hamiltonian, Method, Run, State, StepError};
+use geoint_runtime::{Hamiltonian, Method, State};
 
 /// The state of a system without damping after a time, by [`extrapolated`]: all that is used of the system is ∇H.
 pub fn solution<S: Hamiltonian<R>, R: Scalar>(
@@ -85,11 +88,34 @@ const CEILING: f64 = 0.2;
 /// An error that does not fall below this has nothing to do with the rounding of coefficients to `f64`.
 const ROUNDED: f64 = 1e-14;
 
+/// What errors at many step sizes tell.
+#[derive(Clone, Copy, Debug)]
+pub struct Observed {
+    /// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
+    pub order: f64,
+    /// The number of steps of length h/2.
+    pub steps: u64,
+    /// Their error.
+    pub error: f64,
+}
+
+impl Observed {
+    /// e/hᵖ, the constant in front of the leading term of an error of order p.
+    pub fn constant(&self, duration: f64, order: u32) -> f64 {
+        self.error * (self.steps as f64 / duration).powi(order as i32)
+    }
+}
+
 /// log₂ e(h)/e(h/2) for the smallest h whose errors are beyond rounding; NaN if there is none.
+pub fn observed_order(error: impl FnMut(u64) -> f64) -> f64 {
+    observed(error).order
+}
+
+/// The order that errors at many step sizes tell, and which of them tells it.
 ///
 /// `error` takes one of [`STEPS`]. Even in double-double an error does not fall to zero, because tables are rounded to
 /// `f64`: where it no longer falls as any order would have it shows how far that reaches.
-pub fn observed_order(mut error: impl FnMut(u64) -> f64) -> f64 {
+pub fn observed(mut error: impl FnMut(u64) -> f64) -> Observed {
     let mut errors: Vec<f64> = vec![];
     let half = |n: u64| STEPS.iter().position(|m| 2 * m == n);
     for n in STEPS {
@@ -101,20 +127,28 @@ pub fn observed_order(mut error: impl FnMut(u64) -> f64) -> f64 {
     }
     let least = errors.iter().copied().fold(f64::INFINITY, f64::min);
     let floor = if least < ROUNDED { 25.0 * least } else { 0.0 };
-    let mut order = f64::NAN;
+    let mut observed = Observed { order: f64::NAN, steps: 0, error: f64::NAN };
     for (n, now) in STEPS.into_iter().zip(&errors) {
         if let Some(before) = half(n).map(|i| errors[i]).filter(|before| *now > floor && *before < CEILING) {
-            order = (before / now).log2();
+            observed = Observed { order: (before / now).log2(), steps: n, error: *now };
         }
     }
-    order
+    observed
 }
 
-/// The solution of a problem at all looks.
-pub fn solutions<P: Problem>(start: f64, duration: f64, parts: usize) -> Vec<Vec<Double>> {
+/// The solution from a point on.
+fn followed<P: Scene>(t: Double, x: Vec<Double>, duration: Double, parts: usize) -> Vec<Double> {
+    let system = P::over::<Double>();
+    extrapolated(|t, x: &[Double]| P::rate(&system, t, x), t, x, duration, parts)
+}
+
+/// The solution of a scene at all looks.
+pub fn solutions<P: Scene>(duration: f64, parts: usize) -> Vec<Vec<Double>> {
+    let (start, x) = P::start();
+    let x: Vec<Double> = x.into_iter().map(Double::from).collect();
     let solve = |look: u64| {
         let part = Double::from(duration) * look as f64 / LOOKS as f64;
-        solution(&P::system::<Double>(), &P::initial(start), part, parts * look as usize)
+        followed::<P>(start.into(), x.clone(), part, parts * look as usize)
     };
     (1..=LOOKS).map(solve).collect()
 }
@@ -122,79 +156,57 @@ pub fn solutions<P: Problem>(start: f64, duration: f64, parts: usize) -> Vec<Vec
 /// The error of a method in double-double, in the root-mean-square of all looks, for `n` steps.
 ///
 /// A method that scales its steps is measured at the time that it says it has reached.
-pub fn error<P: Problem, M: Method<P::Over<Double>, Double>>(
+pub fn error<P: Scene, M: Method<P::Over<Double>, Double>>(
     method: M,
-    start: f64,
     duration: f64,
     n: u64,
     solutions: &[Vec<Double>],
-) -> Result<f64, StepError> {
+) -> Result<f64, Refusal> {
     let h = Double::from(duration) / n as f64;
-    let mut sim = P::system::<Double>().integrator(method, h, P::initial(start));
+    let (start, x) = P::start();
+    let x: Vec<Double> = x.into_iter().map(Double::from).collect();
+    let mut sim = Bare::<P, M, Double>::new(method, h, start.into(), &x);
     let mut sum = 0.0;
     for (look, expected) in (1..=LOOKS).zip(solutions) {
         sim.advance(n / LOOKS)?;
         let t = Double::from(start) + Double::from(duration) * look as f64 / LOOKS as f64;
         let late = sim.time() - t;
         let gap = if late.value().abs() < 1e-25 {
-            distance(&flat(&sim.state()), expected)
+            distance(&P::compared(sim.state()), expected)
         } else {
-            let (q, p) = expected.split_at(expected.len() / 2);
-            let (q, p) = (array::<P::Over<Double>, _>(q), array::<P::Over<Double>, _>(p));
-            let there = State::at(t, Coordinates::from_array(q), Coordinates::from_array(p));
-            distance(&flat(&sim.state()), &solution(&P::system::<Double>(), &there, late, 4))
+            distance(&P::compared(sim.state()), &followed::<P>(t, expected.clone(), late, 4))
         };
         sum += gap.powi(2);
     }
     Ok((sum / LOOKS as f64).sqrt())
 }
 
-/// max |MᵀJM − J| for the derivative M of `steps` steps, from one run in dual numbers a coordinate.
-pub fn symplecticity_defect<P: Problem, M: Method<P::Over<Dual>, Dual>>(
-    method: M,
-    start: f64,
-    h: f64,
-    steps: u64,
-) -> Result<f64, StepError> {
-    let (q, p) = P::START;
-    let n = q.len();
-    let mut columns = vec![];
-    for seed in 0..2 * n {
-        let mut state = P::initial::<Dual>(start);
-        let (mut q, mut p) = (state.q.into_array(), state.p.into_array());
-        let entry = if seed < n { &mut q.as_mut_slice()[seed] } else { &mut p.as_mut_slice()[seed - n] };
-        *entry = Dual::variable(entry.value());
-        (state.q, state.p) = (Coordinates::from_array(q), Coordinates::from_array(p));
-        let mut sim = P::system::<Dual>().integrator(method, h.into(), state);
+/// How far `steps` steps are from keeping the form of a scene, from one run in dual numbers for each direction in which its start may be
+/// moved.
+pub fn form_defect<P: Scene, M: Method<P::Over<Dual>, Dual>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
+    let (start, before) = P::start();
+    let directions = P::directions();
+    let (mut after, mut images) = (vec![], vec![]);
+    for direction in &directions {
+        let seeded: Vec<Dual> =
+            before.iter().zip(direction).map(|(x, d)| Dual::from(*x) + Dual::variable(0.0) * *d).collect();
+        let mut sim = Bare::<P, M, Dual>::new(method, h.into(), start.into(), &seeded);
         sim.advance(steps)?;
-        columns.push(flat(&sim.state()).iter().map(|x| x.derivative()).collect::<Vec<f64>>());
+        let end = sim.state();
+        after = end.iter().map(|x| x.value()).collect();
+        images.push(end.iter().map(|x| x.derivative()).collect::<Vec<f64>>());
     }
-    assert_eq!(p.len(), n);
-    let mut defect = 0.0_f64;
-    for i in 0..2 * n {
-        for j in 0..2 * n {
-            let form: f64 = (0..n).map(|k| columns[i][k] * columns[j][n + k] - columns[i][n + k] * columns[j][k]).sum();
-            let expected = f64::from(i8::from(j == i + n)) - f64::from(i8::from(i == j + n));
-            defect = defect.max((form - expected).abs());
-        }
-    }
-    Ok(defect)
+    Ok(P::form_defect(&directions, &images, &before, &after))
 }
 
 /// |Φ(−h)ⁿ ∘ Φ(h)ⁿ − id| at the start, in `f64`, relative to the largest coordinate if that is above 1.
-pub fn symmetry_defect<P: Problem, M: Method<P::Over<f64>, f64>>(
-    method: M,
-    start: f64,
-    h: f64,
-    steps: u64,
-) -> Result<f64, StepError> {
-    let state = P::initial::<f64>(start);
-    let mut sim = P::system::<f64>().integrator(method, h, state);
+pub fn symmetry_defect<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64, steps: u64) -> Result<f64, Refusal> {
+    let (start, x) = P::start();
+    let mut sim = Bare::<P, M, f64>::new(method, h, start, &x);
     sim.advance(steps)?;
-    sim.set_step_size(-h);
+    let mut sim = sim.back();
     sim.advance(steps)?;
-    let x = flat(&state);
-    Ok(distance(&flat(&sim.state()), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
+    Ok(distance(&sim.state(), &x) / x.iter().fold(1.0, |max: f64, x| max.max(x.abs())))
 }
 
 /// A straight line y = offset + slope·x by least squares.

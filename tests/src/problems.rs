@@ -4,6 +4,7 @@
 //! and without explicit time, cyclic coordinates, branches, every shape of coordinates.
 
 use crate::scalars::Scalar;
+pub use crate::scene::flat;
 use geoint_runtime::system::Collocation;
 use geoint_runtime::{Coordinates, Cotangent, Hamiltonian, State, hamiltonian, space::Array};
 use nalgebra::{SVector, Vector2, Vector3};
@@ -208,13 +209,8 @@ pub fn state<S: Hamiltonian<R>, R: Scalar>(t: f64, q: &[f64], p: &[f64]) -> Stat
     State::at(R::from_f64(t), shape(q), shape(p))
 }
 
-/// Positions and momenta one after the other.
-pub fn flat<Q: Coordinates>(state: &State<Q>) -> Vec<Q::Real> {
-    [state.q.into_array().as_slice(), state.p.into_array().as_slice()].concat()
-}
-
 /// A parameter of another scalar.
-trait Over<T> {
+pub(crate) trait Over<T> {
     fn over(self) -> T;
 }
 
@@ -231,7 +227,7 @@ impl<R: Scalar, const N: usize> Over<[R; N]> for [f64; N] {
 }
 
 /// Plain numbers in the shape of the user's function.
-trait Shaped {
+pub(crate) trait Shaped {
     fn shaped(x: &[f64]) -> Self;
 }
 
@@ -273,6 +269,8 @@ macro_rules! problems {
         }
     )* };
 }
+
+pub(crate) use problems;
 
 problems! { t q p:
     pendulum Pendulum { m: 1.3, l: 0.7, g: 9.81 } (q, p, m, l, g) at [1.1], [0.4];

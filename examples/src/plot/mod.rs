@@ -95,7 +95,8 @@ pub fn figure(name: &str, size: (i32, i32), panels: &[Panel]) -> Result<(), Box<
         }
     }
     let path = crate::output(name)?;
-    fs::write(&path, drawn(name.trim_end_matches(".svg"), size, panels))?;
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    fs::write(&path, drawn(&stem, size, panels))?;
     println!("\nfigure      {}", crate::shown(&path));
     Ok(())
 }

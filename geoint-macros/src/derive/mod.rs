@@ -17,7 +17,7 @@ mod velocities;
 mod constraints;
 pub(crate) mod proof;
 
-pub(crate) use bodies::{Bodies, Turn, bodies};
+pub(crate) use bodies::{Bodies, Shift, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;

@@ -57,13 +57,12 @@ pub(super) fn inherent(
     (energy, rates, flow): (bool, bool, Option<TokenStream>),
     report: &str,
 ) -> TokenStream {
-    let Energy { name, float, coordinates, form, .. } = context.energy;
-    let coordinates = &coordinates.ty;
-    let state = state(*form);
+    let Energy { name, float, .. } = context.energy;
+    let state = state_type(context, |ty| quote!(#ty));
     let energy = energy.then(|| {
         quote! {
             /// The energy of a state.
-            pub fn energy(&self, state: &#state<#coordinates>) -> #float {
+            pub fn energy(&self, state: &#state) -> #float {
                 PhaseSpace::energy(self, state)
             }
         }
@@ -78,7 +77,7 @@ pub(super) fn inherent(
                 self,
                 method: M,
                 tolerance: f64,
-                state: #state<#coordinates>,
+                state: #state,
             ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
                 Adaptive::new(self, method, tolerance, state)
             }
@@ -100,7 +99,7 @@ pub(super) fn inherent(
                 self,
                 method: M,
                 h: #float,
-                state: #state<#coordinates>,
+                state: #state,
             ) -> <P as ProofAnd<Integrator<Self, M, #float>>>::Both {
                 Integrator::new(self, method, h, state)
             }
@@ -117,6 +116,17 @@ pub(super) fn state(form: Form) -> TokenStream {
         Form::Bodies => quote!(BodyState),
         Form::Contact | Form::Herglotz => quote!(ContactState),
         Form::Structured | Form::Field | Form::FirstOrder => quote!(FlowState),
+    }
+}
+
+/// The same with the types of its coordinates.
+pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> TokenStream) -> TokenStream {
+    let Energy { form, coordinates, .. } = context.energy;
+    let (state, coordinates) = (state(*form), ty(&coordinates.ty));
+    let centres = (*form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
+    match centres {
+        Some(centres) => quote!(#state<#coordinates, #centres>),
+        None => quote!(#state<#coordinates>),
     }
 }
 

@@ -166,8 +166,8 @@ impl Options {
         options.consistent()
     }
 
-    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, in place of
-    /// positions and momenta, and are not damped.
+    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, and
+    /// are not damped.
     fn consistent(self) -> syn::Result<Self> {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
@@ -191,10 +191,9 @@ impl Options {
                 m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
             }
             (None, Some(_)) => {
-                let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
                 let damped = damped.or(forced).map(|span| (span, DAMPED_BODY));
                 let parted = parted.map(|span| (span, PARTS_OF_BODIES));
-                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted).or(position)
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted)
             }
         };
         wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
@@ -237,8 +236,6 @@ const TWO_WAYS: &str = "`coordinates` says how the energy is split: leave `split
 const DAMPED_PARTS: &str = "damping, or a force, is no part of an exact flow or a kick: leave it out, or this";
 
 const PARTS_OF_BODIES: &str = "with `attitude` the parts of the energy are known, T(m) and V(r): leave this out";
-
-const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
 
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {

@@ -3,6 +3,7 @@
 use super::arithmetic::{Of, Powers};
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::KnownLevels;
+use super::matrix::width_of_slots;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
 
 /// A routine, or a branch in it, while it is being written.
@@ -127,7 +128,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             slots.push(id);
             slots.len() - 1
         });
-        Operand::Slot(level, index)
+        Operand::Slot(level, width_of_slots(self.graph, &self.slots[level][..index]))
     }
 
     /// The value of an instruction; equal ones are one statement.
@@ -166,6 +167,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function, args) if Function::KEPLER.contains(&function) => self.kepler(id, &args),
+            Node::Call(Function::FlowMatrix, args) => self.flow_matrix(&args),
+            Node::Call(Function::FlowChange, args) => self.flow_change(&args),
             Node::Call(function, args) => self.call(function, &args),
             Node::Select(condition, _, _) => self.select(id, condition),
             Node::Compare(relation, a, b) => {

@@ -8,6 +8,7 @@
 mod arithmetic;
 mod block;
 mod kepler;
+mod matrix;
 mod kernel;
 mod levels;
 mod lowering;

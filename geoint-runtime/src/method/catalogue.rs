@@ -46,7 +46,10 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{
+    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
+    PlanarSplitting, PoissonSplitting,
+};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
@@ -214,6 +217,15 @@ pub fn poisson<S: Pieces<PoissonSplitting, R>, R: Real>(visitor: &mut impl Visit
 pub fn planar<S: Pieces<PlanarSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: PlanarSplitting);
     compositions!(visitor: PlanarSplitting);
+}
+
+/// Methods for fields whose planar parts are all solved for.
+pub fn solved_planes<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: Pieces<PlanarDiscreteGradient, R> + Pieces<PlanarItohAbe, R>,
+{
+    show!(visitor: PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair);
+    compositions!(visitor: PlanarDiscreteGradient, PlanarItohAbePair);
 }
 
 /// Methods for contact systems T(p) + g(t)s + V(q), beside those of [`separable`].

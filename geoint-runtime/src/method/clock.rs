@@ -1,7 +1,7 @@
 //! Time: the one place that knows when steps start and end.
 
-use crate::scalar::{Real, signed};
-use crate::space::DoubleWord;
+use crate::scalar::{Real, signed, zero};
+use crate::space::{DoubleWord, Record, Tape};
 
 /// When steps start: t₀ + n·h, never a running sum. Where the length of steps changes, t₀ moves on in two words.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,15 @@ pub struct Clock<R> {
     steps: u64,
     /// What the present is called, if somebody asked for a time that is the same but for rounding.
     named: Option<R>,
+}
+
+impl<R: Real> Record<R> for Clock<R> {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.start.record(tape);
+        tape.scalar(&mut self.h);
+        tape.steps(&mut self.steps);
+        tape.option(&mut self.named, zero);
+    }
 }
 
 impl<R: Real> Clock<R> {

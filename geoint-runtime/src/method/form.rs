@@ -2,7 +2,7 @@
 
 use crate::method::{Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
+use crate::space::{Record, Summation};
 use crate::system::PhaseSpace;
 
 /// How the method `M` finds a step of a system whose equations have this form: one of those in [`system`](crate::system), such as
@@ -11,7 +11,7 @@ pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
     /// Coefficients of a step.
     type Prepared: Clone;
     /// What a step hands on to the next one.
-    type Memory: Clone;
+    type Memory: Clone + Record<R>;
 
     /// Coefficients for steps of length `h`.
     fn prepare(system: &S, h: R) -> Self::Prepared;

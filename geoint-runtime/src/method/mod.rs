@@ -31,7 +31,7 @@ pub use crate::solving::Refusal;
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
-use crate::space::{Plain, Point, Summation};
+use crate::space::{Plain, Point, Record, Summation};
 use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
@@ -101,8 +101,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
     type Prepared: Clone;
     /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
-    /// compensations of sums. `()` for most explicit methods.
-    type Memory: Clone;
+    /// compensations of sums. `()` for most explicit methods. Saved runs record it.
+    type Memory: Clone + Record<R>;
     /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
     const SCALES_STEPS: bool = false;
 

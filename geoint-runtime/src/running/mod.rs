@@ -9,6 +9,8 @@ mod integrator;
 mod named;
 mod output;
 mod run;
+#[cfg(feature = "alloc")]
+mod saved;
 mod step_size;
 mod taylor;
 mod tolerance;
@@ -24,5 +26,7 @@ pub use integrator::Integrator;
 pub use named::{DynTrajectory, Named};
 pub use output::{Samples, StatesAt, Until};
 pub use run::Run;
+#[cfg(feature = "alloc")]
+pub use saved::{Bits, FORMAT, ResumeError, Saved};
 pub use taylor::TaylorIntegrator;
 pub use trajectory::{Scalar, Trajectory};

@@ -1,6 +1,7 @@
 //! How long the next step is.
 
 use crate::scalar::Real;
+use crate::space::{Record, Tape};
 
 /// Lengths between two powers of 2.
 const RUNGS: [f64; 4] = [1.0, 1.189_207_115_002_721, core::f64::consts::SQRT_2, 1.681_792_830_507_429];
@@ -52,6 +53,15 @@ pub(crate) struct Controller {
     backwards: bool,
     before: f64,
     rejected: bool,
+}
+
+impl<R> Record<R> for Controller {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        tape.number(&mut self.rung);
+        tape.flag(&mut self.backwards);
+        tape.number(&mut self.before);
+        tape.flag(&mut self.rejected);
+    }
 }
 
 impl Controller {

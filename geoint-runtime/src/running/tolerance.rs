@@ -2,7 +2,7 @@
 
 use crate::scalar::{Real, signed};
 use crate::solving::size::largest;
-use crate::space::{Action, Array, PerCoordinate};
+use crate::space::{Action, Array, PerCoordinate, Record, Tape};
 
 /// The tolerance of a step's error in every coordinate: a part of the largest magnitude that the coordinate has had, and
 /// an absolute error.
@@ -26,6 +26,14 @@ pub(crate) struct Judged<'a, A, Z> {
     pub(crate) after: &'a PerCoordinate<A, Z>,
     /// The estimated error.
     pub(crate) gap: &'a PerCoordinate<A, Z>,
+}
+
+impl<A: Array, Z: Action<A::Real>> Record<A::Real> for Tolerance<A, Z> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.sizes.record(tape);
+        self.caused.record(tape);
+        tape.number(&mut self.longest);
+    }
 }
 
 impl<A: Array, Z: Action<A::Real>> Tolerance<A, Z> {

@@ -5,12 +5,18 @@ use crate::solving::Refusal;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::{Sizes, largest, sum};
 use crate::solving::{damped, linear, noise};
-use crate::space::{Array, Square};
+use crate::space::{Array, Record, Square, Tape};
 
 /// Solves one equation a step for increments of positions and momenta, and remembers their sizes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct QuasiNewton<A> {
     sizes: Sizes<A>,
+}
+
+impl<A: Array> Record<A::Real> for QuasiNewton<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.sizes.record(tape);
+    }
 }
 
 impl<A: Array> QuasiNewton<A> {

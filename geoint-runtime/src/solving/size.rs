@@ -1,7 +1,7 @@
 //! How large is a coordinate? The one measure for everything that compares coordinates of different units.
 
 use crate::scalar::Real;
-use crate::space::{Array, Square};
+use crate::space::{Array, Record, Square, Tape};
 
 /// What is left of a size after every point that is included: half after some fifty.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
@@ -13,6 +13,12 @@ const FADING: f64 = 1.0 - 1.0 / 64.0;
 /// result by a single bit. A size of zero belongs to an entry that has not moved yet.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sizes<A>(A);
+
+impl<A: Array> Record<A::Real> for Sizes<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.array(&mut self.0);
+    }
+}
 
 impl<A: Array> Sizes<A> {
     /// Nothing was met yet.

@@ -32,6 +32,11 @@ impl<R: Real> DoubleWord<R> {
         [self.high, self.low]
     }
 
+    #[inline(always)]
+    pub(crate) fn words_mut(&mut self) -> [&mut R; 2] {
+        [&mut self.high, &mut self.low]
+    }
+
     /// Adds a number, with an error of ε² relative to the sum.
     #[inline(always)]
     pub fn add(&mut self, x: R) {

@@ -1,6 +1,7 @@
 //! How increments are added to coordinates: every addition rounded, or with compensation.
 
 use super::array::Array;
+use super::record::Record;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
 use core::fmt::Debug;
@@ -8,7 +9,7 @@ use core::fmt::Debug;
 /// How increments are added to a coordinate.
 ///
 /// Sealed: what methods may leave out depends on which it is.
-pub trait Summation<A: Array>: Sealed + Copy + Debug {
+pub trait Summation<A: Array>: Sealed + Copy + Debug + Record<A::Real> {
     /// Whether there is no compensation: a flow may then act on the coordinate itself.
     const PLAIN: bool;
     /// Whether the action of a contact system is followed.
@@ -64,6 +65,12 @@ pub struct Compensated<A> {
 }
 
 impl<A> Sealed for Compensated<A> {}
+
+impl<A> Compensated<A> {
+    pub(super) fn compensation_mut(&mut self) -> &mut A {
+        &mut self.compensation
+    }
+}
 
 impl<A: Array> Summation<A> for Compensated<A> {
     const PLAIN: bool = false;

@@ -1,12 +1,14 @@
-//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits, one is two.
+//! Scalars for which kernels are run in tests only: one carries a derivative along, one has twice the digits, one is two, one counts.
 
 mod double;
 mod dual;
 mod lanes;
+mod tallied;
 
 pub use double::Double;
 pub use dual::Dual;
 pub use lanes::Lanes;
+pub use tallied::{Tallied, Tally};
 
 use geoint_runtime::Real;
 

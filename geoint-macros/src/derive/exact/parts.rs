@@ -6,7 +6,7 @@ use crate::derive::implicit;
 use crate::derive::proof::coordinates;
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
-use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON};
+use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
@@ -44,55 +44,68 @@ impl Parted {
     }
 }
 
-/// The pieces of every splitting of a flow.
-pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
-    let both = |poisson, autonomous, [by_terms, by_planes]: [Result<_, Missing>; 2]| {
-        let pieces = |splitting, pieces, symplectic, conserves_energy| PiecesOf {
-            cost: 0,
-            rejected: vec![],
-            splitting,
-            pieces,
-            symplectic,
-            conserves_energy,
-        };
-        vec![
-            pieces("PoissonSplitting", by_terms, poisson, false),
-            pieces("PlanarSplitting", by_planes, false, autonomous),
-        ]
-    };
-    let missing = |term, why| [TERMS, PLANES].map(|marker| Err(Missing { marker, term, why, pair: None }));
-    let Some(Parted { integral, matrix, poisson, .. }) = parted else {
-        // Without anything that is kept there is nothing to split by.
-        let first = flow.kept.first();
-        return first.map_or_else(Vec::new, |first| both(false, true, missing(first.conserved.value, NO_STRUCTURE)));
-    };
-    let autonomous = !analyze::reads(graph, *integral).t;
-    if damped {
-        return both(*poisson, autonomous, missing(*integral, DAMPED_FLOW));
-    }
-    let by_terms = split::parts(graph, *integral, matrix);
-    let by_planes = split::planes(graph, *integral, matrix);
-    let by_terms = kernels(graph, by_terms, (TERMS, NOT_POISSON, "are not in involution"));
-    let by_planes = kernels(graph, by_planes, (PLANES, NOT_PLANAR, "span the plane"));
-    both(*poisson, autonomous, [by_terms, by_planes])
+/// A splitting of x' = S(x) ∇I: its name, what nothing implements where it has no pieces, and what is said then.
+struct Splitting {
+    name: &'static str,
+    marker: &'static str,
+    why: &'static str,
+    /// What two coordinates do that are in the way.
+    pair: &'static str,
 }
 
-/// What nothing implements where pieces are missing.
-const TERMS: &str = "InTerms";
-const PLANES: &str = "InPlanes";
+const BY_TERMS: Splitting =
+    Splitting { name: "PoissonSplitting", marker: "InTerms", why: NOT_POISSON, pair: "are not in involution" };
+const BY_PLANES: Splitting =
+    Splitting { name: "PlanarSplitting", marker: "InPlanes", why: NOT_PLANAR, pair: "span the plane" };
+const BY_GRADIENTS: Splitting =
+    Splitting { name: "PlanarDiscreteGradient", marker: "InGradients", why: NOT_SOLVED, pair: "span the plane" };
+const BY_INCREMENTS: Splitting =
+    Splitting { name: "PlanarItohAbe", marker: "InIncrements", why: NOT_SOLVED, pair: "span the plane" };
 
-fn kernels(
-    graph: &mut Graph,
-    found: Result<Vec<Part>, NoPart>,
-    (marker, why, word): (&'static str, &'static str, &'static str),
-) -> Result<Vec<PieceKernel<Kernel>>, Missing> {
-    let missing = |NoPart { formula, pair }| Missing {
-        marker,
-        term: formula,
-        why,
-        pair: pair.map(|pair: [Symbol; 2]| (pair, word)),
+/// The pieces of every splitting of a flow.
+pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
+    let Some(Parted { integral, matrix, poisson, .. }) = parted else {
+        // Without anything that is kept there is nothing to split by.
+        let first = flow.kept.first().map(|first| first.conserved.value);
+        return first.map_or_else(Vec::new, |term| none(term, NO_STRUCTURE));
     };
-    Ok(found.map_err(missing)?.into_iter().map(|part| kernel(graph, part)).collect())
+    if damped {
+        return none(*integral, DAMPED_FLOW);
+    }
+    let autonomous = !analyze::reads(graph, *integral).t;
+    let by_terms = split::parts(graph, *integral, matrix);
+    let by_planes = split::planes(graph, *integral, matrix);
+    let [gradients, increments] = split::solved_planes(graph, *integral, matrix);
+    let found = [(BY_TERMS, by_terms), (BY_PLANES, by_planes), (BY_GRADIENTS, gradients), (BY_INCREMENTS, increments)];
+    let pieces = |(splitting, found): (Splitting, Result<Vec<Part>, NoPart>)| {
+        let Splitting { name, marker, why, pair } = splitting;
+        let missing = |NoPart { formula, pair: found }| Missing {
+            marker,
+            term: formula,
+            why,
+            pair: found.map(|found: [Symbol; 2]| (found, pair)),
+        };
+        let kernels = found.map(|parts| parts.into_iter().map(|part| kernel(graph, part)).collect());
+        let by_terms = name == BY_TERMS.name;
+        pieces_of(name, kernels.map_err(missing), by_terms && *poisson, !by_terms && autonomous)
+    };
+    found.into_iter().map(pieces).collect()
+}
+
+/// No pieces of any splitting.
+fn none(term: Id, why: &'static str) -> Vec<PiecesOf<Kernel>> {
+    let none =
+        |Splitting { name, marker, .. }| pieces_of(name, Err(Missing { marker, term, why, pair: None }), false, false);
+    [BY_TERMS, BY_PLANES, BY_GRADIENTS, BY_INCREMENTS].map(none).into()
+}
+
+fn pieces_of(
+    splitting: &'static str,
+    pieces: Result<Vec<PieceKernel<Kernel>>, Missing>,
+    symplectic: bool,
+    conserves_energy: bool,
+) -> PiecesOf<Kernel> {
+    PiecesOf { cost: 0, rejected: vec![], splitting, pieces, symplectic, conserves_energy }
 }
 
 fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {

@@ -3,7 +3,7 @@
 pub(super) mod liouville;
 
 use crate::analyze::{Identity, claims};
-use crate::derive::flow::{Flow, Named, Origin};
+use crate::derive::flow::{Flow, Named};
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::lower::Skew;
@@ -11,8 +11,8 @@ use crate::lower::Skew;
 /// What is known of the functions that a flow is said to keep.
 #[derive(Debug)]
 pub(crate) struct Integrals {
-    /// Whether each is kept: (f − b)·∇I + ∂I/∂t = 0. Nothing of what is assumed.
-    pub(crate) kept: Vec<Option<Identity>>,
+    /// Whether each is kept: (f − b)·∇I + ∂I/∂t = 0.
+    pub(crate) kept: Vec<Identity>,
     /// The first of them, if any, that is a function of those before it.
     pub(crate) dependent: Option<usize>,
 }
@@ -20,9 +20,8 @@ pub(crate) struct Integrals {
 /// Decides what a flow keeps.
 pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
     let x = coordinates(flow.field.len());
-    let mut decide = |Named { conserved, origin, .. }: &Named| {
-        (*origin == Origin::Listed)
-            .then(|| claims::is_kept(graph, &x, &flow.field, conserved.value, conserved.but.as_deref()))
+    let mut decide = |Named { conserved, .. }: &Named| {
+        claims::is_kept(graph, &x, &flow.field, conserved.value, conserved.but.as_deref())
     };
     let kept = flow.kept.iter().map(&mut decide).collect();
     let functions: Vec<Id> = flow.kept.iter().map(|named| named.conserved.value).collect();

@@ -41,28 +41,32 @@ fn splitting(
     });
     let types = |level: usize| {
         let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));
-        quote!((#([R; #slots],)*))
+        nested(slots.map(|slots| quote!([R; #slots])).collect())
     };
     let (types, frozen_types) = (types(0), types(1));
-    let last = pieces.len() - 1;
+    let (count, last) = (pieces.len(), pieces.len() - 1);
     let stored = |piece: &PieceKernel<Plan>, level: usize| context.stored(&piece.flow.kernel, level);
     let prepared = pieces.iter().enumerate().map(|(i, piece)| {
         let (length, prepare) = (if i == last { quote!(last) } else { quote!(outer) }, stored(piece, 0));
         quote!({ let h = #length; #prepare })
     });
     let frozen = pieces.iter().enumerate().map(|(i, piece)| {
-        let (i, freeze) = (Literal::usize_unsuffixed(i), stored(piece, 1));
-        quote!({ let prepared = &flows.#i; #freeze })
+        let (own, freeze) = (member(quote!(flows), i, count), stored(piece, 1));
+        quote!({ let prepared = &#own; #freeze })
     });
+    let [prepared, frozen] = [nested(prepared.collect()), nested(frozen.collect())];
+    let arm = |i: usize, body: TokenStream| {
+        let [flow, start] = [quote!(flows), quote!(frozen)].map(|all| member(all, i, count));
+        let i = Literal::usize_unsuffixed(i);
+        quote!(#i => { let (prepared, start) = (&#flow, &#start); #body })
+    };
     let arms = pieces.iter().enumerate().map(|(i, piece)| {
         let body = if piece.solved { solve(context, piece, &quote!(q)) } else { assign(context, &piece.flow) };
-        let i = Literal::usize_unsuffixed(i);
-        quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
+        arm(i, body)
     });
     let added = pieces.iter().enumerate().map(|(i, piece)| {
         let body = if piece.solved { solve(context, piece, &quote!(d.z)) } else { increments(context, &piece.flow) };
-        let i = Literal::usize_unsuffixed(i);
-        quote!(#i => { let (prepared, start) = (&flows.#i, &frozen.#i); #body })
+        arm(i, body)
     });
     let per = context.per_coordinate();
     quote! {
@@ -76,11 +80,11 @@ fn splitting(
 
             #[inline]
             fn prepare_flows(&self, outer: R, last: R) -> #types {
-                (#(#prepared,)*)
+                #prepared
             }
             #[inline(always)]
             fn freeze(&self, flows: &#types, t: R) -> #frozen_types {
-                (#(#frozen,)*)
+                #frozen
             }
             #[inline(always)]
             fn flow(
@@ -102,6 +106,24 @@ fn splitting(
             }
         }
     }
+}
+
+/// How many members a tuple has at most: the standard library knows no traits of tuples of more than twelve.
+const MOST_MEMBERS: usize = 12;
+
+/// A tuple of any number of values or types, in tuples of tuples where they are many.
+fn nested(mut members: Vec<TokenStream>) -> TokenStream {
+    while members.len() > MOST_MEMBERS {
+        members = members.chunks(MOST_MEMBERS).map(|some| quote!((#(#some,)*))).collect();
+    }
+    quote!((#(#members,)*))
+}
+
+/// The i-th of so many members of it.
+fn member(all: TokenStream, i: usize, count: usize) -> TokenStream {
+    let inner = if count > MOST_MEMBERS { member(all, i / MOST_MEMBERS, count.div_ceil(MOST_MEMBERS)) } else { all };
+    let i = Literal::usize_unsuffixed(if count > MOST_MEMBERS { i % MOST_MEMBERS } else { i });
+    quote!(#inner.#i)
 }
 
 /// The step of a plane, added to `target`: what moves, or increments.

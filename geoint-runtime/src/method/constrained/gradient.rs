@@ -6,7 +6,7 @@ use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, c
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::vector::moved;
-use crate::space::{Array, Compensated, Summation};
+use crate::space::{Array, Compensated, Record, Summation, Tape};
 use crate::system::{ByConstraint, ConstrainedStep, on_one_side};
 
 /// What a step hands on to the next one.
@@ -14,6 +14,13 @@ use crate::system::{ByConstraint, ConstrainedStep, on_one_side};
 pub struct Memory<S: ConstrainedStep<DiscreteGradient, R>, R: Real> {
     newton: Newton<S::Unknown>,
     sums: Compensated<S::Phase>,
+}
+
+impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> Record<R> for Memory<S, R> {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.newton.record(tape);
+        self.sums.record(tape);
+    }
 }
 
 /// q₁ − q₀ = h ∇̄ₚH, p₁ − p₀ = −h (∇̄_qH + ḡᵀλ), g(q₁) = 0 with the tree slopes of H and of every g: H changes by

@@ -6,7 +6,7 @@ use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, product, scaled, sum};
-use crate::space::{Array, PerCoordinate, Square, Summation};
+use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
 use crate::system::{ByPolarisation, ContactPolarised, ContactStage, Orientation, Poles, row_scale, velocity_near};
 
 /// Coefficients of a step.
@@ -26,6 +26,14 @@ pub struct Memory<D, A> {
     orientation: Orientation,
     /// The velocity at the end of the last step.
     v: A,
+}
+
+impl<D: Array, A: Array<Real = D::Real>> Record<D::Real> for Memory<D, A> {
+    fn record(&mut self, tape: &mut impl Tape<D::Real>) {
+        self.newton.record(tape);
+        self.orientation.record(tape);
+        self.v.as_mut_slice().iter_mut().for_each(|x| tape.scalar(x));
+    }
 }
 
 impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for ByPolarisation {

@@ -33,3 +33,23 @@ pub mod relaxation;
 pub use invariants::{Energy, Integrals, Invariants};
 pub use projection::Projection;
 pub use relaxation::Relaxation;
+
+use crate::solving::size::Sizes;
+use crate::space::{Array, Compensated, Record, Tape};
+
+/// What a step hands on to the next one.
+#[derive(Clone, Debug)]
+pub struct Memory<M, A: Array> {
+    method: M,
+    sizes: Sizes<A>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: Compensated<A>,
+}
+
+impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.method.record(tape);
+        self.sizes.record(tape);
+        self.sums.record(tape);
+    }
+}

@@ -1,5 +1,6 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
+use super::Memory;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::Real;
@@ -32,15 +33,6 @@ pub struct Prepared<P, I, R> {
     h: R,
     poles: Poles,
     invariants: I,
-}
-
-/// What a step hands on to the next one.
-#[derive(Clone, Debug)]
-pub struct Memory<M, A: Array> {
-    method: M,
-    sizes: Sizes<A>,
-    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
-    sums: Compensated<A>,
 }
 
 impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {

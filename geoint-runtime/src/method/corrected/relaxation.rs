@@ -1,12 +1,13 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
+use super::Memory;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, scaled, sum};
-use crate::space::{Array, Compensated, Summation};
+use crate::space::{Compensated, Summation};
 use crate::system::{KeepsEnergy, Poles};
 use core::cell::Cell;
 
@@ -32,15 +33,6 @@ pub struct Prepared<P, R> {
     method: P,
     poles: Poles,
     h: R,
-}
-
-/// What a step hands on to the next one.
-#[derive(Clone, Debug)]
-pub struct Memory<M, A: Array> {
-    method: M,
-    sizes: Sizes<A>,
-    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
-    sums: Compensated<A>,
 }
 
 impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M> {

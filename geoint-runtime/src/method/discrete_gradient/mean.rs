@@ -8,7 +8,7 @@ use crate::scalar::Real;
 use crate::solving::quasi_newton::QuasiNewton;
 use crate::space::Array;
 use crate::space::vector::{entries, moved, scaled, sum};
-use crate::space::{Compensated, Summation};
+use crate::space::{Compensated, Record, Summation, Tape};
 use crate::system::{Conservative, DiscreteField, Poles};
 
 /// A mean g of ∇H between x and x + d: the step is x₁ = x₀ + h J g(x₀, x₁).
@@ -61,6 +61,13 @@ pub struct Prepared<G, S: DiscreteField<R>, R: Real> {
 pub struct Memory<A: Array> {
     sums: Compensated<[A; 2]>,
     solver: QuasiNewton<[A; 2]>,
+}
+
+impl<A: Array> Record<A::Real> for Memory<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.sums.record(tape);
+        self.solver.record(tape);
+    }
 }
 
 impl<A: Array> Memory<A> {

@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{moved, scaled, sum};
-use crate::space::{Array, Compensated, Snapshot, Square, Summation};
+use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
 use crate::system::{FourthOrderField, Poles};
 
 /// Coefficients of a step.
@@ -24,6 +24,13 @@ pub struct Memory<Z: Array> {
     newton: Newton<Z>,
     /// What is kept is worth compensated sums.
     sums: Compensated<Z>,
+}
+
+impl<Z: Array> Record<Z::Real> for Memory<Z> {
+    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+        self.newton.record(tape);
+        self.sums.record(tape);
+    }
 }
 
 /// d = h·f̄(z, z + d).

@@ -9,7 +9,7 @@ use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
-use crate::space::{Array, Square, Summation};
+use crate::space::{Array, Record, Square, Summation, Tape};
 use crate::system::{ByVelocities, Orientation, VelocityForm, acceleration, row_scale, velocity_near};
 
 /// The coefficients of one step, and what is known of the system.
@@ -25,6 +25,13 @@ pub struct PreparedVelocities<P, R, const S: usize> {
 pub struct Memory<A, const S: usize> {
     pub(in crate::method) newton: Newton<[A; S]>,
     pub(in crate::method) orientation: Orientation,
+}
+
+impl<A: Array, const S: usize> Record<A::Real> for Memory<A, S> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.newton.record(tape);
+        self.orientation.record(tape);
+    }
 }
 
 impl<Y: VelocityForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByVelocities

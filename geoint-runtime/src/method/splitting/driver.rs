@@ -4,7 +4,7 @@ use super::flows::{Moving, Order, Times, Weight};
 use super::table::Splitting;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
-use crate::space::{Array, Point, Summation};
+use crate::space::{Array, Point, Record, Summation, Tape};
 use crate::system::Separable;
 
 /// Up to so many coordinates a call costs more than it saves.
@@ -31,6 +31,14 @@ pub struct LastKick<A> {
     known: bool,
     q: A,
     impulse: A,
+}
+
+impl<A: Array> Record<A::Real> for LastKick<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.flag(&mut self.known);
+        tape.array(&mut self.q);
+        tape.array(&mut self.impulse);
+    }
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {

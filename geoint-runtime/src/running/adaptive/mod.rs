@@ -4,6 +4,8 @@
 //! What rests on equal steps is lost: a symplectic method drifts like any other.
 
 mod attempt;
+#[cfg(feature = "alloc")]
+mod saved;
 mod steps;
 
 use crate::method::{Clock, Method};

@@ -19,9 +19,9 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) tolerance: Tolerance<S::Phase, S::Action>,
     pub(super) bounds: Bounds,
     pub(super) controller: Controller,
-    prepared: Prepared<M::Prepared>,
+    pub(super) prepared: Prepared<M::Prepared>,
     /// Of steps as a whole, and of their halves.
-    memory: [M::Memory; 2],
+    pub(super) memory: [M::Memory; 2],
     pub(super) clock: Clock<R>,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,

@@ -1,5 +1,7 @@
 //! A system under a method: the object that users step.
 
+#[cfg(feature = "alloc")]
+mod saved;
 mod steps;
 
 use crate::method::{Clock, Method};

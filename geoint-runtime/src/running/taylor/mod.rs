@@ -3,6 +3,8 @@
 //! Nothing is kept exactly, and everything to the tolerance. The coefficients at the end of a step are computed with the step: they are
 //! those of the next one, and their first order tells whether the polynomial led to a solution.
 
+#[cfg(feature = "alloc")]
+mod saved;
 pub(in crate::running) mod steps;
 
 use crate::running::dense::{Crossing, Direction, TaylorCrossings};

@@ -10,8 +10,8 @@ use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
 use crate::solving::size::Sizes;
-use crate::space::Array;
 use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
@@ -51,6 +51,20 @@ pub(super) struct Iteration<A> {
 
 /// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
 pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
+
+impl<A: Array> Record<A::Real> for Iteration<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        // Kinds follow from the method.
+        let Iteration { sizes, kinds: _, missing, rough, reach, steps, stiff } = self;
+        let mut counts = [*missing as u64, u64::from(*steps)];
+        sizes.record(tape);
+        counts.iter_mut().for_each(|n| tape.count(n));
+        (*missing, *steps) = ((counts[0] as usize).min(predictor::POINTS), counts[1] as u32);
+        tape.flag(rough);
+        tape.number(reach);
+        tape.flag(stiff);
+    }
+}
 
 impl<A: Array> Iteration<A> {
     /// Of equations whose unknowns come in `kinds` of `n` that have one unit.

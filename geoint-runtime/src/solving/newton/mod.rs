@@ -6,8 +6,8 @@ mod predictor;
 use crate::solving::Refusal;
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
-use crate::space::Array;
 use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
 use iteration::Iteration;
 use predictor::Predictor;
 
@@ -49,6 +49,13 @@ impl<A: Array> Found<A> {
 
     fn none(refusal: Refusal) -> Self {
         Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
+    }
+}
+
+impl<A: Array> Record<A::Real> for Newton<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.predictor.record(tape);
+        self.iteration.record(tape);
     }
 }
 

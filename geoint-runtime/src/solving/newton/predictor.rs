@@ -1,7 +1,7 @@
 //! What the next increment will be, from those before.
 
 use crate::scalar::Real;
-use crate::space::Array;
+use crate::space::{Array, Tape};
 
 /// How many increments are extrapolated. At usual step sizes the eleventh difference is smaller than the accuracy that leaves nothing to do
 /// for a second Newton iteration: with nine a sixth of the steps of predators and prey took a second one.
@@ -21,6 +21,11 @@ pub(crate) struct Predictor<A> {
 impl<A: Array> Predictor<A> {
     pub(crate) fn new() -> Self {
         Predictor { terms: [A::zero(); POINTS] }
+    }
+
+    /// The terms, the latest first.
+    pub(crate) fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.terms.iter_mut().for_each(|term| tape.array(term));
     }
 
     /// The next term: only one product and one sum wait for the latest one. Other terms of opposite weights are one product.

@@ -5,7 +5,7 @@ use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
 use crate::solving::{Refusal, linear};
 use crate::space::vector::dot;
-use crate::space::{Array, Square};
+use crate::space::{Array, Record, Square, Tape};
 use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 
 /// The momenta of L(q, v, s, t), and how they depend on v: by the mass matrix M = ∂²L/∂v².
@@ -150,6 +150,15 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
 /// Whether the determinant of the mass matrix is positive, which it stays on a run: it has no zero on the way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Orientation(Option<bool>);
+
+impl<R> Record<R> for Orientation {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        let (mut known, mut positive) = (self.0.is_some(), self.0 == Some(true));
+        tape.flag(&mut known);
+        tape.flag(&mut positive);
+        self.0 = known.then_some(positive);
+    }
+}
 
 impl Orientation {
     pub(crate) fn unknown() -> Self {

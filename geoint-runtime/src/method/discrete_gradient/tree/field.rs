@@ -6,7 +6,7 @@ use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, c
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::{Found, Newton};
-use crate::space::{Array, Compensated, Snapshot, Summation};
+use crate::space::{Array, Compensated, Record, Snapshot, Summation, Tape};
 use crate::system::{ByTree, DiscreteField, Poles};
 
 /// Coefficients of a step.
@@ -24,6 +24,13 @@ pub struct Memory<S: DiscreteField<R>, R: Real> {
     /// The energy is worth compensated sums, which cost a twentieth: at some step sizes the roundings of plain ones have a bias,
     /// and it drifts by 10⁻¹² in a million steps.
     sums: Compensated<S::Phase>,
+}
+
+impl<S: DiscreteField<R>, R: Real> Record<R> for Memory<S, R> {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.newton.record(tape);
+        self.sums.record(tape);
+    }
 }
 
 impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
-use crate::space::{Array, Compensated, Square, Summation};
+use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
 use crate::system::{ByPolarisation, Orientation, PolarisedForm, Poles, acceleration, row_scale, velocity_near};
 
 /// Coefficients of a step.
@@ -36,6 +36,24 @@ pub struct Memory<S: PolarisedForm<R>, R: Real> {
     /// The end of the last step.
     last: Option<Known<S::Phase, S::Array>>,
     sums: Compensated<S::Phase>,
+}
+
+impl<S: PolarisedForm<R>, R: Real> Record<R> for Memory<S, R> {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.newton.record(tape);
+        self.orientation.record(tape);
+        let blank = || Known { z: S::Phase::zero(), v: S::Array::zero(), units: S::Array::zero() };
+        tape.option(&mut self.last, blank);
+        self.sums.record(tape);
+    }
+}
+
+impl<Z: Array, A: Array<Real = Z::Real>> Record<Z::Real> for Known<Z, A> {
+    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+        tape.array(&mut self.z);
+        tape.array(&mut self.v);
+        tape.array(&mut self.units);
+    }
 }
 
 impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolarisation {

@@ -2,6 +2,9 @@
 //!
 //! The references are Taylor series of order 40 in arithmetic of 220 bits; the free body agrees with Jacobi's elliptic functions.
 
+mod centres;
+mod symmetric;
+
 use geoint_runtime::method::Visitor;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;

@@ -1,0 +1,50 @@
+//! A run of steps that adapt that is saved, and goes on.
+
+use super::Adaptive;
+use super::attempt::Prepared;
+use super::steps::Steps;
+use crate::method::{Method, Name};
+use crate::running::saved::{self, Bits, Recorded, ResumeError, Saved};
+use crate::space::{Record, Tape};
+use crate::system::{PhaseSpace, Rates};
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Adaptive<S, M, R> {
+    /// The run now, to go on from later: [`Saved`] says what it holds.
+    pub fn saved(&self) -> Saved {
+        saved::saved(self)
+    }
+
+    /// Goes on from what was saved of a run of the same system under the same method. Tolerances and bounds are those of this run.
+    ///
+    /// # Errors
+    /// If this is another kind of run; nothing has changed then.
+    pub fn resume(&mut self, saved: &Saved) -> Result<(), ResumeError> {
+        saved::resume(self, saved)
+    }
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptive<S, M, R> {
+    type Real = R;
+
+    fn name(&self) -> Name {
+        self.steps.method.name()
+    }
+
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        let steps = &mut self.steps;
+        steps.clock.record(tape);
+        tape.steps(&mut steps.taken);
+        tape.steps(&mut steps.rejections);
+        steps.x.record(tape);
+        steps.tolerance.record(tape);
+        steps.controller.record(tape);
+        tape.number(&mut steps.prepared.h);
+        steps.memory.record(tape);
+    }
+
+    fn settle(&mut self) -> bool {
+        let Steps { system, method, prepared, .. } = &mut self.steps;
+        *prepared = Prepared::new(system, method, prepared.h);
+        self.steps.x.is_finite() && self.time().magnitude() < f64::INFINITY
+    }
+}

@@ -1,0 +1,193 @@
+//! Runs that are saved and go on elsewhere, bit for bit.
+
+use crate::scalar::Real;
+use crate::space::Tape;
+use alloc::string::{String, ToString};
+use alloc::vec::Vec;
+use core::fmt;
+
+/// The layout of [`Saved::words`]. It changes where a run of an earlier version could not go on.
+pub const FORMAT: u32 = 1;
+
+/// A run at a moment: what steps hand on to the next one, as words of bits.
+///
+/// System, method and tolerances are not part of it: the program that goes on makes a run of the same kind, which then takes over time, step
+/// size, state, what its sums have lost, and what its method remembers. With the feature `serde` it is written and read in every
+/// format; numbers are whole ones, so that no format rounds them.
+///
+/// # Words
+///
+/// A scalar is its bits (`f64::to_bits`; those of `f32` in the lower half), a whole number is itself, an answer is 0 or 1; what may be missing
+/// has an answer before it. An [`Integrator`](crate::Integrator) has, in this order:
+///
+/// 1. t₀ in two words, h, the number of steps of length h since t₀, and what the present is called, if anything;
+/// 2. the number of steps since the beginning, and whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER));
+/// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
+/// 4. the memory of the method: its [`Record`](crate::space::Record).
+///
+/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken and rejected; 3; the largest magnitude of each coordinate, errors caused in it, and the
+/// longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and whether the last step was
+/// rejected; for which length the method was prepared last; 4 for whole steps and for halves. A [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, the direction, largest
+/// magnitudes, the length of the last step, and how many in a row went nowhere; its coefficients are computed anew.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Saved {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// The name of the method.
+    pub method: String,
+    /// The bits of a scalar.
+    pub bits: u32,
+    /// All numbers.
+    pub words: Vec<u64>,
+}
+
+/// Why a run can not go on from what was saved. It is then as it was.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ResumeError {
+    /// It was saved in another format.
+    Format(u32),
+    /// It is that of another method.
+    Method(String),
+    /// Its scalars have so many bits.
+    Scalar(u32),
+    /// There are more or fewer words than this run has: the system is another one, or its sums are.
+    Words {
+        /// Of this run.
+        expected: usize,
+        /// That were saved.
+        found: usize,
+    },
+    /// A coordinate or the time is not a finite number.
+    NonFinite,
+}
+
+impl fmt::Display for ResumeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ResumeError::Format(format) => write!(f, "the run was saved in format {format}; this is {FORMAT}"),
+            ResumeError::Method(name) => write!(f, "the run was one of {name}"),
+            ResumeError::Scalar(bits) => write!(f, "the run had numbers of {bits} bits"),
+            ResumeError::Words { expected, found } => {
+                write!(
+                    f,
+                    "the run has {expected} numbers, not {found}: its system, or the kind of its sums, is another one"
+                )
+            }
+            ResumeError::NonFinite => f.write_str("a coordinate or the time is not a finite number"),
+        }
+    }
+}
+
+impl core::error::Error for ResumeError {}
+
+/// A scalar that is a word of bits.
+pub trait Bits: Real {
+    /// How many.
+    const BITS: u32;
+    /// The bits.
+    fn to_word(self) -> u64;
+    /// From bits.
+    fn from_word(word: u64) -> Self;
+}
+
+impl Bits for f64 {
+    const BITS: u32 = 64;
+    fn to_word(self) -> u64 {
+        self.to_bits()
+    }
+    fn from_word(word: u64) -> Self {
+        f64::from_bits(word)
+    }
+}
+
+impl Bits for f32 {
+    const BITS: u32 = 32;
+    fn to_word(self) -> u64 {
+        u64::from(self.to_bits())
+    }
+    fn from_word(word: u64) -> Self {
+        f32::from_bits(word as u32)
+    }
+}
+
+/// A run that can be saved.
+pub(super) trait Recorded: Clone {
+    type Real: Bits;
+    /// The name of its method.
+    fn name(&self) -> crate::method::Name;
+    /// Shows everything that changes from step to step.
+    fn record(&mut self, tape: &mut impl Tape<Self::Real>);
+    /// What follows from that is computed anew; whether the state is finite.
+    fn settle(&mut self) -> bool;
+}
+
+/// The run now.
+pub(super) fn saved<T: Recorded>(run: &T) -> Saved {
+    let mut words = Writer(Vec::new());
+    run.clone().record(&mut words);
+    Saved { format: FORMAT, method: run.name().to_string(), bits: T::Real::BITS, words: words.0 }
+}
+
+/// The run goes on from what was saved.
+pub(super) fn resume<T: Recorded>(run: &mut T, saved: &Saved) -> Result<(), ResumeError> {
+    let Saved { format, method, bits, words } = saved;
+    if *format != FORMAT {
+        return Err(ResumeError::Format(*format));
+    }
+    if run.name() != **method {
+        return Err(ResumeError::Method(method.clone()));
+    }
+    if *bits != T::Real::BITS {
+        return Err(ResumeError::Scalar(*bits));
+    }
+    let mut resumed = run.clone();
+    let mut reader = Reader { words, read: 0 };
+    resumed.record(&mut reader);
+    if reader.read != words.len() {
+        return Err(ResumeError::Words { expected: reader.read, found: words.len() });
+    }
+    if !resumed.settle() {
+        return Err(ResumeError::NonFinite);
+    }
+    *run = resumed;
+    Ok(())
+}
+
+struct Writer(Vec<u64>);
+
+impl<R: Bits> Tape<R> for Writer {
+    fn scalar(&mut self, x: &mut R) {
+        self.0.push(x.to_word());
+    }
+    fn count(&mut self, n: &mut u64) {
+        self.0.push(*n);
+    }
+}
+
+/// Where words have come to an end nothing is changed, and the count goes on.
+struct Reader<'a> {
+    words: &'a [u64],
+    read: usize,
+}
+
+impl Reader<'_> {
+    fn next(&mut self) -> Option<u64> {
+        self.read += 1;
+        self.words.get(self.read - 1).copied()
+    }
+}
+
+impl<R: Bits> Tape<R> for Reader<'_> {
+    fn scalar(&mut self, x: &mut R) {
+        if let Some(word) = self.next() {
+            *x = R::from_word(word);
+        }
+    }
+    fn count(&mut self, n: &mut u64) {
+        if let Some(word) = self.next() {
+            *n = word;
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Run time against error: problems × methods × efforts, beside other crates and steps by hand, all in one run.
+//!
+//! ```text
+//! cargo run --release --manifest-path tests/rivals/Cargo.toml             # all problems: at most ten minutes
+//! cargo run --release --manifest-path tests/rivals/Cargo.toml -- kepler   # those whose names contain the word
+//! … -- --commit                                                           # copies figures and the table to tests/benches
+//! ```
+//!
+//! `target/geoint/work_precision` then has a figure for each problem, `results.csv`, and `index.html` with all of it.
+
+#[allow(dead_code, reason = "the benches of steps use all of it")]
+#[path = "../../benches/by_hand/mod.rs"]
+mod by_hand;
+mod entry;
+mod measure;
+mod page;
+mod problems;
+mod rivals;
+#[allow(dead_code, reason = "the benches of steps use all of it")]
+#[path = "../../benches/systems.rs"]
+mod systems;
+mod winners;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use page::Measured;
+use std::error::Error;
+use std::time::Duration;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let commit = arguments.iter().any(|argument| argument == "--commit");
+    let wanted =
+        |name: &str| arguments.iter().filter(|word| !word.starts_with("--")).all(|word| name.contains(word.as_str()));
+    let chosen: Vec<_> = problems::ALL.into_iter().filter(|(name, _)| wanted(name)).collect();
+    let bar = ProgressBar::new(chosen.len() as u64 * (measure::ROUNDS as u64 + 1));
+    bar.set_style(ProgressStyle::with_template("{prefix} {bar:30} {pos}/{len} {elapsed} {msg}")?);
+    bar.enable_steady_tick(Duration::from_millis(500));
+    let mut all = vec![];
+    for (name, problem) in chosen {
+        bar.set_prefix(name);
+        bar.set_message("reference");
+        let problem = problem();
+        bar.inc(1);
+        let points = measure::measure(&problem.entries, &*problem.judge, measure::ROUNDS, &bar);
+        all.push(Measured { problem, points });
+    }
+    bar.finish_and_clear();
+    page::write(&all, commit)
+}

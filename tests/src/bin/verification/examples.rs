@@ -1,0 +1,147 @@
+//! What each example reproduces, and from where.
+
+use crate::page::Page;
+use crate::sources;
+use std::fs;
+
+/// An example, what it is compared with, and its source; none where it is a formula that stands in the program.
+const SOURCES: &[(&str, &str, &str)] = &[
+    ("quickstart", "the energy of a pendulum stays", ""),
+    (
+        "outer_solar_system",
+        "orbits and energy of the outer planets",
+        "E. Hairer, C. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), table I.2.2 and figure I.2.3",
+    ),
+    (
+        "planets",
+        "orbits of the outer planets against DOP853 with short steps",
+        "the same table; J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528",
+    ),
+    (
+        "mercury",
+        "42.98″ in a century",
+        "A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105",
+    ),
+    ("double_pendulum", "observed orders of implicit methods", ""),
+    ("to_rounding", "the figure eight, there and back", "A. Chenciner & R. Montgomery, Ann. Math. 152 (2000) 881"),
+    ("poincare", "three sections", "M. Hénon & C. Heiles, Astron. J. 69 (1964) 73, figures 4 to 6"),
+    ("bouncing", "times of impacts, a geometric series", ""),
+    (
+        "close_encounter",
+        "the Pythagorean problem to its ejection",
+        "C. Burrau, Astron. Nachr. 195 (1913) 113; V. Szebehely & C. F. Peters, Astron. J. 72 (1967) 876",
+    ),
+    ("saddle", "hyperbolas, by schemes with and without a term", ""),
+    ("duffing", "a phase portrait with steps of a seventh of an orbit", ""),
+    ("energy_exact", "energy over a million steps", ""),
+    ("which_discrete_gradient", "orders of seventeen methods", ""),
+    ("damped_duffing", "the balance of friction", ""),
+    (
+        "damped_oscillator",
+        "rounding at any step, and order 2 of three pieces",
+        "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7",
+    ),
+    (
+        "contact_compared",
+        "schemes for an oscillator with friction",
+        "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
+    ),
+    (
+        "driven_oscillator",
+        "a periodic solution that draws others",
+        "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
+    ),
+    (
+        "perturbed_kepler",
+        "the law of the angular momentum",
+        "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7",
+    ),
+    (
+        "lane_emden",
+        "polytropes with known solutions",
+        "S. Chandrasekhar, *An Introduction to the Study of Stellar Structure* (1939)",
+    ),
+    ("spin_orbit", "sections and a capture", "A. Bravetti et al., Celest. Mech. Dyn. Astr. 132 (2020) 7"),
+    ("van_der_pol", "periods of a stiff oscillator", "M. Zadra, A. Bravetti & M. Seri, Mathematics 9 (2021) 1960"),
+    ("cosmological_oscillator", "a sphere and an axis that are kept", ""),
+    (
+        "quadratic_dissipation",
+        "friction that grows with the action",
+        "M. Vermeeren, A. Bravetti & M. Seri, J. Phys. A 52 (2019) 445206",
+    ),
+    ("contact_thermostat", "1/H = 1/H₀ + k t", "A. Bravetti & D. Tapias, Phys. Rev. E 93 (2016) 022139"),
+    ("gradient_flow", "heights that fall at any step", ""),
+    ("heat_bath", "total energy is kept, entropy grows", "M. Grmela & H. C. Öttinger, Phys. Rev. E 56 (1997) 6620"),
+    ("charged_particle", "the drift by an integral over the angle", ""),
+    ("bottle", "the magnetic moment", ""),
+    (
+        "swinging_spring",
+        "bouncing that turns into swinging, and back",
+        "A. Vitt & G. Gorelik (1933); P. Lynch, Int. J. Nonlin. Mech. 37 (2002) 345",
+    ),
+    ("lotka_volterra", "a closed orbit over a hundred thousand periods", "V. Volterra, Nature 118 (1926) 558"),
+    ("euler_top", "polhodes", ""),
+    (
+        "from_field_to_energy",
+        "the planar fields of chapters 2 to 4",
+        "T. Aung, *Numerical ODE solvers that preserve first integrals*, MSc thesis, Rochester Institute of Technology (2000)",
+    ),
+    (
+        "heavy_top",
+        "four integrals of three tops",
+        "S. Kovalevskaya, Acta Math. 12 (1889) 177; D. N. Goryachev (1900), S. A. Chaplygin (1901)",
+    ),
+    ("tumbling", "the period 4K(k)/λ", ""),
+    ("vortices", "Love's ratio 3 − 2√2", "A. E. H. Love, Proc. London Math. Soc. 25 (1893) 185"),
+    ("epidemic", "the final size", "W. O. Kermack & A. G. McKendrick, Proc. R. Soc. Lond. A 115 (1927) 700"),
+    ("lagrangian", "a double pendulum", ""),
+    ("rotating_hoop", "cos q = g/(rΩ²)", ""),
+    ("four_bar", "the curve of a coupler", ""),
+    ("brachistochrone", "a cycloid", "Joh. Bernoulli, Acta Eruditorum (1697)"),
+    ("relativistic", "periods by a quadrature", ""),
+    ("acrobot", "energy that RK4 loses in steps of 0.2 s", "the acrobot of Gymnasium"),
+    ("robot_arm", "the balance of energy of six links", ""),
+    ("herglotz", "orders of contact methods", "G. Herglotz (1930)"),
+    ("degenerate", "a Lagrangian that is linear in velocities; a guiding centre", ""),
+];
+
+/// The table of examples, of which each is to have a row.
+pub(crate) fn section(page: &mut Page) {
+    page.section(
+        2,
+        "Examples",
+        "Every example fails unless what it prints as claims holds; the numbers are those of the claims in its source. `.ci/examples` runs all of \
+         them, and compares the figures.",
+    );
+    let figures: Vec<String> = fs::read_dir(sources::root().join("examples/figures"))
+        .map(|folder| folder.flatten().map(|file| file.file_name().to_string_lossy().into_owned()).collect())
+        .unwrap_or_default();
+    let programs = sources::below("examples/src/bin");
+    let name =
+        |path: &str| path.rsplit('/').next().map(|file| file.trim_end_matches(".rs").to_owned()).unwrap_or_default();
+    for path in &programs {
+        page.claim(SOURCES.iter().any(|row| row.0 == name(path)), format_args!("{path} has no row"));
+    }
+    let rows = SOURCES.iter().map(|(example, what, source)| {
+        let path = format!("examples/src/bin/{example}.rs");
+        let claims = sources::read(&path).matches("claim(").count();
+        let mut drawn: Vec<_> = figures.iter().filter(|file| belongs(file, example)).collect();
+        drawn.sort();
+        let drawn =
+            drawn.iter().map(|file| format!("[{file}](examples/figures/{file})")).collect::<Vec<_>>().join(", ");
+        let source = if source.is_empty() { "formulas in the program" } else { source };
+        [format!("[`{example}`]({path})"), (*what).into(), source.into(), drawn, claims.to_string()]
+    });
+    let rows: Vec<_> = rows.collect();
+    page.table(["example", "reproduces", "source", "figures", "claims"], rows);
+    for file in figures.iter().filter(|file| !SOURCES.iter().any(|row| belongs(file, row.0))) {
+        page.claim(false, format_args!("the figure {file} belongs to no example"));
+    }
+}
+
+/// Whether a figure is drawn by an example: the longest name of an example with which its own begins.
+fn belongs(file: &str, example: &str) -> bool {
+    let stem = file.trim_end_matches(".svg");
+    let begins = |name: &str| stem.strip_prefix(name).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'));
+    begins(example) && !SOURCES.iter().any(|row| row.0.len() > example.len() && begins(row.0))
+}

@@ -1,0 +1,203 @@
+//! How accurate derivatives and divided differences of each function of the language are, as they are emitted.
+//!
+//! Both are compared with differences in double-double arithmetic, which know nothing of the rules of differentiation.
+
+use crate::page::{Page, short};
+use crate::sources;
+use geoint_runtime::space::{Array, Square};
+use geoint_runtime::system::DiscreteField;
+use geoint_runtime::{Hamiltonian, hamiltonian};
+use geoint_tests::measure::Noise;
+use geoint_tests::scalars::Double;
+
+/// Worst errors in units of the rounding ε, of what rounding the argument by ε changes and of the value itself.
+struct Row {
+    function: &'static str,
+    derivative: f64,
+    slope: f64,
+}
+
+/// What an error may be at most.
+const DERIVATIVE: f64 = 8.0;
+const SLOPE: f64 = 16.0;
+
+/// An energy f(q) + p²/1.4 a line, over a range of q.
+macro_rules! functions {
+    ($q:ident: $($function:ident $System:ident in $low:literal, $high:literal => $body:expr;)*) => {
+        $(
+            #[hamiltonian(name = $System)]
+            fn $function($q: f64, p: f64) -> f64 {
+                p * p / 1.4 + $body
+            }
+        )*
+
+        fn rows() -> Vec<Row> {
+            vec![$(measure(stringify!($function), $System, $low, $high)),*]
+        }
+    };
+}
+
+functions! { q:
+    sin Sin in -3.0, 3.0 => q.sin();
+    cos Cos in -3.0, 3.0 => q.cos();
+    tan Tan in -1.4, 1.4 => q.tan();
+    asin Asin in -0.95, 0.95 => q.asin();
+    acos Acos in -0.95, 0.95 => q.acos();
+    atan Atan in -3.0, 3.0 => q.atan();
+    atan2 Atan2 in 0.1, 3.0 => q.atan2(1.3 - q);
+    sinh Sinh in -3.0, 3.0 => q.sinh();
+    cosh Cosh in -3.0, 3.0 => q.cosh();
+    tanh Tanh in -3.0, 3.0 => q.tanh();
+    asinh Asinh in -3.0, 3.0 => q.asinh();
+    acosh Acosh in 1.1, 4.0 => q.acosh();
+    atanh Atanh in -0.9, 0.9 => q.atanh();
+    exp Exp in -3.0, 3.0 => q.exp();
+    exp2 Exp2 in -3.0, 3.0 => q.exp2();
+    exp_m1 ExpM1 in -3.0, 3.0 => q.exp_m1();
+    ln Ln in 0.1, 4.0 => q.ln();
+    ln_1p Ln1p in -0.9, 4.0 => q.ln_1p();
+    log2 Log2 in 0.1, 4.0 => q.log2();
+    log10 Log10 in 0.1, 4.0 => q.log10();
+    sqrt Sqrt in 0.1, 4.0 => q.sqrt();
+    cbrt Cbrt in 0.1, 4.0 => q.cbrt();
+    hypot Hypot in -3.0, 3.0 => q.hypot(0.8);
+    powi Powi in 0.3, 2.0 => q.powi(5) + q.powi(-3);
+    powf Powf in 0.1, 4.0 => q.powf(1.7);
+    recip Recip in 0.1, 4.0 => q.recip();
+    abs Abs in -2.0, 2.0 => q.abs();
+    min Min in -2.0, 2.0 => (0.7 * q).min(q * q);
+    max Max in -2.0, 2.0 => (0.7 * q).max(q * q);
+    signum Signum in -2.0, 2.0 => q.signum() * q * q;
+    quotient Quotient in -2.0, 2.0 => (1.0 - q) / (1.0 + q * q);
+    branch Branch in -2.0, 2.0 => if q < 0.25 { q * q } else { 0.3 * (1.0 + q).ln() };
+}
+
+fn measure<S>(function: &'static str, system: S, low: f64, high: f64) -> Row
+where
+    S: DiscreteField + Hamiltonian<Coordinates = f64> + Hamiltonian<Double, Coordinates = Double>,
+{
+    assert_eq!(<S as geoint_runtime::system::Collocation>::DERIVATIVE, 2, "{function}: T is quadratic");
+    let value = |q: Double| -> Double {
+        let (q, p) = (phase::<S, Double>(q), phase::<S, Double>(Double::from(0.0)));
+        system.hamiltonian(0.0.into(), &[q, p], &())
+    };
+    let (mut derivative, mut slope) = (0.0_f64, 0.0_f64);
+    let mut noise = Noise::new(5);
+    let mut next = move || noise.next().unwrap_or_default();
+    for _ in 0..400 {
+        let q = 0.5 * (low + high) + 0.49 * (high - low) * next();
+        let exact = first(&value, q);
+        // Within a kink neither side is right.
+        if !is_smooth(&value, q) {
+            continue;
+        }
+        let size = exact.magnitude_of() + q.abs() * second(&value, q);
+        derivative = derivative.max(error(force(&system, q), exact, size));
+        for part in [0.0, 1e-14, 1e-10, 1e-6, 1e-3, 0.1, 0.5, 1.0] {
+            let other = 0.5 * (low + high) + 0.49 * (high - low) * next();
+            let d = part * (other - q);
+            let end = Double::from(q) + Double::from(d);
+            let exact = if d == 0.0 { exact } else { (value(end) - value(Double::from(q))) / Double::from(d) };
+            let far = [q, q + 0.5 * d, q + d].map(|x| x.abs() * second(&value, x)).into_iter().fold(0.0, f64::max);
+            let ends = [q, q + d].map(|x| first(&value, x).magnitude_of()).into_iter().fold(0.0, f64::max);
+            slope = slope.max(error(divided(&system, q, d), exact, exact.magnitude_of().max(ends) + far));
+        }
+    }
+    Row { function, derivative, slope }
+}
+
+/// Of a number of twice the length.
+trait Magnitude {
+    fn magnitude_of(self) -> f64;
+}
+
+impl Magnitude for Double {
+    fn magnitude_of(self) -> f64 {
+        self.value().abs()
+    }
+}
+
+fn phase<S: Hamiltonian<R>, R: geoint_runtime::Real>(x: R) -> S::Array {
+    let mut array = S::Array::zero();
+    array.as_mut_slice()[0] = x;
+    array
+}
+
+fn error(found: f64, exact: Double, size: f64) -> f64 {
+    (Double::from(found) - exact).magnitude_of() / (size * f64::EPSILON)
+}
+
+/// Steps of differences: their error is of order 10⁻²⁵.
+const STEP: f64 = 1e-4;
+
+/// f' by differences of order 8.
+fn first(value: &impl Fn(Double) -> Double, q: f64) -> Double {
+    let at = |k: f64| value(Double::from(q) + Double::from(k * STEP));
+    let weights = [(1.0, (4.0, 5.0)), (2.0, (-1.0, 5.0)), (3.0, (4.0, 105.0)), (4.0, (-1.0, 280.0))];
+    let sum = weights.into_iter().fold(Double::from(0.0), |sum, (k, (above, below))| {
+        sum + Double::from(above) / Double::from(below) * (at(k) - at(-k))
+    });
+    sum / Double::from(STEP)
+}
+
+/// |f''|, to a few digits.
+fn second(value: &impl Fn(Double) -> Double, q: f64) -> f64 {
+    let at = |k: f64| value(Double::from(q) + Double::from(k * STEP));
+    ((at(1.0) - at(0.0) - (at(0.0) - at(-1.0))) / Double::from(STEP * STEP)).magnitude_of()
+}
+
+/// Whether no condition changes sides within the differences: else both sides of the point tell different derivatives.
+fn is_smooth(value: &impl Fn(Double) -> Double, q: f64) -> bool {
+    let near = [-4.0, 4.0].map(|k| first(value, q + k * STEP).value());
+    (near[0] - near[1]).abs() <= 0.1 * (near[0].abs() + near[1].abs() + 1e-2)
+}
+
+/// ∂H/∂q as it is emitted.
+fn force<S: Hamiltonian<Coordinates = f64>>(system: &S, q: f64) -> f64 {
+    let mut slopes = S::Phase::zero();
+    system.gradient(0.0, &[phase::<S, f64>(q), phase::<S, f64>(0.0)], &mut slopes);
+    Array::as_slice(&slopes)[0]
+}
+
+/// The divided difference of H between q and q + d as it is emitted.
+fn divided<S: DiscreteField>(system: &S, q: f64, d: f64) -> f64 {
+    let array = |x: f64| {
+        let mut array = S::Unknown::zero();
+        array.as_mut_slice()[0] = x;
+        array
+    };
+    let parameters = system.parameters(0.1);
+    let start = system.begin(&parameters, 0.0, &array(q));
+    let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+    let rows: &mut Square<S::Unknown> = &mut jacobian;
+    system.slope(&parameters, &start, &array(d), &mut f, rows);
+    -f.as_slice()[0]
+}
+
+/// The table of functions.
+pub(crate) fn section(page: &mut Page) {
+    page.section(
+        2,
+        "Functions of the language",
+        "The derivative f'(q) and the divided difference f[q, q + d] of f(q) + p²/1.4, at 400 points and for increments d from 0 over 10⁻¹⁴ to \
+         the whole range, against differences in double-double arithmetic. Errors are in units of ε = 2.2·10⁻¹⁶, relative to the value and to \
+         what a rounding of q makes of it.",
+    );
+    let rows = rows();
+    for Row { function, derivative, slope } in &rows {
+        page.claim(*derivative <= DERIVATIVE, format_args!("{function}: the derivative is off by {derivative:.1} ε"));
+        page.claim(*slope <= SLOPE, format_args!("{function}: the divided difference is off by {slope:.1} ε"));
+    }
+    // Functions that users may write have a formula in the table of the compiler; helpers have none.
+    let table = sources::read("geoint-macros/src/ir/op.rs");
+    let written = table.lines().filter(|line| {
+        line.starts_with("    ") && line.ends_with(");") && line.contains(", x.") || line.contains(", y.")
+    });
+    for name in written.filter_map(|line| line.split_whitespace().nth(1)?.split('(').next()) {
+        page.claim(rows.iter().any(|row| row.function == name), format_args!("the function {name} has no row"));
+    }
+    page.table(
+        ["function", "derivative, ε", "divided difference, ε"],
+        rows.iter().map(|row| [format!("`{}`", row.function), short(row.derivative), short(row.slope)]),
+    );
+}

@@ -1,0 +1,76 @@
+//! Which list of the catalogue is measured on which scenes, over which time, with which step for what is kept.
+
+use crate::methods::{Forms, List, Orders, Runs};
+use geoint_runtime::method::catalogue;
+use geoint_tests::problems::*;
+use geoint_tests::scene::Scene;
+use geoint_tests::scenes::*;
+use std::marker::PhantomData;
+
+macro_rules! lists {
+    ($($list:ident, $about:literal: $First:ident over $first:literal by $h:literal, $Second:ident over $second:literal;)*) => {
+        /// All lists, measured.
+        pub(crate) fn all() -> Vec<List> {
+            vec![$( {
+                let mut list = List::new(stringify!($list), $about, [<$First as Scene>::NAME, <$Second as Scene>::NAME]);
+                catalogue::$list(&mut Orders::<$First>::over(&mut list, $first));
+                catalogue::$list(&mut Orders::<$Second>::over(&mut list, $second));
+                catalogue::$list(&mut Forms::<$First> { list: &mut list, h: $h, scene: PhantomData });
+                catalogue::$list(&mut Runs::<$First> { list: &mut list, h: $h, scene: PhantomData });
+                eprintln!("{}: {}", stringify!($list), list.rows.len());
+                list
+            } ),*]
+        }
+    };
+}
+
+lists! {
+    general, "Every H(q, p, t).":
+        HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
+    separable, "T(p, t) + V(q, t), and T(p) + g(t)s + V(q) of contact systems.":
+        HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
+    quadratic_kinetic, "Quadratic T with a constant mass matrix.":
+        HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
+    force_gradient, "The same, with force gradients.":
+        HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
+    perturbed, "H = A + B, an exact flow and a kick.":
+        HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
+    perturbed_gradient, "The same, where [B, [A, B]] is a kick, or [B, [B, [B, A]]] = 0.":
+        HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
+    processed, "Those of them with a processor.":
+        HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
+    principal_axes, "Rigid bodies in their principal axes.":
+        Heavies over 2.3 by 0.1, Pulls over 2.3;
+    discrete_gradient, "Every H whose divided differences are known.":
+        HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
+    mean_gradients, "The same, where nothing damps.":
+        HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
+    itoh_abe, "One coordinate after the other, and back.":
+        HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
+    itoh_abe_one_way, "The same one way.":
+        DoublePendulum over 1.3 by 0.1, Relativistic over 1.3;
+    coordinate_increment, "Along one direction, which needs one degree of freedom.":
+        Shears over 2.3 by 0.1, SwingingMass over 3.9;
+    projected, "Steps that are projected onto the energy.":
+        HenonHeiles over 6.1 by 0.2, DoublePendulum over 1.3;
+    relaxed, "Steps that are scaled to keep the energy.":
+        HenonHeiles over 6.1 by 0.2, Relativistic over 1.3;
+    cubic, "H of degree 3.":
+        HenonHeiles over 6.1 by 0.2, OfDegreeThree over 3.1;
+    coupled, "Coupled q and p, in pieces with flows in closed form.":
+        Shears over 2.3 by 0.1, Pulsating over 1.5;
+    nystrom_pieces, "Two pieces with {B, {B, {B, A}}} = 0.":
+        Sheet over 1.5 by 0.1, Ridge over 1.5;
+    constrained, "Constraints.":
+        Spheres over 1.7 by 0.05, Ellipses over 0.9;
+    pieces, "Contact systems in pieces with flows in closed form.":
+        Charges over 2.3 by 0.0625, Tangles over 2.3;
+    mechanical, "Contact systems T(p) + g(t)s + V(q).":
+        Relativists over 2.3 by 0.0625, Quartics over 2.3;
+    contact, "Every contact system.":
+        Charges over 2.3 by 0.0625, Tangles over 2.3;
+    poisson, "x' = S(x) ∇H, in terms with flows in closed form.":
+        Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
+    planar, "Fields that have planar parts.":
+        Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
+}

@@ -1,0 +1,250 @@
+//! What methods claim, and what is measured of each.
+
+use crate::lists;
+use crate::page::{Page, short};
+use crate::sources;
+use geoint_runtime::method::{Refusal, Visitor};
+use geoint_runtime::{Claims, Method};
+use geoint_tests::bare::Bare;
+use geoint_tests::counting::allocations_during;
+use geoint_tests::measure::{Observed, error, form_defect, observed, solutions, symmetry_defect};
+use geoint_tests::scalars::{Double, Dual};
+use geoint_tests::scene::Scene;
+use std::hint::black_box;
+use std::marker::PhantomData;
+
+/// How far an observed order may be from the claim.
+const TOLERANCE: f64 = 0.15;
+/// From this order on errors reach the rounding of tables before the leading term is alone, and may fall faster than it, or by so much less.
+const HIGH: u32 = 8;
+const ROUNDED: f64 = 0.75;
+/// What a property that is claimed may be off by, and one that is not must be off by, of a method of order 2 at most.
+const SYMMETRIC: f64 = 1e-13;
+const FORM: f64 = 1e-12;
+const ENERGY: f64 = 2e-12;
+const SEEN: f64 = 1e-9;
+/// Steps over which the energy is followed.
+const STEPS: u64 = 2000;
+
+/// A list of the catalogue, on two scenes.
+pub(crate) struct List {
+    pub(crate) name: &'static str,
+    pub(crate) about: &'static str,
+    pub(crate) scenes: [&'static str; 2],
+    pub(crate) rows: Vec<Row>,
+}
+
+/// A method.
+pub(crate) struct Row {
+    name: String,
+    claims: Claims,
+    /// For each scene, with the constant of the leading term.
+    orders: Vec<(Observed, f64)>,
+    symmetry: Result<f64, Refusal>,
+    form: Result<f64, Refusal>,
+    energy: Result<f64, Refusal>,
+    evaluations: f64,
+    allocations: u64,
+}
+
+impl List {
+    pub(crate) fn new(name: &'static str, about: &'static str, scenes: [&'static str; 2]) -> Self {
+        List { name, about, scenes, rows: vec![] }
+    }
+
+    fn row(&mut self, name: String, claims: Claims) -> &mut Row {
+        let place = self.rows.iter().position(|row| row.name == name).unwrap_or_else(|| {
+            let (symmetry, form, energy) = (Ok(f64::NAN), Ok(f64::NAN), Ok(f64::NAN));
+            let row =
+                Row { name, claims, orders: vec![], symmetry, form, energy, evaluations: f64::NAN, allocations: 0 };
+            self.rows.push(row);
+            self.rows.len() - 1
+        });
+        &mut self.rows[place]
+    }
+}
+
+/// Observes orders.
+pub(crate) struct Orders<'a, P> {
+    list: &'a mut List,
+    duration: f64,
+    solutions: Vec<Vec<Double>>,
+    scene: PhantomData<P>,
+}
+
+impl<'a, P: Scene> Orders<'a, P> {
+    pub(crate) fn over(list: &'a mut List, duration: f64) -> Self {
+        Orders { list, duration, solutions: solutions::<P>(duration, 16), scene: PhantomData }
+    }
+}
+
+impl<P: Scene> Visitor<P::Over<Double>, Double> for Orders<'_, P> {
+    fn visit<M: Method<P::Over<Double>, Double> + 'static>(&mut self, method: M) {
+        let claims = method.claims();
+        // A long step may fail; the order is about short ones.
+        let of = |n| error::<P, M>(method, self.duration, n, &self.solutions).unwrap_or(f64::INFINITY);
+        let observed = observed(of);
+        let constant = observed.constant(self.duration, claims.order);
+        self.list.row(method.name().to_string(), claims).orders.push((observed, constant));
+    }
+}
+
+/// Measures what maps keep, by derivatives of steps.
+pub(crate) struct Forms<'a, P> {
+    pub(crate) list: &'a mut List,
+    pub(crate) h: f64,
+    pub(crate) scene: PhantomData<P>,
+}
+
+impl<P: Scene> Visitor<P::Over<Dual>, Dual> for Forms<'_, P> {
+    fn visit<M: Method<P::Over<Dual>, Dual> + 'static>(&mut self, method: M) {
+        let form = form_defect::<P, M>(method, self.h, 3);
+        self.list.row(method.name().to_string(), method.claims()).form = form;
+    }
+}
+
+/// Runs in the scalar of users.
+pub(crate) struct Runs<'a, P> {
+    pub(crate) list: &'a mut List,
+    pub(crate) h: f64,
+    pub(crate) scene: PhantomData<P>,
+}
+
+impl<P: Scene> Visitor<P::Over<f64>> for Runs<'_, P> {
+    fn visit<M: Method<P::Over<f64>> + 'static>(&mut self, method: M) {
+        let h = self.h;
+        let row = self.list.row(method.name().to_string(), method.claims());
+        row.symmetry = symmetry_defect::<P, M>(method, h, 3);
+        row.energy = energy_error::<P, M>(method, h);
+        let (t, x) = P::start();
+        let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
+        row.allocations = allocations_during(|| black_box(sim.advance(100)).map_or((), drop));
+        row.evaluations = sim.evaluations() as f64 / 100.0;
+    }
+}
+
+/// The largest error of the energy, relative to what it was.
+fn energy_error<P: Scene, M: Method<P::Over<f64>>>(method: M, h: f64) -> Result<f64, Refusal> {
+    let (t, x) = P::start();
+    let mut sim = Bare::<P, M, f64>::new(method, h, t, &x);
+    let energy = sim.energy();
+    let mut largest = 0.0_f64;
+    for _ in 0..STEPS {
+        sim.step()?;
+        let off = (sim.energy() - P::energy_after(sim.time() - t, energy)).abs() / energy.abs();
+        // Not `max`: that would lose a NaN.
+        largest = if off > largest || off.is_nan() { off } else { largest };
+    }
+    Ok(largest)
+}
+
+impl Row {
+    /// What does not hold of it.
+    fn failures(&self) -> Vec<String> {
+        let Claims { order, symmetric, symplectic, conserves_energy, .. } = self.claims;
+        let mut failures = vec![];
+        for (Observed { order: seen, .. }, _) in &self.orders {
+            let excess = seen - f64::from(order);
+            let good = if order < HIGH { excess.abs() <= TOLERANCE } else { excess.is_nan() || excess >= -ROUNDED };
+            if !good {
+                failures.push(format!("order {order} is claimed, {seen:.3} is observed"));
+            }
+        }
+        let mut property = |what: &str, claimed: bool, defect: &Result<f64, Refusal>, bound: f64| {
+            let control = !claimed && order <= 2;
+            let off =
+                defect.as_ref().map_or(f64::INFINITY, |defect| if defect.is_nan() { f64::INFINITY } else { *defect });
+            if !(claimed && off <= bound || control && off > SEEN || !claimed && !control) {
+                failures.push(format!("{what}: {claimed} is claimed, it is off by {off:.1e}"));
+            }
+        };
+        property("symmetric", symmetric, &self.symmetry, SYMMETRIC);
+        property("keeps the form", symplectic, &self.form, FORM);
+        property("keeps the energy", conserves_energy, &self.energy, ENERGY);
+        if self.allocations > 0 {
+            failures.push(format!("{} allocations", self.allocations));
+        }
+        failures
+    }
+
+    fn cells(&self) -> [String; 8] {
+        let Claims { order, symmetric, symplectic, conserves_energy, forces, .. } = self.claims;
+        let join = |of: &dyn Fn(&(Observed, f64)) -> String| self.orders.iter().map(of).collect::<Vec<_>>().join(", ");
+        let property = |claimed: bool, defect: &Result<f64, Refusal>| {
+            let claimed = if claimed { "yes" } else { "no" };
+            defect.as_ref().map_or_else(|error| format!("{claimed}, {error}"), |x| format!("{claimed}, {}", short(*x)))
+        };
+        let evaluations = match forces {
+            Some(forces) => forces.to_string(),
+            None => format!("solved: {}", short(self.evaluations)),
+        };
+        [
+            format!("`{}`", self.name),
+            order.to_string(),
+            join(&|(seen, _)| short(seen.order)),
+            join(&|(_, constant)| short(*constant)),
+            property(symmetric, &self.symmetry),
+            property(symplectic, &self.form),
+            property(conserves_energy, &self.energy),
+            format!("{evaluations}; {}", self.allocations),
+        ]
+    }
+}
+
+/// A table for each list.
+pub(crate) fn section(page: &mut Page) {
+    page.section(
+        2,
+        "Methods",
+        "Each list of the catalogue on two scenes, nonlinear ones with masses other than 1. Orders are observed in double-double arithmetic \
+         against extrapolation to order 24, at the smallest steps whose errors are beyond the rounding of tables; “–” stands where these \
+         reach rounding at once. Constants are the errors at the end divided by the power of the step, for each scene. What follows is measured on the first \
+         scene: by how much three steps forth and back miss the start; by how much the derivative of three steps, from dual numbers, misses the \
+         form (symplectic, contact or Poisson); the largest relative error of the energy, or of the law of its decay, in 2000 steps; the \
+         forces a step costs, or the points at which an equation is evaluated to solve it; allocations in 100 steps.",
+    );
+    let lists = lists::all();
+    for List { name, about, scenes, rows } in &lists {
+        page.section(3, &format!("`catalogue::{name}`"), &format!("{about} On {}.", scenes.join(" and ")));
+        page.table(
+            ["method", "order", "observed", "constants", "symmetric", "form", "energy", "cost; allocations"],
+            rows.iter().map(Row::cells),
+        );
+        for row in rows {
+            for failure in row.failures() {
+                page.claim(false, format_args!("{name}, {}: {failure}", row.name));
+            }
+            page.claim(row.orders.len() == 2, format_args!("{name}, {}: two scenes", row.name));
+        }
+    }
+    complete(page, &lists);
+}
+
+/// Every list of the catalogue is shown, and every name that a method gives itself is among the rows.
+fn complete(page: &mut Page, lists: &[List]) {
+    let catalogue = sources::read("geoint-runtime/src/method/catalogue.rs");
+    let functions = catalogue.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('<'));
+    for (function, _) in functions {
+        // Two lists are made of others.
+        let shown =
+            ["conservative", "autonomous"].contains(&function) || lists.iter().any(|list| list.name == function);
+        page.claim(shown, format_args!("catalogue::{function} has no table"));
+    }
+    let words: Vec<&str> = lists.iter().flat_map(|list| &list.rows).flat_map(|row| row.name.split(" of ")).collect();
+    // Those of tables that users make.
+    let known = |name: &str| words.contains(&name) || ["Splitting", "RungeKutta"].contains(&name);
+    let folder = "geoint-runtime/src/method";
+    for path in sources::below(folder) {
+        let text = sources::read(&path);
+        let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+        let after = |start: &str, end: char| -> Vec<String> {
+            code.split(start).skip(1).filter_map(|rest| Some(rest.split_once(end)?.0.to_owned())).collect()
+        };
+        let tables = if path.starts_with(&format!("{folder}/tables/")) { after("\npub const ", ':') } else { vec![] };
+        let literal =
+            [after("Name::new(\"", '"'), after("Name::new(stringify!(", ')'), after(".named(\"", '"')].concat();
+        for name in tables.into_iter().chain(literal).filter(|name| !name.starts_with('$')) {
+            page.claim(known(&name), format_args!("{name}, of {path}, has no row"));
+        }
+    }
+}

@@ -1,0 +1,225 @@
+//! What `REPORT` says of systems and pieces, and the test behind each sentence.
+
+use crate::page::Page;
+use crate::sources;
+
+/// Words of a sentence as they stand in the source of the report, and the test that fails if it is not true.
+const SENTENCES: &[(&str, &str)] = &[
+    ("kick and drift are exact flows", "tests/accuracy/derivatives.rs::every_problem"),
+    ("H = T({p}) + V({q})", "geoint-macros/src/tests/facts/structures.rs::separable_with_quadratic_t"),
+    (
+        "T is quadratic in {p} with a constant mass matrix",
+        "geoint-macros/src/tests/facts/structures.rs::separable_with_quadratic_t",
+    ),
+    ("T is not quadratic in {p}", "geoint-macros/src/tests/facts/structures.rs::separable_but_not_quadratic"),
+    ("not separable", "geoint-macros/src/tests/facts/structures.rs::coupled_terms_are_named"),
+    ("H is linear in {p}", "tests/contact/systems/lifts.rs::lifts_are_of_the_order_of_the_method"),
+    ("a polynomial", "geoint-macros/src/tests/facts/structures.rs::degrees"),
+    ("T and V have exact flows", "geoint-macros/src/tests/facts/structures.rs::separable_with_quadratic_t"),
+    ("half of the unknowns of implicit methods", "tests/accuracy/derivatives.rs::every_problem"),
+    ("prepared once", "geoint-macros/src/tests/schedules.rs::what_is_known_earlier_is_computed_earlier"),
+    ("they need a quadratic T", "tests/accuracy/orders.rs::nystrom_tables_lose_their_order_elsewhere"),
+    ("Conserved by the flow", "geoint-macros/src/tests/facts/momenta.rs::linear_momenta_and_norms"),
+    ("does not read", "geoint-macros/src/tests/facts/structures.rs::coordinates_that_are_not_read_and_time"),
+    ("all of that, to rounding", "tests/builds/conservation.rs::discrete_gradient_keeps_energy_and_angular_momentum"),
+    ("`FourthOrder(DiscreteGradient)` keep", "tests/builds/conservation.rs::steps_of_order_4_keep_momenta"),
+    ("is exact: ", "tests/accuracy/mean_value.rs::energy_is_kept_where_the_mean_is_exact"),
+    (
+        "the equation is linear, its matrix inverted once",
+        "tests/stability/damping.rs::linear_systems_are_solved_at_once",
+    ),
+    ("in the order of half a step", "tests/pieces/flows.rs::one_degree_of_freedom"),
+    ("`BlanesMoanSrkn14a.of(PieceSplitting)`", "tests/pieces/methods.rs::methods_have_their_orders"),
+    ("A + B, an exact flow and a kick", "tests/accuracy/perturbed.rs::tables_have_the_order_of_h_that_they_claim"),
+    ("a step of order 2", "tests/planets/errors.rs::compositions_have_their_order"),
+    (
+        "with force gradients keep their order",
+        "tests/accuracy/perturbed.rs::tables_have_the_order_of_h_that_they_claim",
+    ),
+    // Bodies.
+    ("H = T({m}) + V({r})", "tests/accuracy/bodies.rs::a_drift_is_the_flow_of_a_free_body"),
+    ("T is quadratic in {m}", "tests/accuracy/bodies.rs::every_table_of_the_catalogue_has_its_order"),
+    ("a gyrostat", "tests/accuracy/bodies.rs::gyrostats_drift_exactly"),
+    ("the length of {r}", "tests/accuracy/bodies.rs::attitudes_are_normalised_after_the_same_steps"),
+    // Constraints.
+    ("a state starts with g = 0", "tests/constraints/refusals.rs::a_state_off_a_constraint_is_named"),
+    ("momenta as unknowns", "tests/constraints/figures.rs::rattle"),
+    // Contact systems.
+    ("exact in time", "tests/contact/methods.rs::claims_hold"),
+    ("T + g·s + V", "tests/contact/methods.rs::claims_hold"),
+    ("Decaying by the factor", "tests/contact/laws.rs::angular_momentum_decays_with_the_form"),
+    ("momenta are multiplied by one number", "tests/lagrangian/herglotz.rs::dissipated_momenta_decay_alike"),
+    ("multiplies H by what its equation says", "tests/contact/laws.rs::the_law_of_decay"),
+    ("the momenta of a lift are not followed", "tests/contact/systems/lifts.rs::stiff_oscillations_have_their_period"),
+    ("s follows, and friction costs nothing", "tests/contact/implicit.rs::orders"),
+    ("no rule knows the flow", "geoint-macros/src/tests/pieces.rs::terms_without_a_flow"),
+    // Fields and structures.
+    ("no energy has this field", "tests/accuracy/first_integrals/recovered.rs::without_an_energy_the_report_says_why"),
+    (
+        "not proven to be the field of an energy",
+        "tests/accuracy/first_integrals/recovered.rs::without_an_energy_the_report_says_why",
+    ),
+    ("canonical, ", "tests/accuracy/first_integrals/recovered.rs::what_is_recovered_is_kept"),
+    ("f = J ∇H/μ", "tests/accuracy/first_integrals/recovered.rs::what_is_recovered_is_kept"),
+    ("skew S", "tests/accuracy/first_integrals/splittings.rs::fields_by_planes"),
+    ("a Poisson structure", "tests/accuracy/first_integrals/splittings.rs::claims"),
+    ("kept, a Casimir", "tests/accuracy/first_integrals/splittings.rs::tops_by_terms"),
+    ("kept, found", "tests/accuracy/first_integrals/mod.rs::what_is_found_is_reported"),
+    ("kept, the energy of the field", "tests/accuracy/first_integrals/recovered.rs::what_is_recovered_is_kept"),
+    ("kept, because S is skew", "tests/accuracy/first_integrals/mod.rs::euler_top"),
+    ("constant as well, not listed", "tests/accuracy/first_integrals/mod.rs::what_is_found_is_reported"),
+    (
+        "`DiscreteGradient` and `FourthOrder` keep {names}",
+        "geoint-macros/src/tests/integrals.rs::steps_keep_every_integral_to_rounding",
+    ),
+    ("takes h ∇̄H·C ∇̄H off the energy", "tests/stability/damping.rs::energy_falls_by_what_is_dissipated"),
+    ("keeps the energy to rounding, and every C", "tests/accuracy/first_integrals/mod.rs::euler_top"),
+    ("Casimirs are kept to rounding", "tests/accuracy/first_integrals/splittings.rs::tops_by_terms"),
+    (
+        "the energy is kept to rounding, Casimirs",
+        "tests/accuracy/first_integrals/splittings.rs::more_than_three_coordinates_by_planes",
+    ),
+    ("no structure is kept", "tests/accuracy/first_integrals/splittings.rs::claims"),
+    (
+        "Jacobi's multiplier",
+        "geoint-macros/src/tests/facts/identity/search.rs::multipliers_of_jacobi_are_products_of_powers",
+    ),
+    // Lagrangians.
+    ("L is linear in the velocities", "tests/lagrangian/degenerate.rs::velocities_are_those_of_lagranges_equations"),
+    ("no canonical coordinates", "tests/lagrangian/degenerate.rs::reports_say_what_was_found"),
+    ("canonical coordinates: ", "tests/lagrangian/degenerate.rs::collocation_is_symplectic"),
+    ("are those of canonical coordinates: symplectic", "tests/lagrangian/degenerate.rs::collocation_is_symplectic"),
+    ("the mass matrix is negative definite", "tests/lagrangian/herglotz.rs::reports_say_what_is_unusual"),
+    ("decay by one factor", "tests/lagrangian/herglotz.rs::dissipated_momenta_decay_alike"),
+    ("neither quadratic nor of a known conjugate", "tests/lagrangian/velocities.rs::other_powers_of_velocities"),
+    ("L is quadratic, with a mass matrix", "geoint-macros/src/tests/lagrangians.rs::energies_belong_to_lagrangians"),
+    ("linear in {}", "geoint-macros/src/tests/lagrangians.rs::energies_belong_to_lagrangians"),
+    ("not T + V", "tests/lagrangian/laws.rs::the_energy_of_a_moving_frame_is_not_mechanical"),
+    ("there is no discrete gradient", "tests/lagrangian/velocities.rs::other_powers_of_velocities"),
+    // Damping and forces.
+    (
+        "damping that is not positive semidefinite",
+        "tests/stability/damping.rs::parameters_that_feed_energy_are_refused",
+    ),
+    ("falls by exactly h ∇̄H·C ∇̄H", "tests/stability/damping.rs::energy_falls_by_what_is_dissipated"),
+    ("they add exactly h times that", "tests/lagrangian/forces.rs::forces_are_for_energies_too"),
+    ("friction would feed energy is refused", "tests/lagrangian/forces.rs::friction_that_feeds_is_refused"),
+    ("the discrete gradient keeps the whole energy", "tests/lagrangian/forces.rs::reports_say_what_forces_do"),
+];
+
+/// A sentence with one of these words claims something.
+const WORDS: [&str; 24] = [
+    "keep",
+    "kept",
+    "exact",
+    "symplectic",
+    "rounding",
+    "order",
+    "constant",
+    "Poisson",
+    "skew",
+    "refuse",
+    "follow",
+    "quadratic",
+    "polynomial",
+    "canonical",
+    "linear",
+    "definite",
+    "couple",
+    "Conserved",
+    "Decaying",
+    "decay",
+    "falls",
+    "multipl",
+    "no energy",
+    "no rule",
+];
+
+/// Families of pieces, and the tests that compare their flows with differential equations.
+const FLOWS: [&str; 2] = ["tests/contact/flows.rs", "tests/pieces/flows.rs"];
+
+/// Sentences, and families of flows.
+pub(crate) fn section(page: &mut Page) {
+    page.section(
+        2,
+        "Reports",
+        "Sentences of `REPORT` that claim something of a system, and a test that fails where one is not true.",
+    );
+    page.table(["sentence", "test"], SENTENCES.iter().map(|(words, test)| [shown(words), format!("`{test}`")]));
+    for (_, test) in SENTENCES {
+        page.claim(sources::is_test(test), format_args!("{test} is no test"));
+    }
+    let mut files = sources::below("geoint-macros/src/emit/report");
+    files.push("geoint-macros/src/emit/damping.rs".into());
+    let texts: Vec<(String, String)> = files.into_iter().map(|path| (sources::read(&path), path)).collect();
+    for (words, _) in SENTENCES {
+        page.claim(texts.iter().any(|(text, _)| text.contains(words)), format_args!("no report says “{words}”"));
+    }
+    for (text, path) in &texts {
+        for said in literals(text).into_iter().filter(|said| WORDS.iter().any(|word| said.contains(word))) {
+            // Names and single words are put into sentences.
+            let sentence = said.split_whitespace().count() > 2;
+            let proven = SENTENCES.iter().any(|(words, _)| said.contains(words));
+            page.claim(!sentence || proven, format_args!("“{said}”, of {path}, has no test"));
+        }
+    }
+    flows(page);
+}
+
+fn flows(page: &mut Page) {
+    page.section(
+        3,
+        "Families of flows in closed form",
+        "Each against its differential equation, solved to twenty digits, in units of its condition: instances in the tests of contact systems \
+         and of canonical energies.",
+    );
+    let families = sources::read("geoint-macros/src/split/families/mod.rs");
+    let tests = FLOWS.map(sources::read);
+    let mut rows = vec![];
+    for family in families.split("name: \"").skip(1) {
+        let field = |name: &str| {
+            let text = family.split_once(&format!("{name}: "))?.1;
+            Some(
+                text.strip_prefix('"')
+                    .map_or_else(|| "as there".into(), |text| text.split('"').next().unwrap_or_default().to_owned()),
+            )
+        };
+        let name = family.split('"').next().unwrap_or_default();
+        let instances = tests.each_ref().map(|test| test.matches(&format!("\"{name}\"")).count());
+        page.claim(instances.iter().sum::<usize>() > 0, format_args!("no flow of “{name}” is tested"));
+        let energies = field("energies").unwrap_or_default();
+        rows.push([name.to_owned(), format!("`{energies}`"), instances[0].to_string(), instances[1].to_string()]);
+    }
+    page.table(["family", "energies", "contact", "canonical"], rows);
+}
+
+/// All texts between quotes in a source, without its tests.
+fn literals(source: &str) -> Vec<String> {
+    let code = source.split("#[cfg(test)]").next().unwrap_or_default();
+    let mut found = vec![];
+    // A text may go on in the next line.
+    let joined = code.lines().map(str::trim_start).fold(String::new(), |text, line| match text.strip_suffix('\\') {
+        Some(before) => format!("{before}{line}"),
+        None if line.starts_with("//") => text,
+        None => format!("{text}\n{line}"),
+    });
+    let mut rest = joined.as_str();
+    while let Some((_, after)) = rest.split_once('"') {
+        let Some((text, after)) = after.split_once('"') else { break };
+        found.push(text.to_owned());
+        rest = after;
+    }
+    found
+}
+
+/// Words with what is put into them left out.
+fn shown(words: &str) -> String {
+    let mut text = String::new();
+    let mut rest = words.trim();
+    while let Some((before, after)) = rest.split_once('{') {
+        text += before;
+        text += "…";
+        rest = after.split_once('}').map_or("", |after| after.1);
+    }
+    text + rest
+}

@@ -1,0 +1,179 @@
+//! Runs that are saved and go on elsewhere: the same bits as those that were never interrupted, by every method of the lists.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::running::{ResumeError, Saved};
+use geoint_runtime::space::Summation;
+use geoint_runtime::system::StateOf;
+use geoint_runtime::{Method, PhaseSpace};
+use geoint_tests::methods::Visitor;
+use geoint_tests::problems::*;
+use geoint_tests::scene::{Scene, point};
+use geoint_tests::scenes::*;
+use std::marker::PhantomData;
+
+/// By way of a text, as a program would write it to a file.
+fn written(saved: &Saved) -> Saved {
+    let text = serde_json::to_string(saved).expect("numbers and a name");
+    let read = serde_json::from_str(&text).expect("what was written");
+    assert_eq!(*saved, read);
+    read
+}
+
+fn bits<T: geoint_runtime::space::Snapshot<Real = f64>>(state: &T) -> Vec<u64> {
+    flat(state).iter().chain([&state.time()]).map(|x| x.to_bits()).collect()
+}
+
+/// Saves a run in its middle, and follows both; the other one has begun elsewhere, with another step.
+fn goes_on<S, M, C>(name: &str, mut sim: Integrator<S, M, f64, C>, mut other: Integrator<S, M, f64, C>)
+where
+    S: PhaseSpace,
+    M: Method<S>,
+    C: Summation<S::Phase>,
+{
+    sim.advance(13).and_then(|()| sim.step()).unwrap_or_else(|error| panic!("{name}: {error}"));
+    other.resume(&written(&sim.saved())).unwrap_or_else(|error| panic!("{name}: {error}"));
+    assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()), "{name}");
+    for _ in 0..3 {
+        (sim.step().expect("a step"), other.step().expect("a step"));
+        assert_eq!(bits(&sim.state()), bits(&other.state()), "{name}: a step");
+    }
+    (sim.advance(20).expect("steps"), other.advance(20).expect("steps"));
+    assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()), "{name}: steps");
+    assert_eq!(sim.saved(), other.saved(), "{name}");
+}
+
+/// Every method of a list on a scene.
+struct GoOn<P> {
+    h: f64,
+    scene: PhantomData<P>,
+}
+
+impl<P: Scene> Visitor<P::Over<f64>> for GoOn<P> {
+    fn visit<M: Method<P::Over<f64>> + 'static>(&mut self, method: M) {
+        let (t, x) = P::start();
+        let run = |t: f64, h: f64| Integrator::new(P::over::<f64>(), method, h, point(t, &x));
+        let name = format!("{}, {}", P::NAME, method.name());
+        goes_on(&name, run(t, self.h), run(t + 1.0, 0.7 * self.h));
+        goes_on(&name, run(t, self.h).compensated(), run(t, -self.h).compensated());
+    }
+}
+
+every_method!(GoOn);
+
+/// Three angles of an arm, solved for their velocities.
+#[lagrangian]
+fn arm(q: [f64; 3], v: [f64; 3], m: f64) -> f64 {
+    let coupled = v[0] * v[1] * (q[0] - q[1]).cos() + v[1] * v[2] * (q[1] - q[2]).cos();
+    m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + coupled) + q[0].cos() + q[2].cos()
+}
+
+#[test]
+fn velocities() {
+    let system = Arm { m: 0.7 };
+    let [here, there] = [system.at([0.3, -0.2, 0.5], [0.1, 0.0, -0.4]), system.at([0.1, 0.4, 0.2], [0.0, 0.3, 0.0])];
+    macro_rules! check {
+        ($($method:expr),*) => { $(
+            goes_on(stringify!($method), system.integrator($method, 0.05, here), system.integrator($method, 0.03, there));
+        )* };
+    }
+    check!(ImplicitMidpoint, Gauss::<3>, DiscreteGradient, Suzuki4.of(DiscreteGradient));
+}
+
+#[test]
+fn without_an_action() {
+    let (t, x) = Charges::start();
+    let run = |h: f64| Charges::over::<f64>().integrator(ContactSplitting, h, point(t, &x)).without_action();
+    let (mut sim, mut other) = (run(0.05), run(0.07));
+    sim.advance(10).expect("steps");
+    other.resume(&written(&sim.saved())).expect("the same kind");
+    (sim.advance(10).expect("steps"), other.advance(10).expect("steps"));
+    assert_eq!(bits(&sim.state())[..4], bits(&other.state())[..4]);
+}
+
+#[test]
+fn single_precision() {
+    let run = |h: f32| ShortPendulum { m: 1.3, l: 0.7, g: 9.81 }.integrator(DiscreteGradient, h, State::new(0.8, 0.1));
+    let (mut sim, mut other) = (run(0.05), run(0.02));
+    sim.advance(30).expect("steps");
+    other.resume(&written(&sim.saved())).expect("the same kind");
+    (sim.advance(30).expect("steps"), other.advance(30).expect("steps"));
+    assert_eq!(sim.state(), other.state());
+    let long = Pendulum::system::<f64>().integrator(DiscreteGradient, 0.05, State::new(0.8, 0.1));
+    assert_eq!(run(0.02).resume(&long.saved()), Err(ResumeError::Scalar(64)));
+}
+
+#[test]
+fn steps_that_adapt() {
+    fn check<M: Method<DoublePendulum>>(method: M) {
+        let run =
+            |tolerance: f64| DoublePendulum::system::<f64>().adaptive(method, tolerance, DoublePendulum::initial(0.2));
+        let (mut sim, mut other) = (run(1e-8), run(1e-8));
+        other.advance_to(1.0).expect("steps");
+        sim.advance_to(3.0).expect("steps");
+        other.resume(&written(&sim.saved())).expect("the same kind");
+        (sim.advance_to(5.0).expect("steps"), other.advance_to(5.0).expect("steps"));
+        assert_eq!(bits(&sim.state()), bits(&other.state()), "{}", method.name());
+        assert_eq!((sim.steps(), sim.rejections()), (other.steps(), other.rejections()));
+        assert_eq!(sim.saved(), other.saved());
+    }
+    check(DOP853);
+    check(DiscreteGradient);
+    check(Gauss::<3>);
+    check(Projection(RK4, Energy));
+}
+
+#[test]
+fn taylor_series() {
+    let run = || DoublePendulum::system::<f64>().taylor(Taylor::default(), DoublePendulum::initial(0.2));
+    let (mut sim, mut other) = (run(), run());
+    sim.advance(17).expect("steps");
+    other.resume(&written(&sim.saved())).expect("the same kind");
+    (sim.advance(17).expect("steps"), other.advance(17).expect("steps"));
+    assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()));
+}
+
+/// What does not belong to a run changes nothing, whatever it is.
+#[test]
+fn what_is_of_another_run_is_refused() {
+    let start: StateOf<Pendulum, f64> = State::new(0.8, 0.1);
+    let mut sim = Pendulum::system::<f64>().integrator(DiscreteGradient, 0.05, start);
+    sim.advance(20).expect("steps");
+    let good = sim.saved();
+    let position = sim.state().q.to_bits();
+    let mut refuses = |bad: Saved, expected: fn(&ResumeError) -> bool| {
+        let error = sim.resume(&bad).expect_err("another kind");
+        assert!(expected(&error) && !error.to_string().is_empty(), "{error:?}");
+        assert_eq!(sim.saved(), good);
+    };
+    refuses(Saved { format: 7, ..good.clone() }, |error| *error == ResumeError::Format(7));
+    refuses(Saved { method: "RK4".into(), ..good.clone() }, |error| matches!(error, ResumeError::Method(_)));
+    let other = HenonHeiles::system::<f64>().integrator(DiscreteGradient, 0.05, HenonHeiles::initial(0.0)).saved();
+    refuses(other, |error| matches!(error, ResumeError::Words { .. }));
+    for n in 0..good.words.len() {
+        let words = good.words[..n].to_vec();
+        refuses(Saved { words, ..good.clone() }, |error| matches!(error, ResumeError::Words { .. }));
+    }
+    let place = good.words.iter().position(|word| *word == position).expect("a word is the position");
+    let mut words = good.words.clone();
+    words[place] = f64::NAN.to_bits();
+    refuses(Saved { words, ..good.clone() }, |error| *error == ResumeError::NonFinite);
+}
+
+/// Words that are anything lead to an error or to a run, of which a step is an error or finite: nothing panics.
+#[test]
+fn words_that_are_anything() {
+    let mut sim = Pendulum::system::<f64>().integrator(DiscreteGradient, 0.05, Pendulum::initial(0.0));
+    sim.advance(20).expect("steps");
+    let good = sim.saved();
+    let odd = [0, 1, u64::MAX, u64::MAX / 2, f64::NAN.to_bits(), f64::INFINITY.to_bits(), f64::MAX.to_bits(), 1 << 63];
+    for place in 0..good.words.len() {
+        for word in odd {
+            let mut words = good.words.clone();
+            words[place] = word;
+            let mut other = Pendulum::system::<f64>().integrator(DiscreteGradient, 0.01, Pendulum::initial(0.0));
+            if other.resume(&Saved { words, ..good.clone() }).is_ok() && other.step().is_ok() {
+                assert!(other.state().q.is_finite() && other.state().p.is_finite(), "word {place} is {word:x}");
+            }
+        }
+    }
+}
