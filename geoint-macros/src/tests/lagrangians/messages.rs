@@ -103,3 +103,17 @@ fn singular_mass_matrices_name_a_motion() {
     let message = message(quote!(), one_mass);
     assert!(message.contains("a motion with `v[0]` = -cos(q[0]), `v[1]` = 1 has no inertia"), "{message}");
 }
+
+/// A mass that depends on the direction of motion has no formula for H; steps are solved for velocities.
+#[test]
+fn branches_on_velocities_are_solved_for() {
+    let ratchet = quote!(
+        fn f(q: f64, v: f64, m: f64) -> f64 {
+            (if v > 0.0 { m * v * v } else { 2.0 * m * v * v }) - q * q
+        }
+    );
+    let expanded = expand::expand(Form::Lagrangian, quote!(), ratchet.clone()).to_string();
+    assert!(!expanded.contains("compile_error"), "{expanded}");
+    assert!(expanded.contains("type Stages = ByVelocities"), "{expanded}");
+    assert!(message(quote!(require(separable)), ratchet).contains("kick and drift do not exist"));
+}
