@@ -16,6 +16,7 @@ mod missing;
 mod poles;
 pub(crate) mod report;
 mod straight_line;
+mod calls;
 mod system;
 
 use crate::derive::{Bodies, Implicit, System};

@@ -36,7 +36,7 @@ pub(crate) fn routine(
     tokens
 }
 
-struct Writer<'a> {
+pub(super) struct Writer<'a> {
     input: &'a dyn Fn(Symbol) -> TokenStream,
     /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
     names: HashMap<Operand, Ident>,
@@ -93,99 +93,9 @@ impl Writer<'_> {
                 self.punct("=");
                 self.method("sin_cos", x, &[]);
             }
-            Statement::Kepler(registers, orbits) => {
-                // A row holds one number of each orbit.
-                let results = self.inside(|writer| {
-                    for kind in 0..4 {
-                        let row: Vec<Register> = registers.iter().map(|registers| registers[kind]).collect();
-                        writer.list(Delimiter::Bracket, &row);
-                        writer.punct(",");
-                    }
-                });
-                self.group(Delimiter::Bracket, results);
-                self.punct("=");
-                self.word("slope");
-                self.punct("::");
-                self.word("kepler");
-                let rows = self.inside(|writer| {
-                    for kind in 0..5 {
-                        let row = writer.inside(|writer| {
-                            for orbit in orbits {
-                                writer.operand(&orbit[kind]);
-                                writer.punct(",");
-                            }
-                        });
-                        writer.group(Delimiter::Bracket, row);
-                        writer.punct(",");
-                    }
-                });
-                let rows = self.inside(|writer| writer.group(Delimiter::Bracket, rows));
-                self.group(Delimiter::Parenthesis, rows);
-            }
-            Statement::FlowMatrix(register, size, entries) => {
-                self.register(*register);
-                self.punct("=");
-                self.word("slope");
-                self.punct("::");
-                self.word("flow_matrix");
-                self.punct("::<");
-                self.word("R");
-                self.punct(",");
-                self.literal(*size);
-                self.punct(">");
-                let list = self.inside(|writer| {
-                    for (place, entry) in entries {
-                        let pair = writer.inside(|writer| {
-                            writer.literal(*place);
-                            writer.punct(",");
-                            writer.operand(entry);
-                        });
-                        writer.group(Delimiter::Parenthesis, pair);
-                        writer.punct(",");
-                    }
-                });
-                let list = self.inside(|writer| {
-                    writer.punct("&");
-                    writer.group(Delimiter::Bracket, list);
-                });
-                self.group(Delimiter::Parenthesis, list);
-            }
-            Statement::FlowChange(registers, matrix, x) => {
-                self.list(Delimiter::Bracket, registers);
-                self.punct("=");
-                self.word("slope");
-                self.punct("::");
-                self.word("flow_change");
-                let arguments = self.inside(|writer| {
-                    match matrix {
-                        Operand::Slot(level, first) => {
-                            writer.punct("&");
-                            writer.word(SLOTS[*level]);
-                            let range = writer.inside(|writer| {
-                                writer.literal(*first);
-                                writer.punct("..");
-                                writer.literal(first + x.len().pow(2));
-                            });
-                            writer.group(Delimiter::Bracket, range);
-                        }
-                        _ => {
-                            writer.operand(matrix);
-                            writer.punct(".");
-                            writer.word("as_flattened");
-                            writer.group(Delimiter::Parenthesis, TokenStream::new());
-                        }
-                    }
-                    writer.punct(",");
-                    let x = writer.inside(|writer| {
-                        for x in x {
-                            writer.operand(x);
-                            writer.punct(",");
-                        }
-                    });
-                    writer.group(Delimiter::Bracket, x);
-                });
-                self.group(Delimiter::Parenthesis, arguments);
-            }
+            Statement::Kepler(registers, orbits) => self.kepler(registers, orbits),
+            Statement::FlowMatrix(register, size, entries) => self.flow_matrix(*register, *size, entries),
+            Statement::FlowChange(registers, matrix, x) => self.flow_change(registers, matrix, x),
             Statement::If { registers, condition, first, second } => {
                 self.list(Delimiter::Bracket, registers);
                 self.punct("=");
@@ -286,7 +196,7 @@ impl Writer<'_> {
         self.group(Delimiter::Parenthesis, args);
     }
 
-    fn operand(&mut self, operand: &Operand) {
+    pub(super) fn operand(&mut self, operand: &Operand) {
         match operand {
             Operand::Truth(value) => self.word(if *value { "true" } else { "false" }),
             Operand::Register(register) => self.register(*register),
@@ -360,23 +270,23 @@ impl Writer<'_> {
 
     // ------------------------------------------------------------------------------------------------------ tokens
 
-    fn word(&mut self, word: &'static str) {
+    pub(super) fn word(&mut self, word: &'static str) {
         let ident = self.words.entry(word).or_insert_with(|| Ident::new(word, Span::call_site()));
         self.tokens.push(ident.clone().into());
     }
 
-    fn literal(&mut self, number: usize) {
+    pub(super) fn literal(&mut self, number: usize) {
         self.tokens.push(Literal::usize_unsuffixed(number).into());
     }
 
-    fn register(&mut self, register: Register) {
+    pub(super) fn register(&mut self, register: Register) {
         while self.registers.len() <= register {
             self.registers.push(format_ident!("v{}", self.registers.len(), span = Span::mixed_site()));
         }
         self.tokens.push(self.registers[register].clone().into());
     }
 
-    fn punct(&mut self, punct: &str) {
+    pub(super) fn punct(&mut self, punct: &str) {
         let mut rest = punct.chars().peekable();
         while let Some(c) = rest.next() {
             let spacing = if rest.peek().is_some() { Spacing::Joint } else { Spacing::Alone };
@@ -385,7 +295,7 @@ impl Writer<'_> {
     }
 
     /// `(a, b,)` or `[a, b,]`.
-    fn list(&mut self, delimiter: Delimiter, registers: &[Register]) {
+    pub(super) fn list(&mut self, delimiter: Delimiter, registers: &[Register]) {
         let names = self.inside(|writer| {
             for register in registers {
                 writer.register(*register);
@@ -395,12 +305,12 @@ impl Writer<'_> {
         self.group(delimiter, names);
     }
 
-    fn group(&mut self, delimiter: Delimiter, tokens: TokenStream) {
+    pub(super) fn group(&mut self, delimiter: Delimiter, tokens: TokenStream) {
         self.tokens.push(Group::new(delimiter, tokens).into());
     }
 
     /// What `write` writes, apart from the rest.
-    fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
+    pub(super) fn inside(&mut self, write: impl FnOnce(&mut Self)) -> TokenStream {
         let outside = std::mem::take(&mut self.tokens);
         write(self);
         std::mem::replace(&mut self.tokens, outside).into_iter().collect()

@@ -2,7 +2,7 @@
 
 use super::families::FAMILIES;
 use super::flow::{Family, Space};
-use super::polynomial::{Monomial, Polynomial, is_momentum};
+use super::polynomial::{Monomial, Polynomial, degree as sum_of_powers, is_momentum};
 use crate::analyze::{self, Reads};
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 
@@ -19,8 +19,11 @@ struct Shape {
     of_one: bool,
 }
 
+/// Whether energies of a shape are near to those of a family.
+type IsNear = fn(&Shape) -> bool;
+
 /// Names of families, each with the energies that it is nearest to unless one before it is.
-const NEAREST: &[(&str, fn(&Shape) -> bool)] = &[
+const NEAREST: &[(&str, IsNear)] = &[
     ("damped drift", |shape| shape.reads.s && !shape.reads.q),
     ("kick", |shape| !shape.reads.p),
     ("drift", |shape| !shape.reads.q),
@@ -46,8 +49,7 @@ fn of_name(name: &str) -> Option<&'static Family> {
 
 fn shape(graph: &mut Graph, energy: Id) -> Shape {
     let degree = |monomial: &Monomial, counts: &dyn Fn(Symbol) -> bool| {
-        let powers = monomial.iter().filter(|(symbol, _)| counts(**symbol)).map(|(_, power)| *power);
-        powers.fold(Some(Ratio::ZERO), |sum, power| sum?.add(power))
+        sum_of_powers(monomial.iter().filter(|(symbol, _)| counts(**symbol)).map(|(_, power)| *power))
     };
     let largest = |powers: &Polynomial, counts: &dyn Fn(Symbol) -> bool| {
         powers.terms().filter_map(|(monomial, _)| degree(monomial, counts)).max()

@@ -31,8 +31,7 @@ impl Builder<'_> {
             }
         }
         let (factor, _) = most?;
-        let (mut rest, mut inner, mut common): (Vec<(Number, Id)>, Vec<(Number, Factors, Id)>, Option<Factors>) =
-            (vec![], vec![], None);
+        let (mut rest, mut inner, mut common) = (vec![], vec![], None::<Factors>);
         for (factors, (c, term)) in all.into_iter().zip(terms) {
             match factors.filter(|own| own.contains(&factor)) {
                 Some(own) => {
