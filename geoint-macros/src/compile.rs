@@ -28,7 +28,7 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
     // Steps with constraints are derived from H.
-    let closed = energy.form.has_action() || energy.constraint.is_some();
+    let closed = energy.constraint.is_some();
     let graph = &mut lowered.graph;
     let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
@@ -47,6 +47,9 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     }
     let root = match legendre.route {
         Route::Energy(root, _) => root,
+        Route::Velocities(long) if energy.form == Form::Herglotz => {
+            return herglotz(energy, lowered, (&legendre, long));
+        }
         Route::Velocities(long) => return velocities(energy, lowered, (&legendre, long)),
     };
     lowered.energy = root;
@@ -65,10 +68,26 @@ fn velocities(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendr
     let forces = Forces::of(graph, lowered.force, lowered.friction);
     let friction = (damping.as_ref(), forces.as_ref());
     check::velocities(energy, (long, friction), graph, &lowered.places, |symbol| context.user_name(symbol))?;
-    let system = derive::velocities(graph, legendre, long, friction).of_lagrangian(legendre).scheduled(graph);
+    let system = derive::velocities(graph, legendre, (long, &energy.coordinates.shape), friction)
+        .of_lagrangian(legendre)
+        .scheduled(graph);
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
         + &emit::report::velocities(&context, graph, (legendre, long), (&system, friction));
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// L(q, v, s, t) with velocities as unknowns; `long` is why there is no H.
+fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre, Id)) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    check::velocities(energy, (long, (None, None)), graph, &lowered.places, |symbol| context.user_name(symbol))?;
+    let dissipated = analyze::dissipated_by_velocities(graph, legendre.lagrangian, &energy.coordinates.shape);
+    let decay = analyze::decay(graph, legendre.lagrangian);
+    let system = derive::herglotz(graph, legendre, long).of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::herglotz(&context, graph, (long, decay, dissipated.as_ref()), &system);
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -149,8 +168,15 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let dissipated = analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.lift.is_none());
     let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
-    let (derived, gradient) =
-        derive::contact(graph, root, (&pieces, &mechanics), &lowered.partial, (degrees, energy.lift.is_some()));
+    let (derived, gradient) = derive::contact(
+        graph,
+        root,
+        (&pieces, &mechanics),
+        &lowered.partial,
+        (degrees, energy.lift.is_some()),
+        legendre,
+    );
+    check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
     check::pieces(energy, (root, groups), &pieces, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let derived = legendre.into_iter().fold(derived, System::of_lagrangian);
     let system = derived.scheduled(graph);
@@ -213,7 +239,7 @@ fn bodies(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let found = analyze::bodies(graph, lowered.energy, energy.degrees() / 4); // T and V, or the term in the way
+    let found = analyze::bodies(graph, lowered.energy, (energy.bodies(), energy.degrees() / 4)); // T and V, or the term in the way
     let found = check::bodies(energy, found, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     let system = derive::bodies(graph, &found, &lowered.partial).scheduled(graph);
     let graph = &*graph;

@@ -19,9 +19,16 @@ pub(crate) fn expand(form: Form, args: TokenStream, item: TokenStream) -> TokenS
         Ok(function) => match parse::energy(form, args, function) {
             Ok(energy) => {
                 let function = emit::function(&energy, item.clone());
-                let derived = derived(energy, &Source { args: written, item, used: vec![] });
-                let derived = derived.unwrap_or_else(|errors| errors.into_tokens());
-                quote!(#function #derived)
+                let read_by_attribute = energy.expressions().next().is_some() || energy.force.is_some();
+                match derived(energy, &Source { args: written, item: item.clone(), used: vec![] }) {
+                    Ok(derived) => quote!(#function #derived),
+                    Err(errors) => {
+                        // Without the expressions of the attribute, of which rustc would say the same again.
+                        let unread = read_by_attribute.then(|| quote!(#[allow(unused_variables)]));
+                        let errors = errors.into_tokens();
+                        quote!(#unread #item #errors)
+                    }
+                }
             }
             Err(errors) => {
                 let errors = errors.into_tokens();

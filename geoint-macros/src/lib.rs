@@ -199,7 +199,8 @@ use proc_macro::TokenStream;
 /// `WisdomHolman`, `Aba10_6_4`, `Perturbation(table)` and their like alternate the exact flow of a part A of the energy with kicks by the
 /// rest B(q, t). Their error is small as B is; nothing else is asked of B, nor assumed of its size. A and B are
 ///
-/// - the kinetic energy with the terms k qᵢ² of V, and the other terms, where there are such: then nothing has to be said;
+/// - the kinetic energy with the quadratic terms of V, and the other terms, where there are such: then nothing has to be said. Of masses that
+///   springs couple up to 32 move together, by a matrix that is prepared: that pays for few, as eight;
 /// - the quadratic terms with whatever else reads momenta, and the other terms, where q and p are coupled and the flow of the former is
 ///   known: a charge in a uniform magnetic field, a frame that rotates;
 /// - those of `split = "A | B"`, if A has a flow in closed form, see below, and B reads positions and time alone;
@@ -245,7 +246,8 @@ use proc_macro::TokenStream;
 /// Where terms couple positions and momenta there are no kicks and drifts. H may still be a sum of pieces whose flows are known in closed form,
 /// for `PieceSplitting` and its compositions. These are found:
 ///
-/// - quadratic forms of two degrees of freedom at most, with linear terms: charges in uniform fields, rotating frames, coupled springs;
+/// - quadratic forms in which 32 degrees of freedom at most are coupled, with linear terms: charges in uniform fields, rotating frames, coupled
+///   springs;
 /// - F(ℓ₁, …, ℓₖ) of linear forms in involution: (p₁ − A(q₀))², F(q₀, p₁), cos(k·q), (q + p)⁴;
 /// - p·X(q) where q' = X(q) has a solution in closed form; f(qᵢ)pᵢ²; products qᵐpⁿ; the conjugates of all these;
 /// - F(A) of an A of these: (p² + q²)², a root of an oscillator.
@@ -278,7 +280,7 @@ use proc_macro::TokenStream;
 ///
 /// `attitude = r` is for energies of rigid bodies: r, a `UnitQuaternion` of nalgebra, turns vectors of the body into vectors of space, and
 /// m is the angular momentum in the frame of the body, a `Vector3`. Arrays of both are several bodies. The state is
-/// `BodyState { t, r, m }`.
+/// `BodyState::new(r, m)`.
 ///
 /// ```
 /// use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
@@ -303,8 +305,36 @@ use proc_macro::TokenStream;
 /// T(m) + V(r, t), with a T that is quadratic in the momentum of each body with constant coefficients; the term that is something else
 /// is named. T may have a full tensor of inertia, and terms linear in m (wheels that spin). A kick adds hτ to m, a drift is the exact flow
 /// of the free body, so that all tables of kicks and drifts have their order: those of Runge–Kutta–Nyström type and with force gradients
-/// too. `FiveRotations` is Verlet's method with rotations about the principal axes in place of the exact flow. Explicit Runge–Kutta
-/// methods, compensated sums and adaptive steps are there as well.
+/// too. Where two moments of inertia are the same expression it is two rotations, else a Taylor series. `FiveRotations` is Verlet's method
+/// with rotations about the principal axes in place of the exact flow. Explicit Runge–Kutta methods, compensated sums and adaptive steps are
+/// there as well.
+///
+/// Bodies that move as a whole have centres of mass `q` with momenta `p` beside attitudes, in space, a `Vector3` a body each, and a state
+/// `BodyState { t, r, m, q, p }`: H is T(m) + T(p) + V(r, q, t), with T(p) quadratic, too.
+///
+/// ```
+/// use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+/// use geoint_runtime::prelude::*;
+///
+/// /// A body that hangs by a spring from the origin; d is where, from its centre of mass, in its own frame.
+/// #[hamiltonian(attitude = r)]
+/// fn hanging(
+///     r: UnitQuaternion<f64>, m: Vector3<f64>, q: Vector3<f64>, p: Vector3<f64>,
+///     inertia: [f64; 3], mass: f64, g: f64, d: Vector3<f64>, k: f64,
+/// ) -> f64 {
+///     (m.x * m.x / inertia[0] + m.y * m.y / inertia[1] + m.z * m.z / inertia[2]) / 2.0
+///         + p.norm_squared() / (2.0 * mass) + mass * g * q.z + k * (q + r * d).norm_squared() / 2.0
+/// }
+///
+/// let system = Hanging { inertia: [0.1, 0.2, 0.3], mass: 1.5, g: 9.81, d: Vector3::new(0.0, 0.1, 0.3), k: 50.0 };
+/// let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.1, 0.0, 0.2))
+///     .with_centres(Vector3::new(0.1, 0.0, -0.6), Vector3::new(0.0, 0.4, 0.0));
+/// let mut sim = system.integrator(BlanesMoanSrkn14a, 0.05, start);
+/// let energy = sim.energy();
+/// sim.advance(1000)?;
+/// assert!((sim.energy() - energy).abs() < 1e-6);
+/// # Ok::<(), StepError>(())
+/// ```
 ///
 /// Of an attitude the body may use `r * v`, `r.inverse() * v`, `r * s`, `r / s`, `transform_vector`, `inverse_transform_vector`,
 /// `rotation_to`, `dot`, `imag`, `scalar`, its numbers `r.i`, `r.j`, `r.k`, `r.w`, and `r.coords`. A quaternion whose length is not 1
@@ -383,7 +413,7 @@ pub fn hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream {
 /// `keeps(name = I, …)` names functions I of x, parameters and t, in the language of the body. That each is constant is proven when the
 /// program is compiled: f·∇I + ∂I/∂t = 0, by multiplying out, at every state at which all of it is defined. A function that is not
 /// constant is an error, which shows what remains of that. So is one that was not proven to be constant; `keeps(assume(name = I))`
-/// accepts it, and `REPORT` then says that it is assumed.
+/// accepts it, and `REPORT` then says that it is assumed; what is wrong almost everywhere is refused all the same.
 ///
 /// What is kept under the name `energy` is the energy of runs as well: `sim.energy()`; of other fields that is not a number.
 ///
@@ -510,6 +540,9 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// - `system.at(q, v)` and `system.at_time(t, q, v)` are states; with an action `system.at(q, v, s)`, `system.at_time(t, q, v, s)`.
 /// - `system.momentum(t, q, v)` and `system.lagrangian(t, q, v)` are p and L, with `s` as a last argument where there is one.
 /// - `system.velocity(&state)`, or `sim.velocity()`, are v.
+/// - `system.from_positions(t, before, now, h)` is the state at t with the momentum that the implicit midpoint rule has after a step of length h
+///   from one position to the other: with these recursions of positions alone can be compared, or started. Not with an action, nor with
+///   constraints.
 /// - `system.energy(&state)` is H, which is T + V where L = T − V with a T that is quadratic in v, and else is not: `REPORT` says so.
 ///
 /// # Which Lagrangians
@@ -535,8 +568,17 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 ///
 /// It keeps the energy to rounding for every h, and the momenta of coordinates that L does not read; of order 2 and symmetric, so that
 /// `Suzuki4` and others raise its order. Explicit Runge–Kutta methods solve for v wherever they evaluate L. An end of a step at which the
-/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`). With an action there is H, or
-/// nothing.
+/// determinant of M has another sign than at the start of the run is refused (`StepError::Singular`).
+///
+/// With an action `ContactMidpoint` and `ContactGauss` are solved for velocities, and for s where it acts back; `ContactDiscreteGradient` is the
+/// polarised one, with slopes Λ_q and Λ_s in q and s, p̄ = (p₀ + p₁)/2 and the energy H₀ before the step,
+///
+/// p₁ − p₀ = h (Λ_q + Λ_s p̄), s₁ − s₀ = h (p̄·v̄ − H₀ φ₁(hΛ_s)), φ₁(x) = (eˣ − 1)/x,
+///
+/// so that H₁ = H₀ exp(hΛ_s) to rounding. `ContactGauss` is solved for velocities wherever L is quadratic in v.
+///
+/// Momenta that no term of L changes when all of it moves or turns are in `REPORT`; Gauss methods keep them, or let them all decay by one
+/// factor.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -618,7 +660,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// # Herglotz' principle
 ///
 /// With an argument `s`, the action, s' = L(q, v, s, t), and the equations are d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v: those of the contact
-/// Hamiltonian p·v − L. A term −γs is friction.
+/// Hamiltonian p·v − L. A term −γs is friction. There is neither `rayleigh` nor `force`: with these no step is a contact map.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -641,6 +683,7 @@ pub fn contact_hamiltonian(args: TokenStream, item: TokenStream) -> TokenStream 
 /// - `q = x`, `v = xdot`, `s = z`, `t = time`: other names for positions, velocities, action and time.
 /// - `rayleigh = R`, `force = F`: see above.
 /// - `constraint = [g₁, g₂]`: functions of positions and parameters that stay zero; see [`hamiltonian`].
+/// - `require(regular, quadratic, constant_mass)`: L is not linear in velocities; it is quadratic in them; ∂²L/∂v² is constant.
 /// - `require(separable, quadratic_kinetic, conservative)`, `const N = 8`, `type P = [f64; 3]`, `with(f, g)`, `crate = path`: as for
 ///   [`macro@hamiltonian`]; what is required is required of H.
 #[proc_macro_attribute]

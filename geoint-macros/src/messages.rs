@@ -12,6 +12,9 @@ pub(crate) const NOT_POISSON: &str = "no flow in closed form is known for this t
 pub(crate) const NOT_PLANAR: &str = "no flow in closed form is known in a plane, and more than 12 planes without one are not solved for, so \
                                      that `PlanarSplitting` has no pieces; use `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
 
+pub(crate) const NOT_SOLVED: &str = "more than 12 planes are not solved for, so that there are no pieces for this method; use \
+                                     `DiscreteGradient`, `ImplicitMidpoint` or `Gauss`";
+
 pub(crate) const NO_STRUCTURE: &str = "a field is split by S of x' = S(x) ∇I, and no S was found for this I: write the system as \
                                        `#[hamiltonian(structure = S)]` with I for its energy, or use `DiscreteGradient`";
 
@@ -43,6 +46,15 @@ pub(crate) const COUPLED_IN_PIECES: &str = "this term couples positions and mome
 pub(crate) const FULL_MASS: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
                                     kick and drift do not exist; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FULL_MASS_OF_ACTION: &str = "by this entry of the mass matrix, or this term in velocities, positions and momenta are coupled, so that \
+                                              kick and drift do not exist; use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NO_PIECES_OF_VELOCITIES: &str = "by this entry of the mass matrix, or this term in velocities, the energy has no short formula that could be split; \
+                                                  use `ContactMidpoint`, `ContactGauss` or `ContactDiscreteGradient`";
+
+pub(crate) const NOT_POLARISED_OF_ACTION: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
+                                                  discrete gradient; use `ContactMidpoint` or `ContactGauss`";
+
 pub(crate) const NOT_POLARISED: &str = "this is not quadratic in the velocities, and no formula is known for its energy, so that there is no \
                                         discrete gradient; use `ImplicitMidpoint` or `Gauss`";
 
@@ -52,18 +64,23 @@ pub(crate) const DAMPED: &str =
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const READS_ACTION: &str = "this reads the action, so that the energy changes with ∂H/∂s";
+
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \
                                         Runge–Kutta–Nyström tables, and those with force gradients, would lose their \
                                         order; use a table for every separable energy, such as `BlanesMoan6`";
 
 pub(crate) const BODY_COUPLED: &str = "this term couples attitude and angular momentum; the energy of rigid bodies is T(m) + V(r), \
-                                       with both in the frame of the body";
+                                       with both in the frame of the body, and beside centres of mass T(m) + T(p) + V(r, q)";
 
-pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the angular momentum with constant coefficients, so that \
-                                             the drift is not that of a free rigid body";
+pub(crate) const BODY_NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so that the drift is \
+                                             not that of a free rigid body";
 
 pub(crate) const BODIES_COUPLED: &str = "this term couples the angular momenta of two bodies, so that the drift is not that of free \
                                          rigid bodies";
+
+pub(crate) const CENTRES_COUPLED: &str = "this term couples the angular momentum of a body and the momentum of a centre of mass, so that the \
+                                           drift is not that of free rigid bodies";
 
 pub(crate) const NO_EXACT_PART: &str = "no part of this energy has an exact flow beside a rest that is a kick; for bodies that attract each \
                                         other `coordinates = jacobi` makes one, and `split = \"A | B\"` names one";

@@ -171,7 +171,8 @@ pub use method::kahan::Kahan;
 pub use method::perturbed::Perturbation;
 #[doc(inline)]
 pub use method::pieces::{
-    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarSplitting, PoissonSplitting,
+    ContactSplitting, PieceComposition, PieceNystrom, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe,
+    PlanarItohAbeAdjoint, PlanarItohAbePair, PlanarSplitting, PoissonSplitting,
 };
 #[doc(inline)]
 pub use method::splitting::{
@@ -188,7 +189,7 @@ pub use running::{
 #[doc(inline)]
 pub use scalar::Real;
 #[doc(inline)]
-pub use space::{Attitudes, BodyState, ContactState, Coordinates, FlowState, State};
+pub use space::{Attitudes, BodyState, Centres, ContactState, Coordinates, FlowState, State};
 #[doc(inline)]
 pub use system::{
     Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
@@ -207,9 +208,10 @@ pub mod prelude {
         ContactState, CoordinateIncrement, DOP853, Dense, Direction, DiscreteGradient, Energy, ExplicitEuler,
         FiveRotations, FlowState, FourthOrder, Gauss, Gonzalez, Hamiltonian, ImplicitMidpoint, Integrals, Integrator,
         ItohAbe, ItohAbeAdjoint, ItohAbePair, Kahan, MeanValue, Method, Perturbation, PhaseSpace, PieceSplitting,
-        PlanarSplitting, PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError,
-        StormerVerlet, SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder,
-        Trajectory, contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
+        PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair, PlanarSplitting,
+        PoissonSplitting, PositionVerlet, Projection, RK4, Rattle, Relaxation, Run, State, StepError, StormerVerlet,
+        SymmetrisedItohAbe, SymplecticEuler, SymplecticEulerAdjoint, Taylor, TaylorFixed, TaylorOrder, Trajectory,
+        contact_hamiltonian, energy_function, hamiltonian, lagrangian, vector_field,
     };
 }
 

@@ -5,7 +5,9 @@ pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
 pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
 pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::canonical as fourth_order;
-pub use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
+pub use crate::method::pieces::{
+    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PoissonSplitting,
+};
 pub use crate::method::{And as ProofAnd, Method};
 pub use crate::method::{gradient_kick, modified_verlet};
 pub use crate::running::{Adaptive, Integrator, StepError, TaylorIntegrator, state_on_constraint};
@@ -13,17 +15,18 @@ pub use crate::scalar::Real;
 pub use crate::slope;
 pub use crate::solving::{Inverted, is_positive_semidefinite, planar_step};
 pub use crate::space::{
-    Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Snapshot, Square, State,
+    Array, BodyState, ContactState, Coordinates, FlowState, PerCoordinate, Placed, Snapshot, Square, State,
 };
 pub use crate::system::{
     Autonomous, ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm,
     Clock as PieceClock, Collocated, Collocation, Conformal as ConformalContact, Conservative,
-    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactStages,
-    Cotangent as CotangentSpace, DiscreteField, FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded,
-    Gradients, Hamiltonian, ImplicitStep, Jets, KeepsEnergy, Lagrangian as LagrangianSystem, Mean,
-    Mechanical as MechanicalContact, ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient,
-    PhaseSpace, Piece as FlowPiece, Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField,
-    QuadraticKinetic, Separable, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, energy_of,
+    Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
+    ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
+    FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
+    KeepsEnergy, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
+    NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Unmet,
+    VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of, energy_of, from_positions,
     rate_of, unmet, velocity_of,
 };
 pub use crate::taylor::{TaylorMethod, recurrence};

@@ -109,6 +109,36 @@ fn to_first_order_in_the_rest_tables_are_quadratures() {
     check!(WisdomHolman; Saba4; Aba8_4; Aba8_6_4; Aba10_6_4; Saba2Gradient; Saba3Gradient; Saba4Gradient; Saba5Gradient; Rnia10_8_6 table;);
 }
 
+/// Observes the order of h of errors that are quadratic in B: what an even function of the size of B is apart from the solution.
+struct Middle(usize);
+
+impl Visitor<Hardening<Double>, Double> for Middle {
+    fn visit<M: Method<Hardening<Double>, Double> + 'static>(&mut self, method: M) {
+        let Claims { perturbed: [_, middle, _], .. } = method.claims() else { return };
+        self.0 += 1;
+        let sizes = [1e-4, -1e-4, 0.0];
+        // Tables have the digits of `f64`: what they lose without B is taken away as well.
+        let even = |[plus, minus, none]: [Vec<Double>; 3]| {
+            let both = plus.iter().zip(&minus).map(|(plus, minus)| *plus + *minus);
+            both.zip(&none).map(|(both, none)| both - *none - *none).collect::<Vec<_>>()
+        };
+        let exact = even(sizes.map(|size| end(Rnia10_8_6, size, 1024)));
+        let error = |steps| distance(&even(sizes.map(|size| end(method, size, steps))), &exact);
+        let observed = (error(16) / error(32)).log2();
+        println!("{:24} claims {middle}, observed {observed:.2}", method.name().to_string());
+        assert!((observed - f64::from(*middle)).abs() < 0.1, "{}: {observed:.2}", method.name());
+    }
+}
+
+/// Of three orders the one in the middle is that of errors of second order in B.
+#[test]
+fn errors_of_second_order_in_the_rest_have_the_order_in_the_middle() {
+    let mut middle = Middle(0);
+    methods::perturbed(&mut middle);
+    methods::perturbed_gradient(&mut middle);
+    assert_eq!(middle.0, 3);
+}
+
 /// A processor does to the errors of first order what a better quadrature does.
 #[test]
 fn processors_take_errors_of_first_order_away() {

@@ -314,11 +314,21 @@ fn double_pendulum() -> Vec<Pair> {
     // Regular motion: trajectories of a chaotic one part, however equal the programs are.
     let start = [0.5, 0.9, 0.0, 0.0];
     let hand = move || black_box(by_hand::double_pendulum::DoublePendulum { m, l, g });
-    vec![Pair {
+    let system = || black_box(systems::DoublePendulum { m, l, g });
+    let mut pairs = vec![Pair {
         name: "double pendulum, ImplicitMidpoint".into(),
-        subject: generated(black_box(systems::DoublePendulum { m, l, g }), ImplicitMidpoint, h, plane(start)),
+        subject: generated(system(), ImplicitMidpoint, h, plane(start)),
         unit: Box::new(move |n| hand().implicit_midpoint(black_box(h), n, start).to_vec()),
-    }]
+    }];
+    // At longer steps increments are no longer extrapolated.
+    for h in [0.01, 0.05] {
+        pairs.push(Pair {
+            name: format!("double pendulum, Suzuki4.of(ImplicitMidpoint), h = {h}"),
+            subject: generated(system(), Suzuki4.of(ImplicitMidpoint), h, plane(start)),
+            unit: Box::new(move |n| hand().composed(Suzuki4.weights(), black_box(h), n, start).to_vec()),
+        });
+    }
+    pairs
 }
 
 /// Fields with integrals: predators and prey, a free body.

@@ -1,16 +1,19 @@
 //! What implicit steps of contact systems keep exactly: the decay of H, that of the form, and of angular momentum.
 
 use super::cases::*;
+use geoint_runtime::Contact;
 use geoint_runtime::Real;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
-use geoint_runtime::system::ImplicitStep;
 use geoint_tests::measure::{distance, extrapolated};
 use geoint_tests::scalars::Double;
 
 /// How far H̄ = (p̄·Δq − Δs)/h is from the logarithmic mean of H at both ends, that is H(x₀)(e^z − 1)/z with
 /// H(x₁) = H(x₀) e^z, in the worst step. Whatever ∂H/∂s was taken.
-pub(super) fn decays<S: ImplicitStep<ContactDiscreteGradient>>(system: S, start: &[f64], h: f64, steps: usize) -> f64 {
+pub(super) fn decays<S: Contact>(system: S, start: &[f64], h: f64, steps: usize) -> f64
+where
+    ContactDiscreteGradient: Method<S>,
+{
     let n = S::Array::LEN;
     let mut sim = system.integrator(ContactDiscreteGradient, h, state::<S, f64>(FROM, start));
     let (mut worst, mut change) = (0.0_f64, 0.0_f64);

@@ -5,7 +5,6 @@ use crate::systems::*;
 use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Array, Snapshot};
-use geoint_runtime::system::ContactStages;
 
 /// The talk's damped oscillator.
 #[lagrangian]
@@ -46,7 +45,12 @@ fn every_order_has_the_published_errors() {
             assert!((found - expected).abs() < within * expected + 2e-14, "{found:.3e} in place of {expected:.3e}");
         }
     }
-    fn rows<S: ContactStages>(system: S, start: S::State, time: f64, two: [f64; 3], three: [f64; 3]) {
+    fn rows<S: Contact>(system: S, start: S::State, time: f64, two: [f64; 3], three: [f64; 3])
+    where
+        ContactGauss<2>: Method<S>,
+        ContactGauss<3>: Method<S>,
+        ContactGauss<6>: Method<S>,
+    {
         let exact = end(system, ContactGauss::<6>, start, 0.0125, time);
         let errors = |method: &dyn Fn(f64) -> Vec<f64>| [0.1, 0.05, 0.025].map(|h| far(&method(h), &exact));
         same(errors(&|h| end(system, ContactGauss::<2>, start, h, time)), two, 0.05);

@@ -140,12 +140,6 @@ pub(crate) fn catenary(y: f64, slope: f64) -> f64 {
     y * (1.0 + slope * slope).sqrt()
 }
 
-/// The arm with an action that it does not read: turned into an energy.
-#[lagrangian(with(rods))]
-pub(crate) fn arm_by_energy(q: [f64; 3], v: [f64; 3], _s: f64, m: [f64; 3], l: [f64; 3], g: f64) -> f64 {
-    rods(q, v, m, l, g)
-}
-
 /// The arm with joints that rub.
 #[lagrangian(with(rods), rayleigh = 0.5 * c * (1.0 + q[1] * q[1])
     * (0.3 * v[0] * v[0] + 0.1 * v[0] * v[1] + 0.2 * v[1] * v[1] + 0.1 * v[2] * v[2]))]

@@ -1,6 +1,6 @@
 //! Lagrangians whose steps are solved for velocities: against their energies, published numbers, and laws.
 
-use crate::references::ARM;
+use crate::references::{ARM, DOUBLE_PENDULUM};
 use crate::systems::*;
 use geoint_runtime::prelude::*;
 
@@ -68,18 +68,51 @@ fn the_energy_stays_and_steps_go_back() -> Result<(), StepError> {
     Ok(())
 }
 
-/// The same L with an action that it does not read is turned into an energy: the same map, with twice the unknowns.
+/// The double pendulum with a third coordinate at rest relative to the first: where its momentum is 0 it adds nothing, but couples three
+/// velocities. Steps for velocities are then those of its energy, and the polarised discrete gradient has the published errors.
 #[test]
-fn the_midpoint_rule_is_that_of_the_energy() -> Result<(), StepError> {
-    let Arm { m, l, g } = ARM;
-    let by_energy = ArmByEnergy { m, l, g };
-    let mut velocities = ARM.integrator(ImplicitMidpoint, 0.01, ARM.at(BENT.0, BENT.1));
-    let mut energy = by_energy.integrator(ContactMidpoint, 0.01, by_energy.at(BENT.0, BENT.1, 0.0));
-    velocities.advance(100)?;
-    energy.advance(100)?;
-    let ContactState { t, q, p, .. } = energy.state();
-    assert!(far(&velocities.state(), &State { t, q, p }) < 1e-13);
-    assert!((velocities.energy() - energy.energy()).abs() < 1e-12);
+fn steps_for_velocities_are_those_of_the_energy() -> Result<(), StepError> {
+    #[lagrangian]
+    fn with_another(q: [f64; 3], v: [f64; 3], m: [f64; 2], l: [f64; 2], g: f64) -> f64 {
+        let x = [l[0] * v[0], l[1] * v[1]];
+        let coupling = 2.0 * x[0] * x[1] * (q[0] - q[1]).cos();
+        let kinetic = 0.5 * m[0] * x[0].powi(2) + 0.5 * m[1] * (x[0].powi(2) + x[1].powi(2) + coupling);
+        kinetic
+            + (m[0] + m[1]) * g * l[0] * q[0].cos()
+            + m[1] * g * l[1] * q[1].cos()
+            + 0.5 * (v[2] + 0.3 * v[0]).powi(2)
+    }
+    assert!(WithAnother::<f64>::REPORT.contains("steps are solved for v"));
+    let DoublePendulum { m, l, g } = DOUBLE_PENDULUM;
+    let (system, start) = (WithAnother { m, l, g }, State::new([0.0, 1.4, 0.0], [0.0; 3]));
+    macro_rules! far_from_energy {
+        ($method:expr, $h:literal, $steps:literal) => {{
+            let mut one = system.integrator($method, $h, start);
+            let mut other = DOUBLE_PENDULUM.integrator($method, $h, DOUBLE_PENDULUM.at([0.0, 1.4], [0.0, 0.0]));
+            one.advance($steps)?;
+            other.advance($steps)?;
+            let (one, other) = (one.state(), other.state());
+            (0..2).fold(0.0, |far, i| {
+                f64::max(far, f64::max((one.q[i] - other.q[i]).abs(), (one.p[i] - other.p[i]).abs()))
+            })
+        }};
+    }
+    for found in [
+        far_from_energy!(ImplicitMidpoint, 0.002, 1000),
+        far_from_energy!(Gauss::<2>, 0.002, 1000),
+        far_from_energy!(Gauss::<3>, 0.002, 1000),
+    ] {
+        assert!(found < 1e-13, "{found:e}");
+    }
+    let mut exact = DOUBLE_PENDULUM.integrator(Gauss::<6>, 0.01, DOUBLE_PENDULUM.at([0.0, 1.4], [0.0, 0.0]));
+    exact.advance(200)?;
+    for (h, expected) in [(0.04, 1.08e-2), (0.02, 2.71e-3), (0.01, 6.79e-4), (0.005, 1.70e-4)] {
+        let end = after(system, DiscreteGradient, h, start, (2.0 / h).round() as u64);
+        let exact = exact.state();
+        let error = (0..2)
+            .fold(0.0, |far, i| f64::max(far, f64::max((end.q[i] - exact.q[i]).abs(), (end.p[i] - exact.p[i]).abs())));
+        assert!((error / expected - 1.0).abs() < 0.05, "{error:.3e} {expected:.3e}");
+    }
     Ok(())
 }
 

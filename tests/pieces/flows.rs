@@ -79,3 +79,15 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
     SquareOfSpin, "function of a piece" => (q[0] * p[1] - q[1] * p[0]).powi(2) / 2.0;
     SquareOfLandau, "function of a piece" => (1.0 + p[0] * p[0] + (p[1] - 0.5 * q[0]).powi(2)).sqrt();
 }
+
+instances! { three_degrees_of_freedom, [f64; 3], (q p t):
+    // More than two that are coupled: by springs, by a field, with forces, where one is free, unstable, and with time.
+    Chain, "coupled oscillators", "(p[0] * p[0] + 2.0 * p[1] * p[1] + p[2] * p[2]) / 2.0 + (q[1] - q[0]).powi(2) + 0.75 * (q[2] - q[1]).powi(2)" =>
+        (p[0] * p[0] + 2.0 * p[1] * p[1] + p[2] * p[2]) / 2.0 + (q[1] - q[0]).powi(2) + 0.75 * (q[2] - q[1]).powi(2);
+    ChainInField, "coupled oscillators", "(p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + (p[2] + 0.5 * q[1]).powi(2)) / 2.0 + 0.5 * q[0] * q[2] - 0.75 * q[1] + 0.25 * p[2]" =>
+        (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + (p[2] + 0.5 * q[1]).powi(2)) / 2.0 + 0.5 * q[0] * q[2] - 0.75 * q[1] + 0.25 * p[2];
+    Ridge, "coupled oscillators" => p[0] * p[1] - q[1] * q[2] + 0.5 * p[2] * p[2] - q[0] * q[0] + 0.5 * p[0] * q[2];
+    Ramp, "coupled oscillators" => t * (p[0] * q[1] - p[1] * q[0] + 0.5 * p[1] * q[2] + p[2] * p[2] / 2.0);
+    SquareOfChain, "function of a piece" =>
+        (1.0 + (p[0] + 0.5 * q[1]).powi(2) + (p[1] + 0.5 * q[2]).powi(2) + (p[2] - 0.5 * q[0]).powi(2)).sqrt();
+}

@@ -121,7 +121,7 @@ fn compositions_have_their_order() {
     let mut exact = system.integrator(BceRkn17_8, 0.005, start);
     exact.advance(200).expect("no collision");
     let error = |steps: u64| {
-        let mut sim = system.integrator(Suzuki4.of(Perturbation(PositionVerlet)), 1.0 / steps as f64, start);
+        let mut sim = system.integrator(Suzuki4.of(WisdomHolman), 1.0 / steps as f64, start);
         sim.advance(steps).expect("no collision");
         distance(&flat(&sim.state()), &flat(&exact.state()))
     };

@@ -2,8 +2,8 @@
 
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
-    constrained, cubic, force_gradient, general, itoh_abe_one_way, perturbed, perturbed_gradient, processed, projected,
-    quadratic_kinetic as nystrom, relaxed, separable,
+    constrained, coupled, cubic, force_gradient, general, itoh_abe_one_way, perturbed, perturbed_gradient, processed,
+    projected, quadratic_kinetic as nystrom, relaxed, separable,
 };
 
 use geoint_runtime::Real;

@@ -34,6 +34,7 @@ mod poles;
 mod walls;
 mod switches;
 mod domains;
+mod forms;
 mod near_misses;
 mod small_waves;
 mod units;

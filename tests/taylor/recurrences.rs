@@ -334,7 +334,7 @@ fn every_recurrence() {
     const P: usize = 32;
     let zero = geoint_runtime::space::PerCoordinate { z: [0.0; 24], s: () };
     let (mut jet, mut switches) = ([zero; P], [[0.0; 0]; P]);
-    Functions.jet(0.0, &[0.0; 24], &(), &mut jet, &mut switches);
+    Functions.jet(1.0, 0.0, &[0.0; 24], &(), &mut jet, &mut switches);
     for (i, (name, expected, bar)) in TABLE.iter().enumerate() {
         let f = |n: usize| jet[n].z[i] * (n + 1) as f64;
         let radius = (20..=30).map(|n| f(n).abs().powf(-1.0 / n as f64)).fold(f64::INFINITY, f64::min);
@@ -383,7 +383,7 @@ fn compare(name: &str, of_kernel: &[Vec<f64>], of_series: &[[f64; N]]) {
 fn kernel<S: Jets>(system: &S, t: f64, z: S::Phase, s: S::Action) -> Vec<Vec<f64>> {
     let mut jet = [geoint_runtime::space::PerCoordinate { z, s }; N - 1];
     let mut switches = [S::Switches::zero(); N - 1];
-    system.jet(t, &z, &s, &mut jet, &mut switches);
+    system.jet(1.0, t, &z, &s, &mut jet, &mut switches);
     use geoint_runtime::space::Action;
     let numbers = |i: usize| {
         let of = |x: &geoint_runtime::space::PerCoordinate<S::Phase, S::Action>| {

@@ -18,7 +18,7 @@ fn kepler(q: [f64; 2], p: [f64; 2]) -> f64 {
 fn jet<S: Jets>(system: &S, z: S::Phase, s: S::Action) -> [PerCoordinate<S::Phase, S::Action>; 32] {
     let mut jet = [PerCoordinate { z, s }; 32];
     let mut switches = [<S::Switches as geoint_runtime::space::Array>::zero(); 32];
-    system.jet(0.0, &z, &s, &mut jet, &mut switches);
+    system.jet(1.0, 0.0, &z, &s, &mut jet, &mut switches);
     jet
 }
 

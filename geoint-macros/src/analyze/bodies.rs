@@ -1,22 +1,26 @@
-//! Rigid bodies: H = T(m) + V(r, t) with T quadratic in the momentum of each body? The parts, or the term that is in the way.
+//! Rigid bodies: H = T(m) + V(r, t) with T quadratic in the momentum of each body; or T(m) + T(p) + V(r, q, t) with centres of mass? The
+//! parts, or the term that is in the way.
 
 use super::separable::{not_quadratic, split};
 use super::{Identity, identity, terms};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
-use crate::messages::{BODIES_COUPLED, BODY_COUPLED, BODY_NOT_QUADRATIC};
+use crate::messages::{BODIES_COUPLED, BODY_COUPLED, BODY_NOT_QUADRATIC, CENTRES_COUPLED};
 
-/// H = Σ (½ m·Jm + b·m) + V(r, t).
+/// H = Σ (½ m·Jm + b·m) + V(r, q, t), and a polynomial of degree 2 in p.
 #[derive(Debug)]
 pub(crate) struct Bodies {
     pub(crate) energy: Id,
     pub(crate) kinetic: Id,
     pub(crate) potential: Id,
-    /// ∂T/∂m, one a momentum of each body.
+    /// ∂T/∂m, one a momentum of each body; then ∂T/∂p, one a centre of mass.
     pub(crate) velocity: Vec<[Id; 3]>,
     /// J and b of each body: numbers, and functions of parameters.
     pub(crate) inertia: Vec<Inertia>,
+    /// M⁻¹ of the centres of mass, and their velocities at rest.
+    pub(crate) inverse_mass: Vec<Vec<Id>>,
+    pub(crate) streaming: Vec<Id>,
     pub(crate) autonomous: bool,
 }
 
@@ -34,33 +38,53 @@ impl Inertia {
         axes.into_iter().all(|(i, j)| graph.is_zero(self.inverse[i][j]))
             && self.constant.iter().all(|entry| graph.is_zero(*entry))
     }
+
+    /// An axis of symmetry: the moments of inertia about both others are one expression.
+    pub(crate) fn symmetry(&self, graph: &Graph) -> Option<usize> {
+        let [a, b, c] = [0, 1, 2].map(|i| self.inverse[i][i]);
+        let axes = [(2, a == b), (0, b == c), (1, c == a)];
+        axes.into_iter().find(|(_, equal)| *equal && self.is_principal(graph)).map(|(axis, _)| axis)
+    }
 }
 
-/// The momenta of a body; the fourth number of a pure quaternion is zero.
-pub(crate) fn momenta(body: u32) -> [Symbol; 3] {
-    [0, 1, 2].map(|i| Symbol::P(4 * body + i))
+/// The momenta of a row: of a body, or of a centre of mass; the fourth number of a pure quaternion is zero.
+pub(crate) fn momenta(row: u32) -> [Symbol; 3] {
+    [0, 1, 2].map(|i| Symbol::P(4 * row + i))
 }
 
-/// The parts of the energy of so many bodies, or a term and what is wrong with it.
-pub(crate) fn bodies(graph: &mut Graph, energy: Id, bodies: u32) -> Result<Bodies, (Id, &'static str)> {
+/// The parts of the energy of so many bodies, or a term and what is wrong with it. Further rows are centres of mass.
+pub(crate) fn bodies(graph: &mut Graph, energy: Id, (bodies, rows): (u32, u32)) -> Result<Bodies, (Id, &'static str)> {
     let (kinetic, potential) = split(graph, energy).map_err(|term| (term, BODY_COUPLED))?;
     if let Some(term) = not_quadratic(graph, kinetic) {
         return Err((term, BODY_NOT_QUADRATIC));
     }
-    let slopes = diff::gradient(graph, kinetic, 4 * bodies).p;
-    let velocity: Vec<[Id; 3]> = slopes.chunks(4).map(|body| [body[0], body[1], body[2]]).collect();
+    let velocity = velocity(graph, kinetic, rows);
+    let centres: Vec<Symbol> = (bodies..rows).flat_map(momenta).collect();
     let mut inertia = vec![];
     for (velocity, body) in velocity.iter().zip(0..bodies) {
         let others: Vec<Symbol> = (0..bodies).filter(|other| *other != body).flat_map(momenta).collect();
-        if depends(graph, velocity, &others) {
-            return Err((coupling_term(graph, kinetic, bodies), BODIES_COUPLED));
+        for (others, why) in [(&others, BODIES_COUPLED), (&centres, CENTRES_COUPLED)] {
+            if depends(graph, velocity, others) {
+                return Err((coupling_term(graph, kinetic, (body, rows), others), why));
+            }
         }
-        let rows = diff::jacobian(graph, velocity, &momenta(body));
-        let inverse = core::array::from_fn(|i| core::array::from_fn(|j| at_rest(graph, rows[i][j])));
+        let slopes = diff::jacobian(graph, velocity, &momenta(body));
+        let inverse = core::array::from_fn(|i| core::array::from_fn(|j| at_rest(graph, slopes[i][j])));
         inertia.push(Inertia { inverse, constant: velocity.map(|entry| at_rest(graph, entry)) });
     }
+    let moving = velocity[bodies as usize..].concat();
+    let slopes = diff::jacobian(graph, &moving, &centres);
+    let inverse_mass =
+        slopes.into_iter().map(|row| row.into_iter().map(|entry| at_rest(graph, entry)).collect()).collect();
+    let streaming = moving.into_iter().map(|entry| at_rest(graph, entry)).collect();
     let autonomous = !super::reads(graph, energy).t;
-    Ok(Bodies { energy, kinetic, potential, velocity, inertia, autonomous })
+    Ok(Bodies { energy, kinetic, potential, velocity, inertia, inverse_mass, streaming, autonomous })
+}
+
+/// ∂T/∂m and ∂T/∂p.
+fn velocity(graph: &mut Graph, kinetic: Id, rows: u32) -> Vec<[Id; 3]> {
+    let slopes = diff::gradient(graph, kinetic, 4 * rows).p;
+    slopes.chunks(4).map(|row| [row[0], row[1], row[2]]).collect()
 }
 
 /// What does not depend on momenta may be taken where they are zero.
@@ -77,15 +101,11 @@ fn depends(graph: &mut Graph, velocity: &[Id; 3], momenta: &[Symbol]) -> bool {
     })
 }
 
-/// The first term of T by which the velocity of a body depends on the momentum of another one.
-fn coupling_term(graph: &mut Graph, kinetic: Id, bodies: u32) -> Id {
+/// The first term of T by which the velocity of a body depends on some momenta.
+fn coupling_term(graph: &mut Graph, kinetic: Id, (body, rows): (u32, u32), others: &[Symbol]) -> Id {
     let couples = |graph: &mut Graph, term: Id| {
-        let slopes = diff::gradient(graph, term, 4 * bodies).p;
-        (0..bodies).any(|body| {
-            let at = 4 * body as usize;
-            let others: Vec<Symbol> = (0..bodies).filter(|other| *other != body).flat_map(momenta).collect();
-            depends(graph, &[slopes[at], slopes[at + 1], slopes[at + 2]], &others)
-        })
+        let velocity = velocity(graph, term, rows)[body as usize];
+        depends(graph, &velocity, others)
     };
     terms(graph, kinetic).into_iter().find(|term| couples(graph, *term)).unwrap_or(kinetic)
 }

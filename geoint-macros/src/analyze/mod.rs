@@ -10,10 +10,7 @@ mod leaves;
 mod quadratic;
 mod equations;
 mod forces;
-mod generators;
-mod weights;
-mod momenta;
-mod dissipated;
+mod conserved;
 mod mean_value;
 mod enclosable;
 mod poles;
@@ -24,15 +21,14 @@ mod squares;
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
+pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, symbols};
-pub(crate) use dissipated::{Dissipated, dissipated};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
-pub(crate) use momenta::Momentum;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use squares::weights_of_squares;
@@ -234,7 +230,7 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
             _ => false,
         }),
         degree: degrees.get(energy),
-        momenta: momenta::momenta(graph, &dependence, &degrees, energy, coordinates),
+        momenta: conserved::momenta(graph, &dependence, &degrees, energy, coordinates),
         mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
         damping: None,
         forces: None,

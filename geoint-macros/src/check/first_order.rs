@@ -3,7 +3,7 @@
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::legendre::{FirstOrder, NotRegular};
-use crate::parse::{Energy, Role};
+use crate::parse::{Energy, Requirement, Role};
 
 /// Reports a Lagrangian whose velocities do not follow, and what has no meaning for one whose velocities do.
 pub(crate) fn first_order(
@@ -20,8 +20,9 @@ pub(crate) fn first_order(
     if let Some(constraint) = &energy.constraint {
         errors.at(constraint, NO_CONSTRAINTS);
     }
-    for (_, span) in &energy.requirements {
-        errors.at_place((*span, *span), NO_KINETIC);
+    for (requirement, span) in &energy.requirements {
+        let why = if *requirement == Requirement::Regular { NO_VELOCITIES } else { NO_KINETIC };
+        errors.at_place((*span, *span), why);
     }
     let all = |coordinates: &[u32]| {
         coordinates.iter().map(|i| format!("`{}`", printer.named(Symbol::Q(*i)))).collect::<Vec<_>>().join(", ")
@@ -68,3 +69,5 @@ const NO_FORCE: &str = "this Lagrangian is linear in the velocities: its equatio
                         write them as `#[vector_field]`";
 
 const NO_KINETIC: &str = "this Lagrangian is linear in the velocities: there is no kinetic energy";
+
+const NO_VELOCITIES: &str = "this Lagrangian is linear in the velocities, so that these do not follow from momenta";

@@ -1,13 +1,13 @@
 //! Lagrangians: whether velocities follow from momenta, and whether friction is some.
 
-use super::blame::written;
+use super::blame::{blame, written};
 use super::damping::flaw_of_damping;
-use crate::analyze::{Damping, Forces};
+use crate::analyze::{self, Damping, Forces};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
-use crate::legendre::{self, Friction, Legendre, NoFriction};
+use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
-use crate::messages::{DAMPED, FORCED, FULL_MASS};
+use crate::messages::{DAMPED, FORCED, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION};
 use crate::parse::{Energy, Form, Requirement, Role};
 use std::collections::HashMap;
 
@@ -67,11 +67,18 @@ pub(crate) fn lagrangian(
                 );
                 (message, None)
             }
-            legendre::Flaw::Singular(velocities) => {
+            legendre::Flaw::Singular(velocities, direction) => {
+                let combination: Vec<String> = velocities
+                    .iter()
+                    .zip(direction)
+                    .filter(|(_, part)| !graph.is_zero(**part))
+                    .map(|(i, part)| format!("`{}` = {}", named(v(i)), printer.excerpt(*part)))
+                    .collect();
                 let message = format!(
-                    "the mass matrix ∂²L/∂v² of {} is singular at every state, so that these velocities do not follow from momenta: some \
-                     combination of them has no inertia",
-                    all(velocities)
+                    "the mass matrix ∂²L/∂v² of {} is singular at every state, so that these velocities do not follow from momenta: a motion \
+                     with {} has no inertia",
+                    all(velocities),
+                    combination.join(", ")
                 );
                 (message, None)
             }
@@ -92,9 +99,34 @@ pub(crate) fn lagrangian(
         }
     }
     match (found, friction) {
-        (Ok(legendre), Ok(friction)) => errors.or((legendre, friction)),
+        (Ok(legendre), Ok(friction)) => {
+            for (requirement, span) in &energy.requirements {
+                if let Some((term, why)) = in_the_way(graph, *requirement, &legendre) {
+                    blame((term, *span), why, &printer, places, &mut errors);
+                }
+            }
+            errors.or((legendre, friction))
+        }
         _ => Err(errors),
     }
+}
+
+/// The term by which a requirement on L does not hold. A Lagrangian with an energy is regular.
+fn in_the_way(graph: &Graph, requirement: Requirement, legendre: &Legendre) -> Option<(Id, &'static str)> {
+    if !matches!(requirement, Requirement::Quadratic | Requirement::ConstantMass) {
+        return None;
+    }
+    legendre.parts.iter().find_map(|part| match &part.kinetic {
+        Kinetic::Conjugate { term, .. } | Kinetic::Open(term) => Some((*term, NOT_QUADRATIC_IN_VELOCITIES)),
+        Kinetic::Quadratic { mass, .. } if requirement == Requirement::ConstantMass => {
+            let changes = |entry: &Id| {
+                let reads = analyze::reads(graph, *entry);
+                reads.state() || reads.t
+            };
+            mass.iter().flatten().copied().find(changes).map(|entry| (entry, MASS_CHANGES))
+        }
+        Kinetic::Quadratic { .. } => None,
+    })
 }
 
 /// Reports friction that is none, and what is required of an energy that is not derived.
@@ -112,16 +144,27 @@ pub(crate) fn velocities(
     }
     for (requirement, span) in &energy.requirements {
         if *requirement == Requirement::Conservative {
-            if damping.is_some() || others.is_some() {
-                errors.at_place((*span, *span), if damping.is_some() { DAMPED } else { FORCED });
-            }
+            let changed = match (damping, others) {
+                (Some(_), _) => Some(DAMPED),
+                (None, Some(_)) => Some(FORCED),
+                (None, None) => energy.form.has_action().then_some(READS_ACTION),
+            };
+            changed.into_iter().for_each(|why| errors.at_place((*span, *span), why));
+            continue;
+        }
+        if requirement.is_of_lagrangian() {
             continue;
         }
         let place = written(graph, places, long).unwrap_or((*span, *span));
-        errors.at_place(place, format!("{FULL_MASS}: {}", printer.excerpt(long)));
+        let why = if energy.form.has_action() { FULL_MASS_OF_ACTION } else { FULL_MASS };
+        errors.at_place(place, format!("{why}: {}", printer.excerpt(long)));
     }
     errors.or(())
 }
+
+const NOT_QUADRATIC_IN_VELOCITIES: &str = "this is not quadratic in the velocities, so that the mass matrix reads them";
+
+const MASS_CHANGES: &str = "this entry of the mass matrix ∂²L/∂v² is not constant";
 
 const FRICTION_OF_ACTION: &str =
     "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";

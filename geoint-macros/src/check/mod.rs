@@ -19,8 +19,9 @@ use crate::analyze::{self, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
-use crate::messages::{COUPLED, DAMPED, FORCED, NOT_QUADRATIC};
+use crate::messages::{COUPLED, DAMPED, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION};
 use crate::parse::{Energy, Requirement};
+use crate::split::Mechanics;
 use blame::blame;
 use damping::flaw_of_damping;
 use std::collections::HashMap;
@@ -38,18 +39,43 @@ pub(crate) fn requests(
     if let Some(damping) = &structure.damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
-    for (requirement, span) in &energy.requirements {
+    for (requirement, span) in energy.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian()) {
         if !structure.conservative() {
             errors.at_place((*span, *span), if structure.damping.is_some() { DAMPED } else { FORCED });
             continue;
         }
         let witness = match (requirement, &structure.split) {
-            (Requirement::Conservative, _) => None,
-            (_, Split::Coupled(term)) => Some((*term, COUPLED)),
-            (Requirement::Separable, Split::Separable(_)) => None,
+            (Requirement::Separable | Requirement::QuadraticKinetic, Split::Coupled(term)) => Some((*term, COUPLED)),
             (Requirement::QuadraticKinetic, Split::Separable(parts)) => {
                 parts.not_quadratic.map(|term| (term, NOT_QUADRATIC))
             }
+            _ => None,
+        };
+        if let Some((term, why)) = witness {
+            blame((term, *span), why, &printer, places, &mut errors);
+        }
+    }
+    errors.or(())
+}
+
+/// The same of an energy H(q, p, s, t).
+pub(crate) fn of_action(
+    energy: &Energy,
+    (root, mechanics): (Id, &std::result::Result<Mechanics, Id>),
+    graph: &Graph,
+    places: &HashMap<Id, Place>,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    let printer = Printer::new(graph, name);
+    for (requirement, span) in &energy.requirements {
+        let witness = match (requirement, mechanics) {
+            (Requirement::Conservative, _) => analyze::reads(graph, root).s.then_some((root, READS_ACTION)),
+            (Requirement::Separable | Requirement::QuadraticKinetic, Err(term)) => Some((*term, NOT_MECHANICAL)),
+            (Requirement::QuadraticKinetic, Ok(mechanics)) => {
+                mechanics.gradient_kick.as_ref().err().map(|term| (*term, NOT_NYSTROM))
+            }
+            _ => None,
         };
         if let Some((term, why)) = witness {
             blame((term, *span), why, &printer, places, &mut errors);

@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::parse::Energy;
-use crate::split::{Division, NoExactPart, Pieces};
+use crate::split::{self, Division, NoExactPart, Pieces, Space};
 use proc_macro2::Span;
 use std::collections::HashMap;
 
@@ -25,8 +25,13 @@ pub(crate) fn pieces(
         if let Err(group) = found
             && let Some((_, place)) = groups.iter().find(|(other, _)| other == group)
         {
-            let printer = Printer::new(graph, &name);
-            errors.at_place(*place, format!("{NO_FLOW}: {}", printer.excerpt(*group)));
+            let space = Space { degrees: energy.degrees(), action: energy.form.has_action() };
+            let family = split::nearest(graph, *group, space);
+            let nearest = family.map_or_else(String::new, |family| {
+                format!("; the nearest family is `{}`, {}", family.name, family.energies)
+            });
+            let term = Printer::new(graph, &name).excerpt(*group);
+            errors.at_place(*place, format!("{NO_FLOW}{nearest}; the piece is: {term}"));
         }
         adds_up(root, groups, graph, &name, &mut errors);
     }

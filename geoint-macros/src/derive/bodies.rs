@@ -1,4 +1,4 @@
-//! What is derived from H(r, m, t) of rigid bodies.
+//! What is derived from H(r, m, t) of rigid bodies, and from H(r, q, m, p, t) of those with centres of mass.
 
 use super::domain::{Domain, Roots};
 use super::system::FlowKernel;
@@ -21,6 +21,8 @@ pub(crate) struct Bodies<K = Kernel> {
     pub(crate) drift: K,
     /// Where they are, one a body.
     pub(crate) turns: Vec<Turn>,
+    /// The same of hM⁻¹ and of what is added to it, one a coordinate of centres of mass.
+    pub(crate) shifts: Vec<Shift>,
     /// Whether all frames are those of principal axes.
     pub(crate) principal: bool,
     pub(crate) repeats: bool,
@@ -32,21 +34,29 @@ pub(crate) struct Bodies<K = Kernel> {
 pub(crate) struct Turn {
     pub(crate) linear: [[Option<usize>; 3]; 3],
     pub(crate) constant: [Option<usize>; 3],
+    /// An axis about which the body is symmetric.
+    pub(crate) symmetry: Option<usize>,
+}
+
+/// What a drift adds to a coordinate of a centre of mass: Σ of prepared numbers times momenta, and a number alone.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shift {
+    pub(crate) linear: Vec<(usize, Symbol)>,
+    pub(crate) constant: Option<usize>,
 }
 
 /// Derives everything that some method needs.
 pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Partial]) -> Bodies {
-    let count = found.inertia.len() as u32;
     let [h, g] = [Symbol::H, Symbol::G].map(|symbol| graph.symbol(symbol));
     // Of −hV as a whole, so that h meets the constants of every term.
     let generator = graph.mul(h, found.potential);
     let generator = graph.neg(generator);
-    let impulse = torques(graph, generator, count);
+    let impulse = impulses(graph, generator, found);
     let kick = kick(graph, &impulse);
 
     let potential = graph.neg(found.potential);
-    let torque = torques(graph, potential, count);
-    // [V, [T, V]] = τ·Jτ is a function of r.
+    let torque = impulses(graph, potential, found);
+    // [V, [T, V]] = τ·Jτ + F·M⁻¹F is a function of r and q.
     let mut squares = vec![];
     for (torque, inertia) in torque.iter().zip(&found.inertia) {
         for i in 0..3 {
@@ -55,22 +65,41 @@ pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Part
             }
         }
     }
+    let forces = torque[found.inertia.len()..].concat();
+    for (row, force) in found.inverse_mass.iter().zip(&forces) {
+        for (entry, other) in row.iter().zip(&forces) {
+            squares.push(graph.product(&[*entry, *force, *other]));
+        }
+    }
     let square = graph.sum(&squares);
     let correction = graph.mul(g, square);
     let generator = graph.add(generator, correction);
-    let impulse = torques(graph, generator, count);
+    let impulse = impulses(graph, generator, found);
     let gradient_kick = self::kick(graph, &impulse);
 
-    let (mut turns, mut entries) = (vec![], vec![]);
-    for inertia in &found.inertia {
-        let mut place = |entry: Id| {
-            (!graph.is_zero(entry)).then(|| {
-                entries.push(graph.mul(h, entry));
+    let mut entries: Vec<Id> = vec![];
+    // Equal ones are one.
+    let mut place = |graph: &mut Graph, entry: Id| {
+        (!graph.is_zero(entry)).then(|| {
+            let entry = graph.mul(h, entry);
+            entries.iter().position(|other| *other == entry).unwrap_or_else(|| {
+                entries.push(entry);
                 entries.len() - 1
             })
-        };
-        let linear = inertia.inverse.map(|row| row.map(&mut place));
-        turns.push(Turn { linear, constant: inertia.constant.map(&mut place) });
+        })
+    };
+    let mut turns = vec![];
+    for inertia in &found.inertia {
+        let linear = inertia.inverse.map(|row| row.map(|entry| place(graph, entry)));
+        let constant = inertia.constant.map(|entry| place(graph, entry));
+        turns.push(Turn { linear, constant, symmetry: inertia.symmetry(graph) });
+    }
+    let centres: Vec<Symbol> =
+        (found.inertia.len()..found.velocity.len()).flat_map(|row| momenta(row as u32)).collect();
+    let mut shifts = vec![];
+    for (row, constant) in found.inverse_mass.iter().zip(&found.streaming) {
+        let places = row.iter().zip(&centres).map(|(entry, symbol)| Some((place(graph, *entry)?, *symbol)));
+        shifts.push(Shift { linear: places.flatten().collect(), constant: place(graph, *constant) });
     }
     Bodies {
         value: Kernel::new(Levels::One, vec![found.energy]),
@@ -79,6 +108,7 @@ pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Part
         gradient_kick,
         drift: Kernel::new(Levels::One, entries),
         turns,
+        shifts,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
         domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, None),
@@ -96,6 +126,7 @@ impl Bodies {
             gradient_kick: self.gradient_kick.map(&mut plan),
             drift: plan(self.drift),
             turns: self.turns,
+            shifts: self.shifts,
             principal: self.principal,
             repeats: self.repeats,
             domain: self.domain.map(&mut plan),
@@ -108,14 +139,19 @@ fn attitude(graph: &mut Graph, body: u32) -> [Id; 4] {
     [0, 1, 2, 3].map(|i| graph.symbol(Symbol::Q(4 * body + i)))
 }
 
-/// ½ (r⊗eᵢ)·∂G/∂r of every body: the rate of G as the body turns about each of its axes.
-fn torques(graph: &mut Graph, generator: Id, bodies: u32) -> Vec<[Id; 3]> {
-    let slopes = diff::gradient(graph, generator, 4 * bodies).q;
+/// What turns every body and moves every centre of mass: ½ (r⊗eᵢ)·∂G/∂r, the rate of G as a body turns about each of its axes, and ∂G/∂q.
+fn impulses(graph: &mut Graph, generator: Id, found: &analyze::Bodies) -> Vec<[Id; 3]> {
+    let (bodies, rows) = (found.inertia.len() as u32, found.velocity.len() as u32);
+    let slopes = diff::gradient(graph, generator, 4 * rows).q;
     let half = Number::HALF;
-    let mut torques = vec![];
-    for body in 0..bodies {
-        let r = attitude(graph, body);
-        let slope = &slopes[4 * body as usize..][..4];
+    let mut impulses = vec![];
+    for row in 0..rows {
+        let slope = &slopes[4 * row as usize..][..4];
+        if row >= bodies {
+            impulses.push([slope[0], slope[1], slope[2]]);
+            continue;
+        }
+        let r = attitude(graph, row);
         let torque = [0, 1, 2].map(|axis| {
             let mut unit = [None; 3];
             unit[axis] = Some(graph.integer(1));
@@ -124,9 +160,9 @@ fn torques(graph: &mut Graph, generator: Id, bodies: u32) -> Vec<[Id; 3]> {
             let sum = graph.sum(&terms);
             graph.scale(half, sum)
         });
-        torques.push(torque);
+        impulses.push(torque);
     }
-    torques
+    impulses
 }
 
 /// r⊗(0, v) with some components that are zero.
@@ -163,22 +199,29 @@ fn kick(graph: &mut Graph, impulses: &[[Id; 3]]) -> FlowKernel {
     FlowKernel::new(Levels::Prepared, ends)
 }
 
-/// r' = ½ r⊗(0, ω) of all bodies, then m' = m × ω + τ, as quaternions.
-fn rates(graph: &mut Graph, found: &analyze::Bodies, torques: &[[Id; 3]]) -> Vec<Id> {
+/// r' = ½ r⊗(0, ω) of all bodies and q' of their centres of mass, then m' = m × ω + τ and p', as quaternions.
+fn rates(graph: &mut Graph, found: &analyze::Bodies, impulses: &[[Id; 3]]) -> Vec<Id> {
     let half = Number::HALF;
-    let (mut attitudes, mut changes) = (vec![], vec![]);
-    for ((velocity, torque), body) in found.velocity.iter().zip(torques).zip(0..) {
-        let r = attitude(graph, body);
+    let bodies = found.inertia.len() as u32;
+    let zero = graph.zero();
+    let (mut places, mut changes) = (vec![], vec![]);
+    for ((velocity, impulse), row) in found.velocity.iter().zip(impulses).zip(0..) {
+        if row >= bodies {
+            places.extend([&velocity[..], &[zero]].concat());
+            changes.extend([&impulse[..], &[zero]].concat());
+            continue;
+        }
+        let r = attitude(graph, row);
         let turned = turned(graph, &r, &velocity.map(Some));
-        attitudes.extend(turned.map(|x| graph.scale(half, x)));
-        let m = momenta(body).map(|symbol| graph.symbol(symbol));
-        for (i, torque) in torque.iter().enumerate() {
+        places.extend(turned.map(|x| graph.scale(half, x)));
+        let m = momenta(row).map(|symbol| graph.symbol(symbol));
+        for (i, torque) in impulse.iter().enumerate() {
             let (j, k) = ((i + 1) % 3, (i + 2) % 3);
             let (first, second) = (graph.mul(m[j], velocity[k]), graph.mul(m[k], velocity[j]));
             let second = graph.neg(second);
             changes.push(graph.sum(&[first, second, *torque]));
         }
-        changes.push(graph.zero());
+        changes.push(zero);
     }
-    [attitudes, changes].concat()
+    [places, changes].concat()
 }

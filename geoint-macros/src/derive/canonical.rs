@@ -1,10 +1,10 @@
 //! What is derived from H(q, p, t).
 
 use super::domain::{Domain, Roots};
+use super::exact::{perturbed, pieces};
 use super::implicit;
 use super::jet::JetKernel;
 use super::system::{FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System};
-use super::{perturbed, pieces};
 use crate::analyze::{Parts, Split, Structure, reads};
 use crate::diff::{self, Gradient, modified};
 use crate::ir::{Graph, Id, Number, Partial, Symbol};

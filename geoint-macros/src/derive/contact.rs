@@ -1,15 +1,17 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
+use super::exact::pieces;
 use super::jet::JetKernel;
 use super::system::{
-    ContactKernels, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
+    ContactKernels, ContactStages, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
 };
-use super::{implicit, pieces};
+use super::{implicit, velocities};
 use crate::analyze;
 use crate::diff::{self, Gradient};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Partial, Symbol};
+use crate::legendre::Legendre;
 use crate::messages::{NO_PIECES, NOT_MECHANICAL, NOT_NYSTROM};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -22,6 +24,7 @@ pub(crate) fn contact(
     (found, mechanics): (&Pieces, &Result<Mechanics, Id>),
     partial: &[Partial],
     (degrees, lift): (u32, bool),
+    legendre: Option<&Legendre>,
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
     let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
@@ -41,6 +44,11 @@ pub(crate) fn contact(
     };
     // Positions and momenta move without s.
     let conformal = !analyze::reads(graph, gradient.s).state();
+    let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre));
+    let stages = match by_velocities {
+        Some(stages) => ContactStages::Velocities(stages),
+        None => ContactStages::Points(implicit::stages(graph, energy, &gradient)),
+    };
     let system = System {
         proven: if conformal { vec!["ConformalContact"] } else { vec![] },
         value: (!lift).then(|| Kernel::new(Levels::One, vec![energy])),
@@ -53,10 +61,7 @@ pub(crate) fn contact(
         implicit: Implicit::Contact(if lift {
             ContactKernels { steps: vec![], stages: None }
         } else {
-            ContactKernels {
-                steps: implicit::steps(graph, energy, degrees),
-                stages: Some(implicit::stages(graph, energy, &gradient)),
-            }
+            ContactKernels { steps: implicit::steps(graph, energy, degrees), stages: Some(stages) }
         }),
         integrals: None,
         lagrangian: None,

@@ -9,31 +9,29 @@ mod system;
 mod implicit;
 mod jet;
 mod canonical;
-mod perturbed;
-mod pieces;
 mod contact;
+mod exact;
 mod bodies;
 mod flow;
-mod parts;
-mod liouville;
 mod velocities;
 mod constraints;
 pub(crate) mod proof;
 
-pub(crate) use bodies::{Bodies, Turn, bodies};
+pub(crate) use bodies::{Bodies, Shift, Turn, bodies};
 pub(crate) use canonical::canonical;
 pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
+pub(crate) use exact::parts::{Parted, parts};
+pub(crate) use exact::perturbed::Perturbed;
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;
-pub(crate) use liouville::{Liouville, Multiplier, Recovered, liouville};
-pub(crate) use parts::{Parted, parts};
-pub(crate) use perturbed::Perturbed;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
+pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    ConstraintKernels, FieldKernels, FlowKernel, GradientKick, Implicit, Integrals, KickDrift, Lagrangian, Missing,
-    Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System, Undamped, VelocityKernels,
+    ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Integrals,
+    KickDrift, Lagrangian, MassKernels, Missing, Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System,
+    Undamped, VelocityKernels, VelocityStages,
 };
-pub(crate) use velocities::velocities;
+pub(crate) use velocities::{herglotz, velocities};

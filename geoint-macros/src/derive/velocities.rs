@@ -1,21 +1,26 @@
 //! What is derived from L(q, v, t) where velocities are the unknowns of steps.
 
 use super::domain::{Domain, Roots};
-use super::system::{Implicit, Missing, System, VelocityKernels};
+use super::exact::pieces;
+use super::system::{
+    HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
+};
 use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Kinetic, Legendre};
-use crate::messages::{FULL_MASS, NOT_POLARISED};
-use crate::parse::Form;
+use crate::messages::{
+    FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
+};
+use crate::parse::{Form, Shape};
 use crate::schedule::{Kernel, Levels};
 
 /// Derives everything that some method needs; `long` is why there is no H.
 pub(crate) fn velocities(
     graph: &mut Graph,
     legendre: &Legendre,
-    long: Id,
+    (long, coordinates): (Id, &Shape),
     (damping, others): (Option<&Damping>, Option<&Forces>),
 ) -> System {
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
@@ -23,14 +28,29 @@ pub(crate) fn velocities(
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
     let [stage, force] =
         [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
-    let quadratic = legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }));
-    let polarised = if quadratic {
+    let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
+    let spared = |i: u32| {
+        let row = damping.map(|damping| &damping.matrix[i as usize]);
+        row.is_none_or(|row| row.iter().all(|entry| graph.is_zero(*entry)))
+            && others.is_none_or(|others| others.spared[i as usize])
+    };
+    momenta_kept.retain(|momentum| {
+        let read = analyze::symbols(graph, momentum.value);
+        read.into_iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(i)))
+    });
+    let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
         Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
     };
-    let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
+    let summed = match &polarised {
+        Ok(_) => {
+            let polarisation = lagrangian::polarisation(graph, given);
+            analyze::translations(graph, polarisation, coordinates)
+        }
+        Err(_) => vec![],
+    };
     // What has no velocity in it is divided as slopes divide it.
     let roots = [&[*lagrangian][..], forces, momenta].concat();
     let degrees = momenta.len() as u32;
@@ -45,11 +65,17 @@ pub(crate) fn velocities(
         perturbed: None,
         implicit: Implicit::Velocities(VelocityKernels {
             increments: (0..degrees).map(Symbol::Dv).collect(),
-            mass: Kernel::new(Levels::One, known),
-            weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
+            mass: mass_kernels(graph, legendre),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
             keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
             polarised,
+            momenta: momenta_kept
+                .into_iter()
+                .map(|momentum| {
+                    let by_gradient = summed.iter().any(|other| other.value == momentum.value);
+                    (momentum, by_gradient)
+                })
+                .collect(),
         }),
         integrals: None,
         domain: Domain::of(
@@ -61,5 +87,78 @@ pub(crate) fn velocities(
         ),
         lagrangian: None,
         jet: None,
+    }
+}
+
+/// The same of L(q, v, s, t) with an action.
+pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> System {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
+    let stages = velocity_stages(graph, legendre);
+    let decay = analyze::decay(graph, *lagrangian);
+    let polarised = if is_quadratic(legendre) {
+        let equation = lagrangian::decaying(graph, given, *lagrangian);
+        let kernel = Kernel::new(Levels::Iterated, collected(graph, &equation));
+        let unknowns = (0..momenta.len() as u32).map(Symbol::Dv).chain([Symbol::Ds]).collect();
+        Ok(StepKernel { unknowns, kernel })
+    } else {
+        Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED_OF_ACTION, pair: None })
+    };
+    let roots = [&[*lagrangian, decay][..], forces, momenta].concat();
+    System {
+        proven: if stages.varying { vec![] } else { vec!["ConformalContact"] },
+        value: None,
+        slopes: None,
+        rate: None,
+        splitting: Some(Err(Missing { marker: "MechanicalIn", term: long, why: FULL_MASS_OF_ACTION, pair: None })),
+        modified: None,
+        pieces: vec![pieces::kernels(graph, "ContactSplitting", (&Err(long), NO_PIECES_OF_VELOCITIES), false)],
+        perturbed: None,
+        implicit: Implicit::Herglotz(HerglotzKernels { stages, polarised }),
+        integrals: None,
+        domain: Domain::of(
+            graph,
+            Roots { all: &roots, divided: &[*lagrangian] },
+            Form::Contact,
+            &legendre.partial,
+            None,
+        ),
+        lagrangian: None,
+        jet: None,
+    }
+}
+
+/// Stages of collocation of L(q, v, s, t).
+fn velocity_stages(graph: &mut Graph, legendre: &Legendre) -> VelocityStages<Kernel> {
+    let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
+    let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
+    let force = lagrangian::action_force(graph, given, *lagrangian);
+    let stage = lagrangian::action_stage(graph, given, *lagrangian);
+    let varying = analyze::reads(graph, force[momenta.len()]).state();
+    let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
+    VelocityStages {
+        varying,
+        mass: mass_kernels(graph, legendre),
+        stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
+    }
+}
+
+/// Stages of collocation of a Lagrangian with an energy, if they are solved for velocities: half of the unknowns. What has a conjugate is not,
+/// because all momenta are those of some velocity, but not all velocities have a momentum.
+pub(super) fn stages_of_energy(graph: &mut Graph, legendre: &Legendre) -> Option<VelocityStages<Kernel>> {
+    is_quadratic(legendre).then(|| velocity_stages(graph, legendre))
+}
+
+fn is_quadratic(legendre: &Legendre) -> bool {
+    legendre.parts.iter().all(|part| matches!(part.kinetic, Kinetic::Quadratic { .. }))
+}
+
+fn mass_kernels(graph: &mut Graph, legendre: &Legendre) -> MassKernels<Kernel> {
+    let Legendre { lagrangian, momenta, mass, .. } = legendre;
+    let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
+    MassKernels {
+        mass: Kernel::new(Levels::One, known),
+        weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
+        quadratic: is_quadratic(legendre),
     }
 }

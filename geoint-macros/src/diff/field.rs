@@ -81,6 +81,13 @@ pub(crate) fn middle(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
     Some(graph.add(start, half))
 }
 
+/// A coordinate at the end of a step.
+pub(crate) fn end(graph: &mut Graph, symbol: Symbol) -> Option<Id> {
+    let increment = coordinate_increment(graph, symbol)?;
+    let start = graph.symbol(symbol);
+    Some(graph.add(start, increment))
+}
+
 /// −∇_qH if that is enough; or (J − R)∇H, with entries of C where `at` puts them.
 fn right_side(
     graph: &mut Graph,

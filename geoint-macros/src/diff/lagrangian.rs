@@ -1,11 +1,14 @@
 //! The equations of implicit steps of a Lagrangian, with velocities as unknowns.
 
+mod action;
+
 use super::field::{middle, taking};
 use super::forward::jacobian;
 use super::gradient::discrete_gradient;
 use crate::analyze::Forces;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
+pub(crate) use action::{action_force, action_stage, decaying};
 
 /// What is known of L(q, v, t), and of friction.
 #[derive(Clone, Copy)]
@@ -59,16 +62,9 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
-    let (mut starts, mut ends, mut means, mut increments) = (vec![], vec![], vec![], vec![]);
-    for i in 0..degrees {
-        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
-        let half = graph.scale(Number::HALF, d);
-        starts.push(start);
-        ends.push(graph.add(start, d));
-        means.push(graph.add(start, half));
-        increments.push(graph.mul(h, means[i as usize]));
-    }
-    let polarised = polarisation(graph, given, (&starts, &ends), &means);
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
+    let increments: Vec<Id> = means.iter().map(|mean| graph.mul(h, *mean)).collect();
+    let polarised = polarisation(graph, given);
     let slopes = discrete_gradient(graph, polarised, degrees).q;
     let damping: Option<Vec<Vec<Id>>> = given.damping.map(|matrix| {
         let mut there = Substitution::new(middle);
@@ -98,15 +94,7 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
         Symbol::T => Some(late),
         _ => None,
     });
-    let mut momenta = vec![];
-    for i in 0..ends.len() {
-        let mut terms = vec![end.apply(graph, given.shift[i])];
-        for (entry, v) in given.mass[i].iter().zip(&ends) {
-            let entry = end.apply(graph, *entry);
-            terms.push(graph.mul(entry, *v));
-        }
-        momenta.push(graph.sum(&terms));
-    }
+    let momenta = momenta(graph, given, &ends, |graph, node| end.apply(graph, node));
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).collect();
     let [by_d, impulse_by_d] = [&momenta, &impulse].map(|values| jacobian(graph, values, &unknowns).concat());
     let mut residual = vec![];
@@ -119,8 +107,49 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     [residual, impulse, matrix, impulse_by_d].concat()
 }
 
+/// M v + a at a place.
+fn momenta(
+    graph: &mut Graph,
+    given: Given<'_>,
+    velocities: &[Id],
+    mut place: impl FnMut(&mut Graph, Id) -> Id,
+) -> Vec<Id> {
+    let mut momenta = vec![];
+    for i in 0..velocities.len() {
+        let mut terms = vec![place(graph, given.shift[i])];
+        for (entry, v) in given.mass[i].iter().zip(velocities) {
+            let entry = place(graph, *entry);
+            terms.push(graph.mul(entry, *v));
+        }
+        momenta.push(graph.sum(&terms));
+    }
+    momenta
+}
+
+/// v₁ = v₀ + d.
+fn ends(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut end = |i| {
+        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        graph.add(start, d)
+    };
+    (0..degrees).map(&mut end).collect()
+}
+
+/// v̄ = v₀ + d/2.
+fn means(graph: &mut Graph, degrees: u32) -> Vec<Id> {
+    let mut mean = |i| {
+        let [start, d] = [Symbol::V(i), Symbol::Dv(i)].map(|symbol| graph.symbol(symbol));
+        let half = graph.scale(Number::HALF, d);
+        graph.add(start, half)
+    };
+    (0..degrees).map(&mut mean).collect()
+}
+
 /// Λ(q) = ½v₀ᵀM(q)v₁ + a(q)·v̄ − V(q), the same for both orders of v₀ and v₁.
-fn polarisation(graph: &mut Graph, given: Given<'_>, (starts, ends): (&[Id], &[Id]), means: &[Id]) -> Id {
+pub(crate) fn polarisation(graph: &mut Graph, given: Given<'_>) -> Id {
+    let degrees = given.momenta.len() as u32;
+    let starts: Vec<Id> = (0..degrees).map(|i| graph.symbol(Symbol::V(i))).collect();
+    let (ends, means) = (ends(graph, degrees), means(graph, degrees));
     let mut terms = vec![graph.neg(given.potential)];
     for i in 0..starts.len() {
         terms.push(graph.mul(given.shift[i], means[i]));

@@ -205,6 +205,8 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         | Function::SineSlope
         | Function::CosineAt
         | Function::CosineSlope
+        | Function::FlowMatrix
+        | Function::FlowChange
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

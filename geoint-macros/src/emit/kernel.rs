@@ -4,7 +4,7 @@ use super::straight_line;
 use crate::ir::Symbol;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
-use crate::schedule::{Block, Plan};
+use crate::schedule::{Block, Operand, Plan};
 use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
 
@@ -200,11 +200,15 @@ impl<'a> Context<'a> {
         }
     }
 
-    /// What users call a number of an attitude, or of an angular momentum.
+    /// What users call a number of an attitude, of an angular momentum, or of a centre of mass.
     fn body_name(&self, symbol: Symbol) -> Option<String> {
+        let attitudes = 4 * self.energy.bodies();
+        let (vector, rotor) = (["x", "y", "z", ""], ["i", "j", "k", "w"]);
         let (role, index, numbers) = match symbol {
-            Symbol::Q(i) => (Role::Attitude, i, ["i", "j", "k", "w"]),
-            Symbol::P(i) => (Role::AngularMomentum, i, ["x", "y", "z", ""]),
+            Symbol::Q(i) if i < attitudes => (Role::Attitude, i, rotor),
+            Symbol::P(i) if i < attitudes => (Role::AngularMomentum, i, vector),
+            Symbol::Q(i) => (Role::Position, i - attitudes, vector),
+            Symbol::P(i) => (Role::Momentum, i - attitudes, vector),
             _ => return None,
         };
         let (_, argument) = self.energy.arguments.iter().find(|(other, _)| *other == role)?;
@@ -230,7 +234,18 @@ impl<'a> Context<'a> {
 
     /// What the routine of a level stores for later ones, as an array.
     pub(crate) fn stored(&self, plan: &Plan, level: usize) -> TokenStream {
-        self.planned(&plan.stores[level], (&[], ""), |values| quote!([#(#values),*]))
+        let block = &plan.stores[level];
+        let matrices = block.matrices();
+        self.planned(block, (&[], ""), |values| {
+            if matrices.is_empty() {
+                return quote!([#(#values),*]);
+            }
+            let parts = values.iter().zip(&block.results).map(|(value, operand)| match operand {
+                Operand::Register(register) if matrices.contains(register) => quote!(#value.as_flattened()),
+                _ => quote!(&[#value]),
+            });
+            quote!(slope::joined(&[#(#parts),*]))
+        })
     }
 
     /// A routine of a plan, in which `unknowns` are in the array `array`.

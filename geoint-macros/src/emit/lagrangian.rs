@@ -24,13 +24,24 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
                 velocity
             }
         }
-        None => quote!(velocity_of(self, t, z)),
+        None => quote!(velocity_of(self, t, z, s)),
     };
     let Energy { name: plain, float, coordinates, form, .. } = context.energy;
     let (state, coordinates) = (state(*form), &coordinates.ty);
     // The action, where there is one.
     let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
     let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
+    let from_positions = (!form.has_action() && context.energy.constraint.is_none()).then(|| {
+        quote! {
+            /// The state at time `t` with position `now`, and the momentum that the implicit midpoint rule has there when a step of
+            /// length `h` has led from `before` to `now`: what recursions of positions alone start with. Of order 2 in h.
+            pub fn from_positions(&self, t: #float, before: #coordinates, now: #coordinates, h: #float) -> #state<#coordinates> {
+                let [before, after] = [before, now].map(Coordinates::into_array);
+                let momentum = from_positions(self, t, [&before, &after], h);
+                #state::at(t, Coordinates::from_array(after), Coordinates::from_array(momentum))
+            }
+        }
+    });
     quote! {
         impl<R: Real> LagrangianSystem<R> for #name {
             type Proof = ();
@@ -77,6 +88,8 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
                 let [q, v] = [q, v].map(Coordinates::into_array);
                 LagrangianSystem::lagrangian(self, t, &q, &v, #given)
             }
+
+            #from_positions
         }
     }
 }

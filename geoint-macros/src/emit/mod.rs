@@ -4,25 +4,19 @@
 //! user's own signature names.
 
 mod attributes;
-mod bodies;
-mod canonical;
-mod constraints;
 mod damping;
 mod domain;
+mod exact;
 mod flow;
-mod flows;
 mod implicit;
 mod jet;
 mod kernel;
 mod lagrangian;
-mod perturbed;
-mod pieces;
+mod missing;
 mod poles;
 pub(crate) mod report;
-mod steps;
 mod straight_line;
 mod system;
-mod velocities;
 
 use crate::derive::{Bodies, Implicit, System};
 use crate::ir::Graph;
@@ -78,37 +72,16 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let constrained = matches!(system.implicit, Implicit::Constrained(_));
     let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
     let space = system::phase_space(context, graph, system);
-    let pieces = system.pieces.iter().map(|found| pieces::pieces(context, graph, found));
-    let flows = system.splitting.as_ref().map(|found| flows::splitting(context, graph, found));
-    let parted = system.perturbed.as_ref().map(|found| perturbed::perturbed(context, graph, found));
+    let pieces = system.pieces.iter().map(|found| exact::pieces(context, graph, found));
+    let flows = system.splitting.as_ref().map(|found| exact::splitting(context, graph, found));
+    let parted = system.perturbed.as_ref().map(|found| exact::perturbed(context, graph, found));
     let integrals = system.integrals.as_ref().map(|integrals| flow::integrals(context, integrals));
     let lagrangian = system.lagrangian.as_ref().map(|found| match form {
         Form::FirstOrder => lagrangian::first_order(context, found),
         _ => lagrangian::lagrangian(context, found),
     });
     let modified = system.modified.as_ref().map(|modified| system::modified_energy(context, modified));
-    let implicit = match &system.implicit {
-        Implicit::Field(field) => {
-            let discrete = field.discrete.as_ref().map(|plan| implicit::discrete_field(context, field, plan));
-            let nothing_kept = field.nothing_kept.map(|missing| implicit::nothing_kept(context, graph, missing));
-            let fourth = match &field.fourth {
-                Some(plan) => Some(implicit::fourth_order(context, field, plan)),
-                None => system.proven.contains(&"Conservative").then(|| {
-                    implicit::canonical_fourth_order(context, &field.momenta, system.proven.contains(&"Autonomous"))
-                }),
-            };
-            let collocation = implicit::collocation(context, field);
-            let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
-            quote!(#discrete #nothing_kept #fourth #collocation #canonical)
-        }
-        Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
-        Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
-        Implicit::Contact(kernels) => {
-            let steps = kernels.steps.iter().map(|(method, step)| steps::step(context, method, step));
-            let stages = kernels.stages.as_ref().map(|stages| steps::stages(context, stages));
-            quote!(#(#steps)* #stages)
-        }
-    };
+    let implicit = implicit::implicit(context, graph, system);
     let jets = system.jet.as_ref().map(|found| jet::jets(context, found));
     let around_it =
         quote!(#inherent #space #lagrangian #integrals #(#pieces)* #flows #parted #modified #implicit #jets);
@@ -118,7 +91,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
     let inherent = system::inherent(context, (true, true, None), report);
-    let bodies = bodies::bodies(context, graph, found);
+    let bodies = exact::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }
 

@@ -122,6 +122,70 @@ impl Writer<'_> {
                 let rows = self.inside(|writer| writer.group(Delimiter::Bracket, rows));
                 self.group(Delimiter::Parenthesis, rows);
             }
+            Statement::FlowMatrix(register, size, entries) => {
+                self.register(*register);
+                self.punct("=");
+                self.word("slope");
+                self.punct("::");
+                self.word("flow_matrix");
+                self.punct("::<");
+                self.word("R");
+                self.punct(",");
+                self.literal(*size);
+                self.punct(">");
+                let list = self.inside(|writer| {
+                    for (place, entry) in entries {
+                        let pair = writer.inside(|writer| {
+                            writer.literal(*place);
+                            writer.punct(",");
+                            writer.operand(entry);
+                        });
+                        writer.group(Delimiter::Parenthesis, pair);
+                        writer.punct(",");
+                    }
+                });
+                let list = self.inside(|writer| {
+                    writer.punct("&");
+                    writer.group(Delimiter::Bracket, list);
+                });
+                self.group(Delimiter::Parenthesis, list);
+            }
+            Statement::FlowChange(registers, matrix, x) => {
+                self.list(Delimiter::Bracket, registers);
+                self.punct("=");
+                self.word("slope");
+                self.punct("::");
+                self.word("flow_change");
+                let arguments = self.inside(|writer| {
+                    match matrix {
+                        Operand::Slot(level, first) => {
+                            writer.punct("&");
+                            writer.word(SLOTS[*level]);
+                            let range = writer.inside(|writer| {
+                                writer.literal(*first);
+                                writer.punct("..");
+                                writer.literal(first + x.len().pow(2));
+                            });
+                            writer.group(Delimiter::Bracket, range);
+                        }
+                        _ => {
+                            writer.operand(matrix);
+                            writer.punct(".");
+                            writer.word("as_flattened");
+                            writer.group(Delimiter::Parenthesis, TokenStream::new());
+                        }
+                    }
+                    writer.punct(",");
+                    let x = writer.inside(|writer| {
+                        for x in x {
+                            writer.operand(x);
+                            writer.punct(",");
+                        }
+                    });
+                    writer.group(Delimiter::Bracket, x);
+                });
+                self.group(Delimiter::Parenthesis, arguments);
+            }
             Statement::If { registers, condition, first, second } => {
                 self.list(Delimiter::Bracket, registers);
                 self.punct("=");
@@ -261,7 +325,8 @@ impl Writer<'_> {
             Operand::Input(symbol) => self.tokens.extend((self.input)(symbol)),
             Operand::Slot(level, index) => {
                 self.word(SLOTS[level]);
-                self.group(Delimiter::Bracket, TokenTree::Literal(Literal::usize_unsuffixed(index)).into());
+                let index = self.inside(|writer| writer.literal(index));
+                self.group(Delimiter::Bracket, index);
             }
             Operand::Constant(value) => self.constant(value),
             Operand::Truth(_) | Operand::Register(_) => {}
@@ -298,6 +363,10 @@ impl Writer<'_> {
     fn word(&mut self, word: &'static str) {
         let ident = self.words.entry(word).or_insert_with(|| Ident::new(word, Span::call_site()));
         self.tokens.push(ident.clone().into());
+    }
+
+    fn literal(&mut self, number: usize) {
+        self.tokens.push(Literal::usize_unsuffixed(number).into());
     }
 
     fn register(&mut self, register: Register) {

@@ -57,13 +57,12 @@ pub(super) fn inherent(
     (energy, rates, flow): (bool, bool, Option<TokenStream>),
     report: &str,
 ) -> TokenStream {
-    let Energy { name, float, coordinates, form, .. } = context.energy;
-    let coordinates = &coordinates.ty;
-    let state = state(*form);
+    let Energy { name, float, .. } = context.energy;
+    let state = state_type(context, |ty| quote!(#ty));
     let energy = energy.then(|| {
         quote! {
             /// The energy of a state.
-            pub fn energy(&self, state: &#state<#coordinates>) -> #float {
+            pub fn energy(&self, state: &#state) -> #float {
                 PhaseSpace::energy(self, state)
             }
         }
@@ -78,7 +77,7 @@ pub(super) fn inherent(
                 self,
                 method: M,
                 tolerance: f64,
-                state: #state<#coordinates>,
+                state: #state,
             ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
                 Adaptive::new(self, method, tolerance, state)
             }
@@ -100,7 +99,7 @@ pub(super) fn inherent(
                 self,
                 method: M,
                 h: #float,
-                state: #state<#coordinates>,
+                state: #state,
             ) -> <P as ProofAnd<Integrator<Self, M, #float>>>::Both {
                 Integrator::new(self, method, h, state)
             }
@@ -120,6 +119,17 @@ pub(super) fn state(form: Form) -> TokenStream {
     }
 }
 
+/// The same with the types of its coordinates.
+pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> TokenStream) -> TokenStream {
+    let Energy { form, coordinates, .. } = context.energy;
+    let (state, coordinates) = (state(*form), ty(&coordinates.ty));
+    let centres = (*form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
+    match centres {
+        Some(centres) => quote!(#state<#coordinates, #centres>),
+        None => quote!(#state<#coordinates>),
+    }
+}
+
 /// `Name<R>`, or `Name` if there are no parameters.
 pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
     let name = &context.energy.name;
@@ -134,7 +144,8 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
     // Momenta that are not followed give no energy.
     let value = match &system.value {
         Some(value) => context.values(value, |mut values| values.remove(0)),
-        None if context.energy.form == Form::Lagrangian => quote!(energy_of(self, t, z)),
+        None if matches!(system.implicit, Implicit::Velocities(_)) => quote!(energy_of(self, t, z, &())),
+        None if matches!(system.implicit, Implicit::Herglotz(_)) => quote!(energy_of(self, t, z, s)),
         None => quote!(R::from_f64(f64::NAN)),
     };
     let domain = domain(context, graph, &system.domain);

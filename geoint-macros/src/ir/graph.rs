@@ -7,8 +7,8 @@
 use super::hash::HashMap;
 use super::id::Id;
 use super::number::Number;
+use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
-use super::ratio::Ratio;
 use super::table::Table;
 use std::cell::RefCell;
 

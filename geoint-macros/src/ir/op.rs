@@ -86,7 +86,7 @@ pub(crate) struct Entry {
 }
 
 macro_rules! functions {
-    ($($function:ident $name:ident($($arg:ident),+) $parity:ident $domain:expr $(, $value:expr)?;)*) => {
+    ($($function:ident $name:ident($($arg:ident),+) $parity:ident $domain:expr $(, $value:expr)? $(=> $kind:ident)?;)*) => {
         /// A function of numbers that is not a sum, a product or a power.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
         pub(crate) enum Function { $($function),* }
@@ -100,7 +100,7 @@ macro_rules! functions {
             domain: $domain,
             value: |x| {
                 let [$($arg),+] = *x else { return f64::NAN };
-                value!($name($($arg),+) $($value)?)
+                value!($name($($arg),+) $($value)? $($kind)?)
             },
             public: public!($($value)?),
         }),*];
@@ -108,6 +108,11 @@ macro_rules! functions {
 }
 
 macro_rules! value {
+    // No function of numbers.
+    ($name:ident($($arg:ident),+) matrix) => {{
+        let _ = ($($arg),+,);
+        f64::NAN
+    }};
     ($name:ident($($arg:ident),+) $value:expr) => {
         $value
     };
@@ -201,6 +206,9 @@ functions! {
     SineSlope sine_slope(b, c) Neither Everywhere;
     CosineAt cosine_at(b, c) Neither Everywhere;
     CosineSlope cosine_slope(b, c) Neither Everywhere;
+    // Of linear flows in more: exp(A) − 1 of a matrix, by its size and its entries with their places, and a row of it times a vector.
+    FlowMatrix flow_matrix(size, place, entry) Neither Everywhere => matrix;
+    FlowChange flow_change(row, matrix, x) Neither Everywhere => matrix;
     // The four results of one call.
     KeplerF kepler_f(square, eta, speed, mu, h) Neither Everywhere;
     KeplerG kepler_g(square, eta, speed, mu, h) Neither Everywhere;

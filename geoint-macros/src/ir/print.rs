@@ -3,8 +3,8 @@
 use super::graph::{Graph, Node};
 use super::id::Id;
 use super::number::Number;
+use super::number::Ratio;
 use super::op::{Relation, Symbol};
-use super::ratio::Ratio;
 use std::cell::Cell;
 
 /// Longer formulas are cut in messages.

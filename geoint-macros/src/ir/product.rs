@@ -3,7 +3,7 @@
 use super::graph::{Graph, Node};
 use super::id::Id;
 use super::number::Number;
-use super::ratio::Ratio;
+use super::number::Ratio;
 
 impl Graph {
     /// A node as coefficient·rest.

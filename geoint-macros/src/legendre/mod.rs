@@ -36,6 +36,8 @@ pub(crate) struct Legendre {
     pub(crate) partial: Vec<Partial>,
     /// Whether M is negative definite, whatever the parameters are.
     pub(crate) concave: bool,
+    /// f(q, t), if what is linear in v is ∂f/∂q·v.
+    pub(crate) gauge: Option<Id>,
     /// γ of friction γMv.
     pub(crate) friction: Option<Id>,
 }
@@ -76,8 +78,8 @@ pub(crate) enum Flaw {
     Linear(Vec<Id>),
     /// L is linear in this velocity, and does not couple it to another one: this is its momentum.
     LinearIn(u32, Id),
-    /// The mass matrix of these velocities is singular at every state.
-    Singular(Vec<u32>),
+    /// The mass matrix of these velocities is singular at every state, in this direction.
+    Singular(Vec<u32>, Vec<Id>),
     /// v is known to follow from p, but not by a formula of the table.
     NotClosed(Vec<u32>, Id),
 }
@@ -130,7 +132,33 @@ pub(crate) fn transform(
         }
     };
     let concave = is_negative(graph, &mass);
-    Ok(Legendre { lagrangian, forces, momenta, parts, potential, mass, shift, route, partial, concave, friction: None })
+    let gauge = gauge(graph, &shift);
+    Ok(Legendre {
+        lagrangian,
+        forces,
+        momenta,
+        parts,
+        potential,
+        mass,
+        shift,
+        route,
+        partial,
+        concave,
+        gauge,
+        friction: None,
+    })
+}
+
+/// f with ∂f/∂q = a, if a(q, t) is a gradient, and not zero.
+fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
+    let zero = shift.iter().all(|a| graph.is_zero(*a));
+    if zero || shift.iter().any(|a| analyze::reads(graph, *a).s) {
+        return None;
+    }
+    let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Q).collect();
+    let found =
+        analyze::liouville::antiderivative(graph, (&positions, shift), analyze::liouville::Logarithm::OfMagnitude);
+    found.ok().map(|(gauge, _)| gauge)
 }
 
 /// Whether a diagonal matrix is known to be negative definite.
@@ -184,7 +212,7 @@ fn parts(graph: &mut Graph, lagrangian: Id, (mass, shift): (&[Vec<Id>], &[Id])) 
         let reduced = reduced(graph, &velocities, &shift);
         match quadratic::inverse_form(graph, &block, &reduced) {
             Ok(mut form) => squares.append(&mut form),
-            Err(quadratic::NoForm::Singular) => return Err(Flaw::Singular(velocities)),
+            Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
             Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
         }
         if block.len() >= FULL {
@@ -203,7 +231,17 @@ fn parts(graph: &mut Graph, lagrangian: Id, (mass, shift): (&[Vec<Id>], &[Id])) 
                 kinetic.push(energy);
                 Kinetic::Conjugate { term, rule }
             }
-            None => Kinetic::Open(alone),
+            None => {
+                let picked = |i: &u32| velocities.iter().map(|j| mass[*i as usize][*j as usize]).collect();
+                let block: Vec<Vec<Id>> = velocities.iter().map(picked).collect();
+                let none = graph.zero();
+                let momenta = reduced(graph, &velocities, &vec![none; block.len()]);
+                if let Err(quadratic::NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta)
+                {
+                    return Err(singular(graph, velocities, combination));
+                }
+                Kinetic::Open(alone)
+            }
         };
         parts.push(Part { velocities, kinetic: found });
     }
@@ -216,6 +254,13 @@ fn parts(graph: &mut Graph, lagrangian: Id, (mass, shift): (&[Vec<Id>], &[Id])) 
     parts.sort_by_key(|part| part.velocities[0]);
     let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));
     Ok(Parts { parts, kinetic, potential, long })
+}
+
+/// w·p = 0 at every state says that wᵀM = 0.
+fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
+    let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
+    let direction = diff::jacobian(graph, &[combination], &momenta).concat();
+    Flaw::Singular(velocities, direction)
 }
 
 /// Whether a node reads the state or time.

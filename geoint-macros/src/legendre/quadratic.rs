@@ -8,8 +8,8 @@ pub(super) type Square = (Id, Id);
 
 /// Why there is no such sum.
 pub(super) enum NoForm {
-    /// M is singular at every state.
-    Singular,
+    /// M is singular at every state: this combination of y is zero if y is Mv.
+    Singular(Id),
     /// What is left of M has this entry, but none on its diagonal.
     NoPivot(Id),
 }
@@ -22,7 +22,7 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Res
     let mut left: Vec<usize> = (0..y.len()).collect();
     let mut squares: Vec<(usize, Square)> = vec![];
     while !left.is_empty() {
-        let k = pivot(graph, &mass, &left)?;
+        let k = pivot(graph, &mass, &y, &left)?;
         left.retain(|i| *i != k);
         let d = mass[k][k];
         let coupled: Vec<usize> = left.iter().copied().filter(|i| !graph.is_zero(mass[*i][k])).collect();
@@ -61,7 +61,7 @@ pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
 }
 
 /// The next pivot: of those that are not zero everywhere the one whose coordinate couples to the fewest others.
-fn pivot(graph: &mut Graph, mass: &[Vec<Id>], left: &[usize]) -> Result<usize, NoForm> {
+fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Result<usize, NoForm> {
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
@@ -70,5 +70,5 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], left: &[usize]) -> Result<usize, N
         return Ok(*k);
     }
     let mut entries = left.iter().flat_map(|i| left.iter().map(|j| mass[*i][*j]));
-    Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular, NoForm::NoPivot))
+    Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular(y[left[0]]), NoForm::NoPivot))
 }

@@ -131,6 +131,10 @@ impl Lowering {
     fn matrix(&mut self, expr: &Expr, n: usize) -> Vec<Vec<Id>> {
         let said = self.errors.len();
         let zero = self.graph.zero();
+        if matches!(expr, Expr::Closure(closure) if closure.inputs.len() != 2) {
+            self.refuse(expr, "an entry of S has two indices: `|i, j| …`, asked for i < j");
+            return vec![];
+        }
         let value = self.expr(expr);
         if let Value::Callable(callable, sees) = &value {
             let mut matrix = vec![vec![zero; n]; n];

@@ -161,7 +161,12 @@ fn defaults(form: Form) -> &'static [Default] {
     }
 }
 
-const OF_BODIES: [Default; 2] = [(Role::AngularMomentum, "m", "the angular momenta"), (Role::Time, "t", "time")];
+const OF_BODIES: [Default; 4] = [
+    (Role::AngularMomentum, "m", "the angular momenta"),
+    (Role::Position, "q", "the centres of mass"),
+    (Role::Momentum, "p", "the momenta of centres of mass"),
+    (Role::Time, "t", "time"),
+];
 
 const OF_ENERGIES: [Default; 4] = [
     (Role::Position, "q", "the positions"),
@@ -324,7 +329,7 @@ fn pair(q: Argument, (p, what): (&Argument, &str), errors: &mut Diagnostics) -> 
     Some(q)
 }
 
-/// Attitudes as quaternions, one row a body, if angular momenta go with them.
+/// Attitudes as quaternions, one row a body, if angular momenta go with them; and as many rows for centres of mass.
 fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
     let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
     let r = find(Role::Attitude)?;
@@ -337,21 +342,39 @@ fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics)
         return None;
     }
     let bodies = r.shape.len() / 4;
-    let momenta = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
-    if m.shape != momenta {
+    let vectors = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
+    let [q, p] = [Role::Position, Role::Momentum].map(find);
+    let all = [
+        (Some(m), "the angular momentum of each body, in its own frame"),
+        (q, "where the centre of mass of each body is, in space"),
+        (p, "the momentum of each centre of mass, in space"),
+    ];
+    let wrong = all.into_iter().find_map(|(argument, what)| Some((argument.filter(|a| a.shape != vectors)?, what)));
+    if let Some((argument, what)) = wrong {
         let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
         let ty = match r.shape.extents.len() {
             1 => format!("Vector3<{scalar}>"),
             _ => format!("[Vector3<{scalar}>; {bodies}]"),
         };
-        errors.at(&m.ty, format!("`{}` must be `{ty}`: the angular momentum of each body, in its own frame", m.name));
+        errors.at(&argument.ty, format!("`{}` must be `{ty}`: {what}", argument.name));
         return None;
     }
-    Some(Argument { shape: Shape { extents: vec![bodies, 4], leaf: Leaf::Quaternion }, ..r.clone() })
+    let extents = match (q, p) {
+        (None, None) => vec![bodies, 4],
+        (Some(_), Some(_)) => vec![2, bodies, 4],
+        (Some(alone), None) | (None, Some(alone)) => {
+            errors.at(&alone.name, CENTRE_ALONE);
+            return None;
+        }
+    };
+    Some(Argument { shape: Shape { extents, leaf: Leaf::Quaternion }, ..r.clone() })
 }
 
 const ATTITUDE: &str =
     "an attitude is `UnitQuaternion<f64>`, or an array of them: what turns vectors of a body into vectors of space";
+
+const CENTRE_ALONE: &str =
+    "centres of mass have positions `q` and momenta `p`: add the other, or, if this is a parameter, name it otherwise";
 
 const ANGULAR_MOMENTUM: &str =
     "the angular momentum is missing: call an argument `m`, or name one with `m = …`; it is in the frame of the body";

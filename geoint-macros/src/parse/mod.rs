@@ -153,6 +153,19 @@ impl Energy {
         self.arguments.iter().filter(|(role, _)| *role == Role::Parameter).map(|(_, argument)| argument)
     }
 
+    /// How many rigid bodies there are.
+    pub(crate) fn bodies(&self) -> u32 {
+        let rows = self.degrees() / 4;
+        if self.centres().is_some() { rows / 2 } else { rows }
+    }
+
+    /// The type of their centres of mass, if these move.
+    pub(crate) fn centres(&self) -> Option<&Type> {
+        let mut centres =
+            self.arguments.iter().filter(|(role, _)| *role == Role::Position && self.form == Form::Bodies);
+        centres.next().map(|(_, argument)| &argument.ty)
+    }
+
     /// The number of degrees of freedom; of coordinates, where there are no momenta.
     pub(crate) fn degrees(&self) -> u32 {
         self.coordinates.shape.len() as u32
@@ -169,10 +182,14 @@ impl Energy {
     pub(crate) fn symbols(&self, role: Role, argument: &Argument) -> Vec<Symbol> {
         let before: usize =
             self.parameters().take_while(|other| other.name != argument.name).map(|other| other.shape.len()).sum();
+        // A vector as a pure quaternion; those of centres of mass come behind attitudes.
+        let pure = |i: usize| (4 * (i / 3) + i % 3) as u32;
+        let attitudes = 4 * self.bodies();
         let symbol = |i: usize| match role {
+            Role::Position if self.form == Form::Bodies => Symbol::Q(attitudes + pure(i)),
+            Role::Momentum if self.form == Form::Bodies => Symbol::P(attitudes + pure(i)),
+            Role::AngularMomentum => Symbol::P(pure(i)),
             Role::Position | Role::Attitude => Symbol::Q(i as u32),
-            // A pure quaternion.
-            Role::AngularMomentum => Symbol::P((4 * (i / 3) + i % 3) as u32),
             Role::Momentum => Symbol::P(i as u32),
             Role::Velocity => Symbol::V(i as u32),
             Role::Action => Symbol::S,

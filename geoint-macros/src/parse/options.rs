@@ -43,7 +43,7 @@ const FIELD: &str = "the arguments of this attribute are `name = Type`, `x = arg
 
 const LAGRANGIAN: &str = "the arguments of this attribute are `name = Type`, `q = argument`, `v = argument`, `s = argument`, `t = argument`, \
                           `rayleigh = R`, `force = F`, `constraint = [g]`, `const N = 3`, `type P = [f64; 3]`, `with(function)`, `crate = path` and \
-                          `require(separable, quadratic_kinetic, conservative)`";
+                          `require(separable, quadratic_kinetic, conservative, quadratic, constant_mass, regular)`";
 
 const FUNCTION: &str =
     "the arguments of this attribute are `const N = 3`, `type P = [f64; 3]`, `with(function)` and `crate = path`";
@@ -71,17 +71,7 @@ impl Options {
                     let inner;
                     syn::parenthesized!(inner in input);
                     for name in Punctuated::<Ident, Token![,]>::parse_terminated(&inner)? {
-                        let requirement = match name.to_string().as_str() {
-                            "separable" => Requirement::Separable,
-                            "quadratic_kinetic" => Requirement::QuadraticKinetic,
-                            "conservative" => Requirement::Conservative,
-                            _ => {
-                                let message =
-                                    "what can be required is `separable`, `quadratic_kinetic` and `conservative`";
-                                return Err(syn::Error::new_spanned(name, message));
-                            }
-                        };
-                        options.requirements.push((requirement, name.span()));
+                        options.requirements.push((Requirement::named(&name, lagrangian)?, name.span()));
                     }
                 }
                 "const" => options.outside.parse_constant(input)?,
@@ -176,8 +166,8 @@ impl Options {
         options.consistent()
     }
 
-    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, in place of
-    /// positions and momenta, and are not damped.
+    /// With a structure there are neither momenta nor a kinetic part. Rigid bodies have an attitude and angular momenta, and
+    /// are not damped.
     fn consistent(self) -> syn::Result<Self> {
         let role = |role: Role| self.roles.iter().find(|(other, _)| *other == role).map(|(_, name)| name.span());
         let required = self.requirements.first().map(|(_, span)| *span);
@@ -201,10 +191,9 @@ impl Options {
                 m.map(|m| (m, WITHOUT_ATTITUDE)).or(both).or(damped)
             }
             (None, Some(_)) => {
-                let position = role(Role::Position).or(role(Role::Momentum)).map(|span| (span, NO_POSITIONS));
                 let damped = damped.or(forced).map(|span| (span, DAMPED_BODY));
                 let parted = parted.map(|span| (span, PARTS_OF_BODIES));
-                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted).or(position)
+                damped.or(required.map(|span| (span, ALWAYS_SEPARABLE))).or(parted)
             }
         };
         wrong.map_or(Ok(()), |(span, message)| Err(syn::Error::new(span, message)))?;
@@ -248,8 +237,6 @@ const DAMPED_PARTS: &str = "damping, or a force, is no part of an exact flow or 
 
 const PARTS_OF_BODIES: &str = "with `attitude` the parts of the energy are known, T(m) and V(r): leave this out";
 
-const NO_POSITIONS: &str = "with `attitude` the state is the attitude and the angular momentum alone";
-
 /// `"terms | terms"` as expressions.
 fn groups(text: &syn::LitStr) -> syn::Result<Vec<syn::Expr>> {
     let parser = Punctuated::<Group, Token![|]>::parse_separated_nonempty;
@@ -280,6 +267,39 @@ pub(crate) enum Requirement {
     Separable,
     QuadraticKinetic,
     Conservative,
+    /// L is quadratic in the velocities.
+    Quadratic,
+    /// ∂²L/∂v² is constant.
+    ConstantMass,
+    /// Velocities follow from momenta.
+    Regular,
+}
+
+impl Requirement {
+    fn named(name: &Ident, lagrangian: bool) -> syn::Result<Requirement> {
+        match name.to_string().as_str() {
+            "separable" => Ok(Requirement::Separable),
+            "quadratic_kinetic" => Ok(Requirement::QuadraticKinetic),
+            "conservative" => Ok(Requirement::Conservative),
+            "quadratic" if lagrangian => Ok(Requirement::Quadratic),
+            "constant_mass" if lagrangian => Ok(Requirement::ConstantMass),
+            "regular" if lagrangian => Ok(Requirement::Regular),
+            _ => {
+                let message = match lagrangian {
+                    true => {
+                        "what can be required is `separable`, `quadratic_kinetic`, `conservative`, `quadratic`, `constant_mass` and `regular`"
+                    }
+                    false => "what can be required is `separable`, `quadratic_kinetic` and `conservative`",
+                };
+                Err(syn::Error::new_spanned(name, message))
+            }
+        }
+    }
+
+    /// Whether the Lagrangian decides it, and not its energy.
+    pub(crate) fn is_of_lagrangian(self) -> bool {
+        matches!(self, Requirement::Quadratic | Requirement::ConstantMass | Requirement::Regular)
+    }
 }
 
 /// Coordinates in which methods move the bodies of an energy.

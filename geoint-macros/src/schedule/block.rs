@@ -43,6 +43,10 @@ pub(crate) enum Statement {
     SinCos(Register, Register, Operand),
     /// Kepler's motion along some orbits, each by its five numbers: four results each.
     Kepler(Vec<[Register; 4]>, Vec<Vec<Operand>>),
+    /// exp(A) − 1, as an array of columns, by the size of A and its entries that are not zero with their places, column by column.
+    FlowMatrix(Register, usize, Vec<(usize, Operand)>),
+    /// Such a matrix times a vector; it is a register, or slots from this one on.
+    FlowChange(Vec<Register>, Operand, Vec<Operand>),
     /// Values that depend on a condition; each branch computes what only it needs.
     If {
         registers: Vec<Register>,
@@ -121,9 +125,20 @@ impl Block {
             Statement::Let(register, _) => vec![*register],
             Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
             Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
+            Statement::FlowMatrix(register, ..) => vec![*register],
+            Statement::FlowChange(registers, ..) => registers.clone(),
             Statement::If { registers, .. } => registers.clone(),
         };
         self.statements.iter().flat_map(of).collect()
+    }
+
+    /// Registers that hold a matrix.
+    pub(crate) fn matrices(&self) -> Vec<Register> {
+        let of = |statement: &Statement| match statement {
+            Statement::FlowMatrix(register, ..) => Some(*register),
+            _ => None,
+        };
+        self.statements.iter().filter_map(of).collect()
     }
 
     /// What the block costs; of two branches the dearer one.
@@ -143,6 +158,9 @@ impl Block {
             },
             Statement::SinCos(..) => one(0, 0, 2),
             Statement::Kepler(registers, _) => one(0, 0, 4 * registers.len()),
+            // A series of some 16 terms, some doublings.
+            Statement::FlowMatrix(_, size, entries) => one(16 * size * (entries.len() + size * size), 0, 0),
+            Statement::FlowChange(registers, ..) => one(2 * registers.len().pow(2), 0, 0),
             Statement::If { first, second, .. } => {
                 let (first, second) = (first.operations(), second.operations());
                 if first.total() < second.total() { second } else { first }

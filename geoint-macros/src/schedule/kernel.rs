@@ -3,6 +3,7 @@
 use super::block::{Block, Operations};
 use super::levels::KnownLevels;
 use super::lowering::Lowering;
+use super::matrix::width_of_slots;
 use crate::ir::{Graph, Id, Symbol};
 
 /// When symbols are known: each level is a routine that stores what later ones need, the last one excepted.
@@ -95,5 +96,5 @@ pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &
         store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
     }
     store_blocks.reverse();
-    Plan { stores: store_blocks, last, slots: slots.iter().map(Vec::len).collect() }
+    Plan { stores: store_blocks, last, slots: slots.iter().map(|slots| width_of_slots(graph, slots)).collect() }
 }

@@ -3,16 +3,17 @@
 use super::arithmetic::{Of, Powers};
 use super::block::{Block, Instruction, Operand, Register, Statement};
 use super::levels::KnownLevels;
+use super::matrix::width_of_slots;
 use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
 
 /// A routine, or a branch in it, while it is being written.
 #[derive(Default)]
-struct Scope {
-    block: Block,
-    values: Table<Operand>,
+pub(super) struct Scope {
+    pub(super) block: Block,
+    pub(super) values: Table<Operand>,
     numbered: HashMap<Instruction, Operand>,
     /// What is computed here whatever the conditions are.
-    always: Table<()>,
+    pub(super) always: Table<()>,
 }
 
 pub(super) struct Lowering<'a, F> {
@@ -21,7 +22,7 @@ pub(super) struct Lowering<'a, F> {
     slots: &'a mut Vec<Vec<Id>>,
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
-    scopes: Vec<Scope>,
+    pub(super) scopes: Vec<Scope>,
     /// When each register is there, in units of one sum, if nothing has to wait for anything but its operands.
     ready: Vec<u32>,
     /// Bases of which several negative powers are needed.
@@ -127,7 +128,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             slots.push(id);
             slots.len() - 1
         });
-        Operand::Slot(level, index)
+        Operand::Slot(level, width_of_slots(self.graph, &self.slots[level][..index]))
     }
 
     /// The value of an instruction; equal ones are one statement.
@@ -147,7 +148,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         operand
     }
 
-    fn register(&mut self, ready: u32) -> Register {
+    pub(super) fn register(&mut self, ready: u32) -> Register {
         self.ready.push(ready);
         self.ready.len() - 1
     }
@@ -166,6 +167,8 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function, args) if Function::KEPLER.contains(&function) => self.kepler(id, &args),
+            Node::Call(Function::FlowMatrix, args) => self.flow_matrix(&args),
+            Node::Call(Function::FlowChange, args) => self.flow_change(&args),
             Node::Call(function, args) => self.call(function, &args),
             Node::Select(condition, _, _) => self.select(id, condition),
             Node::Compare(relation, a, b) => {
@@ -218,50 +221,6 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             scope.values.insert(id, others);
         }
         own
-    }
-
-    /// Kepler's motion along all orbits that do not need each other, as one call.
-    fn kepler(&mut self, id: Id, args: &[Id]) -> Operand {
-        let mut orbits: Vec<Vec<Id>> = vec![args.to_vec()];
-        let always: Vec<Id> = self.scopes.last().map(|scope| scope.always.ids().collect()).unwrap_or_default();
-        for other in always {
-            if let Node::Call(Function::KeplerF, args) = self.graph.node(other)
-                && self.known(other).is_none()
-                && !orbits.contains(args)
-            {
-                let args = args.clone();
-                let (reached, ends) = (self.graph.reachable(&args), self.kepler_calls(&orbits));
-                let needs = |ids: &[Id], end: &[Id]| ids.iter().any(|id| end.contains(id));
-                let before = self.graph.reachable(&orbits.concat());
-                let own = self.kepler_calls(std::slice::from_ref(&args));
-                if !needs(&reached, &ends) && !needs(&before, &own) {
-                    orbits.push(args);
-                }
-            }
-        }
-        let operands: Vec<Vec<Operand>> =
-            orbits.iter().map(|args| args.iter().map(|arg| self.operand(*arg)).collect()).collect();
-        let ready = operands.iter().flatten().map(|x| self.ready(x)).max().unwrap_or(0) + Instruction::CALL_LATENCY;
-        let registers: Vec<[Register; 4]> =
-            orbits.iter().map(|_| std::array::from_fn(|_| self.register(ready))).collect();
-        let results = self.kepler_calls(&orbits);
-        let mut own = Operand::Register(registers[0][0]);
-        if let Some(scope) = self.scopes.last_mut() {
-            for (result, register) in results.iter().zip(registers.as_flattened()) {
-                scope.values.insert(*result, Operand::Register(*register));
-                if *result == id {
-                    own = Operand::Register(*register);
-                }
-            }
-            scope.block.statements.push(Statement::Kepler(registers, operands));
-        }
-        own
-    }
-
-    /// The four nodes of each orbit, in order.
-    fn kepler_calls(&mut self, orbits: &[Vec<Id>]) -> Vec<Id> {
-        let of = |args: &Vec<Id>| Function::KEPLER.map(|function| self.graph.call(function, args));
-        orbits.iter().flat_map(of).collect()
     }
 
     /// All selections by one condition that do not need each other, as one `if`.

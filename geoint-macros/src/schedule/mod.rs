@@ -7,6 +7,8 @@
 
 mod arithmetic;
 mod block;
+mod kepler;
+mod matrix;
 mod kernel;
 mod levels;
 mod lowering;

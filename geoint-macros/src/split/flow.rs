@@ -59,6 +59,15 @@ impl Flow {
         Flow { q: symbols(q), p: symbols(p), s: symbols(vec![Symbol::S]).remove(0) }
     }
 
+    /// A coordinate ends here.
+    pub(super) fn moves(&mut self, symbol: Symbol, end: Id) {
+        match symbol {
+            Symbol::Q(i) => self.q[i as usize] = end,
+            Symbol::P(i) => self.p[i as usize] = end,
+            _ => self.s = end,
+        }
+    }
+
     /// Everything that the flow changes, with its symbol.
     pub(crate) fn changed(&self, graph: &mut Graph) -> Vec<(Symbol, Id)> {
         let start = Flow::rest(graph, self.q.len() as u32);

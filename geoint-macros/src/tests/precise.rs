@@ -169,6 +169,8 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         | Function::SineSlope
         | Function::CosineAt
         | Function::CosineSlope
+        | Function::FlowMatrix
+        | Function::FlowChange
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

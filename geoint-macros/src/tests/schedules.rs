@@ -38,6 +38,9 @@ impl Machine<'_> {
                         self.registers.extend(registers.iter().copied().zip(results));
                     }
                 }
+                Statement::FlowMatrix(..) | Statement::FlowChange(..) => {
+                    unreachable!("a matrix is no number: these are tested as they are emitted")
+                }
                 Statement::If { registers, condition, first, second } => {
                     let values = self.run(if self.operand(condition) == 1.0 { first } else { second });
                     self.registers.extend(registers.iter().copied().zip(values));

@@ -124,6 +124,8 @@ fn ranges(function: Function) -> Vec<Range> {
         | Function::SineSlope
         | Function::CosineAt
         | Function::CosineSlope
+        | Function::FlowMatrix
+        | Function::FlowChange
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

@@ -46,14 +46,17 @@ use crate::method::explicit::{DOP853, ExplicitEuler, RK4};
 use crate::method::gauss::{Gauss, ImplicitMidpoint};
 use crate::method::kahan::Kahan;
 use crate::method::perturbed::Perturbation;
-use crate::method::pieces::{ContactSplitting, PieceSplitting, PlanarSplitting, PoissonSplitting};
+use crate::method::pieces::{
+    ContactSplitting, PieceSplitting, PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair,
+    PlanarSplitting, PoissonSplitting,
+};
 use crate::method::splitting::{FiveRotations, PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 use crate::method::tables::*;
 use crate::scalar::Real;
 use crate::system::{
-    Autonomous, ByConstraint, ByField, Collocated, Collocation, Conservative, ConstrainedStep, ContactStages,
-    DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed, PerturbedGradient,
-    PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Autonomous, ByConstraint, ByField, ByTree, Collocated, Collocation, Conservative, ConstrainedStep, ContactGraded,
+    ContactStages, DiscreteField, ForceGradient, Graded, ImplicitStep, Mechanical, NystromPieces, Perturbed,
+    PerturbedGradient, PhaseSpace, Pieces, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
 };
 
 /// What is done with each method.
@@ -216,16 +219,28 @@ pub fn planar<S: Pieces<PlanarSplitting, R>, R: Real>(visitor: &mut impl Visitor
     compositions!(visitor: PlanarSplitting);
 }
 
+/// Methods for fields whose planar parts are all solved for.
+pub fn solved_planes<S, R: Real>(visitor: &mut impl Visitor<S, R>)
+where
+    S: Pieces<PlanarDiscreteGradient, R> + Pieces<PlanarItohAbe, R>,
+{
+    show!(visitor: PlanarDiscreteGradient, PlanarItohAbe, PlanarItohAbeAdjoint, PlanarItohAbePair);
+    compositions!(visitor: PlanarDiscreteGradient, PlanarItohAbePair);
+}
+
 /// Methods for contact systems T(p) + g(t)s + V(q), beside those of [`separable`].
 pub fn mechanical<S: Mechanical<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: ContactLeapfrog);
     compositions!(visitor: ContactLeapfrog);
 }
 
-/// Methods for every contact system.
+/// Methods for every contact system by its energy.
 pub fn contact<S, R: Real>(visitor: &mut impl Visitor<S, R>)
 where
-    S: ImplicitStep<ContactMidpoint, R> + ImplicitStep<ContactDiscreteGradient, R> + ContactStages<R>,
+    S: ImplicitStep<ContactMidpoint, R>
+        + ImplicitStep<ContactDiscreteGradient, R>
+        + ContactStages<R>
+        + ContactGraded<R, Gradient = ByTree>,
 {
     show!(visitor: ContactGauss::<1>, ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>, ContactGauss::<5>, ContactGauss::<6>);
     show!(visitor: ContactMidpoint, ContactDiscreteGradient);

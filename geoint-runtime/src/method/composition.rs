@@ -131,6 +131,14 @@ impl SymmetricMap for PositionVerlet {
     }
 }
 
+/// With one kick a table is half of a drift, a kick, half of a drift: as `WisdomHolman` is.
+impl SymmetricMap for Splitting<1, DriftFirst> {
+    type Composed<const K: usize> = Splitting<K, DriftFirst>;
+    fn compose<const K: usize>(self, composition: Composition<K>) -> Splitting<K, DriftFirst> {
+        Splitting::of_verlet(composition.name.of(self.name), composition.order, composition.gamma)
+    }
+}
+
 /// A symmetric composition of a map whose steps share nothing: one substep after the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Composed<M, const K: usize> {

@@ -2,6 +2,7 @@
 
 use super::StepError;
 use super::output::{Samples, StatesAt, Until};
+use crate::scalar::signed;
 use crate::space::Snapshot;
 
 /// A run: steps from a state on. `dyn Trajectory<State = State<f64>>` is a run whose method is chosen while the program runs.
@@ -132,4 +133,20 @@ macro_rules! behind {
 behind! {
     &mut T;
     #[cfg(feature = "alloc")] alloc::boxed::Box<T>;
+}
+
+/// All steps of a run with adaptive steps on the way to the time `t`, at most so many; the last one ends there.
+pub(super) fn adapt_to<T: Trajectory>(run: &mut T, t: Scalar<T>, most_steps: u64) -> Result<(), StepError> {
+    let left = signed(t - run.time());
+    if left.is_infinite() {
+        return Err(StepError::InvalidStepSize { h: left });
+    }
+    let last = run.steps().saturating_add(most_steps);
+    while run.time() != t {
+        if run.steps() >= last {
+            return Err(StepError::TooManySteps { t: signed(run.time()), steps: most_steps });
+        }
+        run.step_towards(t)?;
+    }
+    Ok(())
 }

@@ -3,7 +3,7 @@
 //! Quaternions are (i, j, k, w), and turn vectors of the body into vectors of space; momenta are those of the body's frame, with a fourth
 //! number that is zero.
 
-use crate::scalar::{Real, zero};
+use crate::scalar::{Real, signed, zero};
 
 /// Turns, in radians, up to which series of so many terms are exact to rounding.
 const TURNS: [f64; 3] = [0.1, 0.2, 0.4];
@@ -33,6 +33,49 @@ pub fn free_rotation<R: Real>(
         parts *= 2;
     }
     [[R::from_f64(f64::NAN); 4]; 2]
+}
+
+/// The same in closed form, of a body whose moments of inertia about two axes are equal: a rotation about the momentum, which stays where it
+/// is in space, and one about the third axis. `across` is h over the two moments, `along` h over the third, that of `axis`.
+#[inline]
+pub fn symmetric_rotation<R: Real>(axis: usize, [across, along]: [R; 2], r: &[R; 4], momentum: &[R; 4]) -> [[R; 4]; 2] {
+    let half = R::from_f64(0.5);
+    let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+    let m = [momentum[0], momentum[1], momentum[2]];
+    // exp(½ m·h/I) − 1 and exp(½ e·β) − 1.
+    let half_across = half * across;
+    let length = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]).sqrt();
+    let (sine, cosine) = (half_across * length).sin_cos();
+    let scale = if length.magnitude() > 0.0 { sine / length } else { half_across };
+    let first = [scale * m[0], scale * m[1], scale * m[2], less_one(sine, cosine)];
+    let (sine, cosine) = (half * (along - across) * m[axis]).sin_cos();
+    let mut second = [zero(); 4];
+    (second[axis], second[3]) = (sine, less_one(sine, cosine));
+    let product = quaternion_product(&first, &second);
+    let turn = core::array::from_fn(|i| first[i] + second[i] + product[i]);
+    // By twice the angle.
+    let [sine, versine] = [R::from_f64(2.0) * sine * cosine, R::from_f64(2.0) * sine * sine];
+    let mut change = [zero(); 4];
+    (change[j], change[k]) = (sine * m[k] - versine * m[j], -(sine * m[j]) - versine * m[k]);
+    [quaternion_product(r, &turn), change]
+}
+
+/// cos − 1, without cancellation.
+#[inline(always)]
+fn less_one<R: Real>(sine: R, cosine: R) -> R {
+    let one = R::from_f64(1.0);
+    if signed(cosine) > 0.0 { -(sine * sine) / (one + cosine) } else { cosine - one }
+}
+
+#[inline(always)]
+fn quaternion_product<R: Real>(a: &[R; 4], b: &[R; 4]) -> [R; 4] {
+    let [[x, y, z, w], [i, j, k, l]] = [*a, *b];
+    [
+        w * i + x * l + (y * k - z * j),
+        w * j + y * l + (z * i - x * k),
+        w * k + z * l + (x * j - y * i),
+        w * l - (x * i + y * j + z * k),
+    ]
 }
 
 fn ceiling(x: f64) -> u32 {

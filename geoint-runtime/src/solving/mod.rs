@@ -7,7 +7,6 @@ pub(crate) mod linear;
 pub(crate) mod newton;
 mod noise;
 mod planar;
-mod predictor;
 pub(crate) mod quasi_newton;
 mod refusal;
 pub(crate) mod rounding;

@@ -142,9 +142,15 @@ fn difference<A: Array>(values: &mut [A]) {
 /// The magnitudes of entry `i`, in order; those that are not there are infinite.
 fn by_rank<A: Array>(values: &[A], i: usize) -> [f64; POINTS] {
     let mut sizes = [f64::INFINITY; POINTS];
-    for (size, value) in sizes.iter_mut().zip(values) {
-        *size = value.as_slice()[i].magnitude();
+    // A sort of the standard library is code for lists of any length.
+    for (n, value) in values.iter().enumerate() {
+        let size = value.as_slice()[i].magnitude();
+        let mut place = n;
+        while place > 0 && sizes[place - 1].total_cmp(&size).is_gt() {
+            sizes[place] = sizes[place - 1];
+            place -= 1;
+        }
+        sizes[place] = size;
     }
-    sizes.sort_unstable_by(f64::total_cmp);
     sizes
 }

@@ -1,7 +1,7 @@
-//! Rigid bodies: attitudes as unit quaternions, and angular momenta in the frame of the body.
+//! Rigid bodies: attitudes as unit quaternions, angular momenta in the frame of the body, and centres of mass with their momenta.
 //!
-//! Kernels see a quaternion as nalgebra stores it, (i, j, k, w), and a momentum as the pure quaternion (mₓ, m_y, m_z, 0): both then have
-//! one shape, as positions and momenta of other systems have.
+//! Kernels see a quaternion as nalgebra stores it, (i, j, k, w), and a vector as the pure quaternion (x, y, z, 0): all then have one shape,
+//! as positions and momenta of other systems have. Centres of mass follow attitudes, a row a body.
 
 use crate::scalar::{Real, signed, zero};
 use crate::sealed::Sealed;
@@ -90,34 +90,112 @@ fn vector<R: Real>([x, y, z, _]: [R; 4]) -> Vector3<R> {
     Vector3::new(x, y, z)
 }
 
+/// What is known of centres of mass beside attitudes `A`: nothing, `()`, or where they are, a `Vector3` a body; their momenta have the
+/// same type.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` are no centres of mass of bodies with the attitudes `{A}`",
+    note = "each body has one: `Vector3<f64>` beside `UnitQuaternion<f64>`, `[Vector3<f64>; N]` beside `[UnitQuaternion<f64>; N]`"
+)]
+pub trait Centres<A: Attitudes>: Copy + Debug + PartialEq {
+    /// Attitudes with centres, or momenta of both, as kernels see them.
+    type Array: Array<Real = A::Real>;
+    /// Attitudes, or their momenta, with these.
+    fn beside(self, rows: A::Array) -> Self::Array;
+    /// Both apart.
+    fn apart(array: Self::Array) -> (A::Array, Self);
+}
+
+impl<A: Attitudes> Centres<A> for () {
+    type Array = A::Array;
+    #[inline(always)]
+    fn beside(self, rows: A::Array) -> A::Array {
+        rows
+    }
+    #[inline(always)]
+    fn apart(array: A::Array) -> (A::Array, ()) {
+        (array, ())
+    }
+}
+
+/// Centres of so many bodies.
+macro_rules! centres {
+    ([$($n:ident)?] $attitudes:ty, $centres:ty, $rows:expr) => {
+        impl<R: Real $(, const $n: usize)?> Centres<$attitudes> for $centres {
+            type Array = [[[R; 4]; $rows]; 2];
+            #[inline(always)]
+            fn beside(self, rows: [[R; 4]; $rows]) -> Self::Array {
+                [rows, <$attitudes>::momenta_into_array(self)]
+            }
+            #[inline(always)]
+            fn apart([rows, centres]: Self::Array) -> ([[R; 4]; $rows], Self) {
+                (rows, <$attitudes>::momenta_from_array(centres))
+            }
+        }
+    };
+}
+
+centres!([] UnitQuaternion<R>, Vector3<R>, 1);
+centres!([N] [UnitQuaternion<R>; N], [Vector3<R>; N], N);
+
+/// Attitudes with centres of mass.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Placed<A, C> {
+    r: A,
+    q: C,
+}
+
+impl<A: Attitudes, C: Centres<A>> Coordinates for Placed<A, C> {
+    type Real = A::Real;
+    type Array = C::Array;
+    #[inline(always)]
+    fn into_array(self) -> C::Array {
+        self.q.beside(self.r.into_array())
+    }
+    #[inline(always)]
+    fn from_array(array: C::Array) -> Self {
+        let (r, q) = C::apart(array);
+        Placed { r: A::from_array(r), q }
+    }
+}
+
 /// A point of the phase space of rigid bodies at a time: plain data.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BodyState<A: Attitudes> {
+pub struct BodyState<A: Attitudes, C: Centres<A> = ()> {
     /// Time.
     pub t: A::Real,
     /// What turns vectors of each body into vectors of space.
     pub r: A,
     /// The angular momentum of each body in its own frame.
     pub m: A::Momenta,
+    /// Where centres of mass are, in space; `()` of bodies about fixed points.
+    pub q: C,
+    /// Their momenta, in space.
+    pub p: C,
 }
 
 impl<A: Attitudes> BodyState<A> {
     /// The point (`r`, `m`) at t = 0.
     pub fn new(r: A, m: A::Momenta) -> Self {
-        BodyState { t: zero(), r, m }
+        BodyState::at(zero(), r, m)
     }
 
     /// The point (`r`, `m`) at time `t`.
     pub fn at(t: A::Real, r: A, m: A::Momenta) -> Self {
-        BodyState { t, r, m }
+        BodyState { t, r, m, q: (), p: () }
+    }
+
+    /// The same with centres of mass at `q` and with momenta `p`, both in space.
+    pub fn with_centres<C: Centres<A>>(self, q: C, p: C) -> BodyState<A, C> {
+        let BodyState { t, r, m, .. } = self;
+        BodyState { t, r, m, q, p }
     }
 }
 
-impl<A: Attitudes> Sealed for BodyState<A> {}
+impl<A: Attitudes, C: Centres<A>> Sealed for BodyState<A, C> {}
 
-impl<A: Attitudes> Snapshot for BodyState<A> {
+impl<A: Attitudes, C: Centres<A>> Snapshot for BodyState<A, C> {
     type Real = A::Real;
-    type Phase = [A::Array; 2];
+    type Phase = [C::Array; 2];
     type Action = ();
     const ALIKE: usize = A::Array::LEN;
     #[inline]
@@ -125,12 +203,14 @@ impl<A: Attitudes> Snapshot for BodyState<A> {
         self.t
     }
     #[inline]
-    fn of(t: A::Real, [r, m]: [A::Array; 2], (): ()) -> Self {
-        BodyState { t, r: A::from_array(r), m: A::momenta_from_array(m) }
+    fn of(t: A::Real, [positions, momenta]: [C::Array; 2], (): ()) -> Self {
+        let ((r, q), (m, p)) = (C::apart(positions), C::apart(momenta));
+        BodyState { t, r: A::from_array(r), m: A::momenta_from_array(m), q, p }
     }
     #[inline]
-    fn parts(self) -> (A::Real, [A::Array; 2], ()) {
-        (self.t, [self.r.into_array(), A::momenta_into_array(self.m)], ())
+    fn parts(self) -> (A::Real, [C::Array; 2], ()) {
+        let [r, m] = [self.r.into_array(), A::momenta_into_array(self.m)];
+        (self.t, [self.q.beside(r), self.p.beside(m)], ())
     }
 }
 

@@ -12,7 +12,7 @@ mod summation;
 pub(crate) mod vector;
 
 pub use array::{Array, Square};
-pub use body::{Attitudes, BodyState};
+pub use body::{Attitudes, BodyState, Centres, Placed};
 pub(crate) use body::{normalisation, wrong_length};
 pub use coordinates::Coordinates;
 pub use double_word::DoubleWord;

@@ -1,6 +1,6 @@
 //! Contact systems: H(q, p, s, t) moves q' = ∂H/∂p, p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
 
-use super::{Cotangent, PhaseSpace, Separable};
+use super::{ByField, ContactCollocated, Cotangent, PhaseSpace, Separable};
 use crate::scalar::{Real, zero};
 use crate::space::{Array, ContactState, PerCoordinate, Square};
 
@@ -139,12 +139,7 @@ pub trait NystromPieces<R: Real = f64>: PhaseSpace<R> {
     type Proof;
 }
 
-/// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment. Emitted for every H.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no implicit steps of `{M}`",
-    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
-    note = "methods for a lift: `ContactSplitting` and its compositions"
-)]
+/// The equation d = Φ(d) of a step of the method `M` from x = (q, p, s), in a row, for its increment.
 pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
@@ -172,13 +167,8 @@ pub trait ImplicitStep<M, R: Real = f64>: Contact<R> {
     fn end(&self, constants: &Self::Constants, start: &Self::Start, d: &Self::Unknown) -> Self::Unknown;
 }
 
-/// The field of H as contact Gauss methods evaluate it at their stages. Emitted for every H whose momenta are followed.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` has no contact Gauss methods",
-    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
-    note = "methods for a lift: `ContactSplitting` and its compositions"
-)]
-pub trait ContactStages<R: Real = f64>: Contact<R> {
+/// The field of H as contact Gauss methods evaluate it at their stages.
+pub trait ContactStages<R: Real = f64>: ContactCollocated<R, Stages = ByField, Midpoint = ByField> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
     /// q, p and s in a row; or q and p, where ∂H/∂s depends on time alone, and positions and momenta do not read s.

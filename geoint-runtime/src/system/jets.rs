@@ -20,11 +20,13 @@ pub trait Jets<R: Real = f64>: PhaseSpace<R> {
     /// Sums of n terms in all coefficients of order n: what an order costs.
     const CONVOLUTIONS: usize;
 
-    /// x⁽ⁿ⁾/n! of all coordinates at a point, for n = 1, …, P; and of the switches for n = 0, …, P − 1.
+    /// x⁽ⁿ⁾ unitⁿ/n! of all coordinates at a point, for n = 1, …, P; and of the switches for n = 0, …, P − 1: the coefficients in time
+    /// since the point over `unit`. With a unit near the length of a step they have the size of x, and none of them overflows.
     ///
     /// Where a condition decides between branches, the series is that of the branch that is taken at the point.
     fn jet<const P: usize>(
         &self,
+        unit: R,
         t: R,
         z: &Self::Phase,
         s: &Self::Action,

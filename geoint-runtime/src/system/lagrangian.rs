@@ -1,7 +1,9 @@
 //! Systems that were written as a Lagrangian L(q, v, s, t).
 
-use super::Cotangent;
+use super::{Cotangent, VectorField};
 use crate::scalar::Real;
+use crate::space::Array;
+use crate::space::vector::{difference, moved, scaled};
 
 /// The energy H(q, p, s, t) of a system is p·v − L(q, v, s, t) with p = ∂L/∂v.
 #[diagnostic::on_unimplemented(
@@ -17,4 +19,21 @@ pub trait Lagrangian<R: Real = f64>: Cotangent<R> {
     fn momentum(&self, t: R, q: &Self::Array, v: &Self::Array, s: &Self::Action) -> Self::Array;
     /// v = ∂H/∂p at a point; not a number where the point has none.
     fn velocity(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Self::Array;
+}
+
+/// The momentum at the end of a step of the implicit midpoint rule from one position to another: p̄ + ½h p̄' with p̄ = ∂L/∂v of the mean
+/// velocity in the middle, which is ∂/∂q₁ of h L((q₀ + q₁)/2, (q₁ − q₀)/h).
+pub fn from_positions<S: Lagrangian<R> + VectorField<R>, R: Real>(
+    system: &S,
+    t: R,
+    [before, now]: [&S::Array; 2],
+    h: R,
+) -> S::Array {
+    let half = R::from_f64(0.5);
+    let shift = difference(now, before);
+    let (middle, q) = (t - half * h, moved(before, half, &shift));
+    let p = system.momentum(middle, &q, &scaled(R::from_f64(1.0) / h, &shift), &());
+    let mut rate = [S::Array::zero(); 2];
+    system.rate(middle, &[q, p], &mut rate);
+    moved(&p, half * h, &rate[1])
 }

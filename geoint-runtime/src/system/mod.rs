@@ -4,41 +4,37 @@
 //! property is a type error. Kernels are functions of prepared coefficients and of nested arrays; they hold no state.
 
 mod bodies;
-mod canonical;
-mod constraints;
 mod contact;
-mod forms;
 mod implicit;
 mod integrals;
 mod jets;
+mod jumps;
 mod lagrangian;
 mod modified;
 mod perturbed;
 mod poles;
-mod separable;
 mod rates;
-mod velocities;
+mod separable;
 
 pub use bodies::PrincipalAxes;
-pub use canonical::CanonicalForm;
-pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
-pub(crate) use constraints::{on_one_side, projected, tangent};
 pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechanical, NystromPieces, Piece, Pieces};
-pub use forms::{ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, Graded};
-pub use implicit::{Collocation, DiscreteField, Mean, QuadraticField};
+pub use implicit::{
+    ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
+    Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactVelocities,
+    DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Unmet, VelocityForm,
+    contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
+};
+pub(crate) use implicit::{Orientation, acceleration, on_one_side, projected, row_scale, tangent, velocity_near};
 pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
 pub use jets::Jets;
-pub use lagrangian::Lagrangian;
+pub(crate) use jumps::jump_between;
+pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient};
 pub use poles::Pole;
-mod jumps;
-pub(crate) use jumps::jump_between;
 pub(crate) use poles::{Known, Poles, singular_time};
 pub use rates::Rates;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
-pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
-pub use velocities::{PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
 
 pub use crate::solving::{Inverse, Inverted};
 

@@ -78,11 +78,12 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     fn bound(&self, jet: &[PerCoordinate<Z, S>], m: usize) -> f64 {
         let mut least = f64::INFINITY;
         for (group, (size, term)) in self.sizes().zip(Self::magnitudes(self.alike, &jet[m - 1])).enumerate() {
-            // What is not a number bounds the step as well: nothing is longer than that.
-            if term == 0.0 {
+            // What is below the normal numbers has no digits to tell anything by. What is not a number bounds the step as well: nothing is
+            // longer than that.
+            if term < Z::Real::smallest() {
                 continue;
             }
-            let (size, k) = if size > 0.0 { (size, 0) } else { self.first(jet, group) };
+            let (size, k) = if size >= Z::Real::smallest() { (size, 0) } else { self.first(jet, group) };
             if k < m {
                 least = least.min((self.tolerance + log2(size) - log2(term)) * (1.0 / (m - k) as f64));
             }
@@ -94,12 +95,13 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     #[cold]
     fn first(&self, jet: &[PerCoordinate<Z, S>], group: usize) -> (f64, usize) {
         let terms = jet.iter().map(|x| Self::magnitudes(self.alike, x).nth(group).unwrap_or(0.0));
-        terms.zip(1..).find(|(term, _)| *term > 0.0).unwrap_or((1.0, usize::MAX))
+        terms.zip(1..).find(|(term, _)| *term >= Z::Real::smallest()).unwrap_or((1.0, usize::MAX))
     }
 
     /// In how long, roughly, the state changes at these rates.
     pub(crate) fn time(&self, rates: &PerCoordinate<Z, S>) -> f64 {
-        let times = self.sizes().zip(Self::magnitudes(self.alike, rates)).filter(|(size, _)| *size > 0.0);
+        let times =
+            self.sizes().zip(Self::magnitudes(self.alike, rates)).filter(|(size, _)| *size >= Z::Real::smallest());
         times.map(|(size, rate)| size / rate).fold(f64::INFINITY, f64::min)
     }
 
@@ -107,13 +109,13 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     #[inline(always)]
     pub(crate) fn agree(&self, h: f64, rates: [&PerCoordinate<Z, S>; 2], before: &PerCoordinate<Z, S>) -> bool {
         let part = exp2(0.5 * self.tolerance);
-        let rounding = 64.0 * Z::Real::epsilon();
+        let (rounding, smallest) = (64.0 * Z::Real::epsilon(), Z::Real::smallest());
         let mut gap = *rates[0];
         gap.add_scaled(Z::Real::from_f64(-1.0), rates[1]);
         let groups = Self::magnitudes(self.alike, &gap).zip(self.sizes());
         let scales = Self::magnitudes(self.alike, rates[1]).zip(Self::magnitudes(self.alike, before));
         groups.zip(scales).fold(true, |good, ((gap, size), (here, before))| {
-            good & (h.abs() * gap <= h.abs() * part * here.max(before) + rounding * size)
+            good & (h.abs() * gap <= h.abs() * part * here.max(before) + rounding * size + smallest)
         })
     }
 }

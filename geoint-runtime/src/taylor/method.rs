@@ -94,11 +94,12 @@ pub trait TaylorMethod: Sealed + Copy + Debug {
     fn coefficients<R: Real>(series: &Self::Series<R>) -> &[R];
     /// The same value for each order.
     fn fill<X: Copy + Debug>(x: X) -> Self::Orders<X>;
-    /// The coefficients of [`Jets::jet`] up to `order`.
+    /// The coefficients of [`Jets::jet`] up to `order`, in the unit and at the time `start`.
     fn jet<S: Jets<R>, R: Real>(
         order: usize,
         system: &S,
-        start: (R, &S::Phase, &S::Action),
+        start: [R; 2],
+        x: (&S::Phase, &S::Action),
         jet: &mut Self::Orders<PerCoordinate<S::Phase, S::Action>>,
         switches: &mut Self::Orders<S::Switches>,
     );
@@ -135,15 +136,16 @@ impl TaylorMethod for Taylor {
     fn jet<S: Jets<R>, R: Real>(
         order: usize,
         system: &S,
-        start: (R, &S::Phase, &S::Action),
+        start: [R; 2],
+        x: (&S::Phase, &S::Action),
         jet: &mut [PerCoordinate<S::Phase, S::Action>; 20],
         switches: &mut [S::Switches; 20],
     ) {
         // Lower orders are not compiled for a system that has no use for them.
         match order {
-            12 if S::CONVOLUTIONS >= LARGE => part::<12, S, R>(system, start, jet, switches),
-            16 if S::CONVOLUTIONS >= LARGE => part::<16, S, R>(system, start, jet, switches),
-            _ => part::<20, S, R>(system, start, jet, switches),
+            12 if S::CONVOLUTIONS >= LARGE => part::<12, S, R>(system, start, x, jet, switches),
+            16 if S::CONVOLUTIONS >= LARGE => part::<16, S, R>(system, start, x, jet, switches),
+            _ => part::<20, S, R>(system, start, x, jet, switches),
         }
     }
 }
@@ -152,12 +154,13 @@ impl TaylorMethod for Taylor {
 #[inline]
 fn part<const P: usize, S: Jets<R>, R: Real>(
     system: &S,
-    (t, z, s): (R, &S::Phase, &S::Action),
+    [unit, t]: [R; 2],
+    (z, s): (&S::Phase, &S::Action),
     jet: &mut [PerCoordinate<S::Phase, S::Action>],
     switches: &mut [S::Switches],
 ) {
     if let (Some(jet), Some(switches)) = (jet.first_chunk_mut(), switches.first_chunk_mut()) {
-        system.jet::<P>(t, z, s, jet, switches);
+        system.jet::<P>(unit, t, z, s, jet, switches);
     }
 }
 
@@ -188,11 +191,12 @@ macro_rules! of_one_order {
             fn jet<S: Jets<R>, R: Real>(
                 _: usize,
                 system: &S,
-                (t, z, s): (R, &S::Phase, &S::Action),
+                [unit, t]: [R; 2],
+                (z, s): (&S::Phase, &S::Action),
                 jet: &mut [PerCoordinate<S::Phase, S::Action>; P],
                 switches: &mut [S::Switches; P],
             ) {
-                system.jet(t, z, s, jet, switches);
+                system.jet(unit, t, z, s, jet, switches);
             }
         }
     )* };

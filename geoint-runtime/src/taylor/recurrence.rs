@@ -49,17 +49,24 @@ fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
     x
 }
 
+/// The pairs uⱼ, uₙ₋ⱼ for 0 < j < n/2 from the middle on; without indices that would be checked.
+#[inline(always)]
+fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
+    let (low, high) = u[1..n].split_at(n.div_ceil(2) - 1);
+    let middle = high.len() - low.len();
+    low.iter().rev().zip(&high[middle..])
+}
+
 /// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
 #[inline(always)]
 pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
-    let (u, w) = (&u[..n], &w[..n]);
     let (mut first, mut second) = (A::zero(), A::zero());
     if n.is_multiple_of(2) {
         first = times(u[n / 2], w[n / 2]);
     }
-    for j in (1..n.div_ceil(2)).rev() {
-        first = fused(u[j], w[n - j], first);
-        second = fused(u[n - j], w[j], second);
+    for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
+        first = fused(*uj, *wi, first);
+        second = fused(*ui, *wj, second);
     }
     plus(first, second)
 }
@@ -67,10 +74,9 @@ pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
 /// Σ uⱼuₙ₋ⱼ over 0 < j < n.
 #[inline(always)]
 pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
-    let u = &u[..n];
     let mut half = A::zero();
-    for j in (1..n.div_ceil(2)).rev() {
-        half = fused(u[j], u[n - j], half);
+    for (uj, ui) in outward(u, n) {
+        half = fused(*uj, *ui, half);
     }
     let double = plus(half, half);
     if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }

@@ -6,6 +6,7 @@
 #![allow(clippy::excessive_precision, reason = "all digits of the reference solutions, rounded once")]
 
 mod compared;
+mod edges;
 mod long;
 mod recovered;
 mod splittings;
@@ -250,61 +251,4 @@ fn what_is_found_is_reported() {
     assert_eq!(<Volterra as FirstIntegrals>::NAMES, ["energy"]);
     // The sum of all species is linear.
     reports(Volterra::REPORT, "constant as well, not listed");
-}
-
-/// A sleeping top, near it and at it: all four gradients depend on each other there.
-#[test]
-fn sleeping_tops_are_followed() {
-    let top = LagrangeTop { a: 2.0, c: 1.0, l: 1.0 };
-    for distance in [1e-3, 1e-5, 1e-7, 1e-9, 0.0] {
-        let start = FlowState::new([distance, 0.0, 4.0, 0.0, distance, 1.0]);
-        let before = top.integrals(0.0, &start.x);
-        let mut sim = top.integrator(FourthOrder(DiscreteGradient), 0.05, start);
-        for _ in 0..100 {
-            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
-            let after = top.integrals(0.0, &sim.state().x);
-            for (a, b) in after.iter().zip(before) {
-                assert!((a - b).abs() < 2e-14, "at {distance:e}: {:e}", a - b);
-            }
-        }
-    }
-    // A permanent rotation of a free body.
-    let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
-    let start = FlowState::new([0.0, 0.0, 1.3]);
-    let mut sim = body.integrator(DiscreteGradient, 0.1, start);
-    sim.advance(100).unwrap_or_else(|error| panic!("{error}"));
-    assert_eq!(sim.state().x, start.x);
-}
-
-/// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
-#[test]
-fn gradients_that_vanish_are_no_failure() {
-    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
-    for distance in [1e-3, 1e-8, 0.0] {
-        let start = FlowState::new([1.0 + distance, 2.0]);
-        let mut sim = system.integrator(DiscreteGradient, 0.05, start);
-        let mut furthest = 0.0_f64;
-        for _ in 0..1000 {
-            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
-            let [x, y] = sim.state().x;
-            furthest = furthest.max((x - 1.0).abs());
-            assert!((x - 1.0).hypot(y - 2.0) <= 1.5 * distance, "at {distance:e}: {x} {y}");
-        }
-        assert!((furthest - distance).abs() <= 2e-3 * distance + 1e-15, "at {distance:e}: {furthest:e}");
-    }
-}
-
-/// Where a logarithm is left, a step is refused, and the last state stays.
-#[test]
-fn edges_of_integrals_are_refused() {
-    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
-    let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([-1.0, 0.5]));
-    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "outside");
-    let start = FlowState::new([1.0, 0.5]);
-    let mut sim = system.integrator(DiscreteGradient, 100.0, start);
-    if sim.step().is_err() {
-        assert_eq!(sim.state(), start);
-    } else {
-        assert!(sim.state().x.iter().all(|x| *x > 0.0));
-    }
 }

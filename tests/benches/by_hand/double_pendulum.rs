@@ -36,9 +36,24 @@ struct Constants {
 }
 
 impl DoublePendulum {
-    pub(crate) fn implicit_midpoint(&self, h: f64, steps: u64, mut z: Point) -> Point {
+    pub(crate) fn implicit_midpoint(&self, h: f64, steps: u64, z: Point) -> Point {
+        self.composed(&[1.0], h, steps, z)
+    }
+
+    /// One step of the midpoint rule for each weight.
+    pub(crate) fn composed<const K: usize>(&self, weights: &[f64; K], h: f64, steps: u64, mut z: Point) -> Point {
+        let parts = weights.map(|weight| self.constants(weight * h));
+        for _ in 0..steps {
+            for constants in &parts {
+                z = constants.step(z);
+            }
+        }
+        z
+    }
+
+    fn constants(&self, h: f64) -> Constants {
         let ([m1, m2], [l1, l2], g) = (self.m, self.l, self.g);
-        let constants = Constants {
+        Constants {
             h,
             half: 0.5 * h,
             m1,
@@ -48,11 +63,7 @@ impl DoublePendulum {
             e: 1.0 / (l1 * l2),
             v1: (m1 + m2) * g * l1,
             v2: m2 * g * l2,
-        };
-        for _ in 0..steps {
-            z = constants.step(z);
         }
-        z
     }
 }
 

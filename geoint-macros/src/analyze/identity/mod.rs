@@ -59,6 +59,19 @@ pub(crate) struct Wrong {
     pub(crate) branch: bool,
 }
 
+impl Wrong {
+    /// Whether there is no open set of states on which it holds nevertheless: what remains is a quotient of polynomials.
+    pub(crate) fn is_almost_everywhere(&self, graph: &Graph) -> bool {
+        let rational = |id: &Id| match graph.node(*id) {
+            Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
+            Node::Power(_, exponent) => exponent.is_integer(),
+            _ => false,
+        };
+        let found = self.rest.as_ref().filter(|rest| rest.certain && rest.case.is_empty());
+        found.is_some_and(|found| graph.reachable(&[found.rest]).iter().all(rational))
+    }
+}
+
 /// An identity that was not decided.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Open {

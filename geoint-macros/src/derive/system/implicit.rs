@@ -1,7 +1,7 @@
 //! The equations of implicit methods, by form.
 
 use super::Missing;
-use crate::analyze::MeanValue;
+use crate::analyze::{MeanValue, Momentum};
 use crate::ir::{Id, Symbol};
 
 /// The equations of implicit methods.
@@ -13,8 +13,39 @@ pub(crate) enum Implicit<K> {
     Contact(ContactKernels<K>),
     /// Of a Lagrangian, for velocities.
     Velocities(VelocityKernels<K>),
+    /// Of a Lagrangian with an action, for velocities.
+    Herglotz(HerglotzKernels<K>),
     /// With constraints.
     Constrained(ConstraintKernels<K>),
+}
+
+/// ∂L/∂v of a Lagrangian, and how it depends on v.
+#[derive(Debug)]
+pub(crate) struct MassKernels<K> {
+    /// ∂L/∂v and M.
+    pub(crate) mass: K,
+    /// Functions of parameters: if none is negative, M has no negative direction at any state.
+    pub(crate) weights: Option<K>,
+    /// Whether L is quadratic in v.
+    pub(crate) quadratic: bool,
+}
+
+/// Stages of collocation of a Lagrangian with an action, for velocities.
+#[derive(Debug)]
+pub(crate) struct VelocityStages<K> {
+    /// Whether ∂L/∂s reads the state, so that s is solved for.
+    pub(crate) varying: bool,
+    pub(crate) mass: MassKernels<K>,
+    /// ∂L/∂v and ∂L/∂q, with their derivatives by q and v; L, σ = −∂L/∂s, and the derivatives of all by s; ∂L/∂q and σ.
+    pub(crate) stage: K,
+}
+
+/// A Lagrangian with an action by its derivatives.
+#[derive(Debug)]
+pub(crate) struct HerglotzKernels<K> {
+    pub(crate) stages: VelocityStages<K>,
+    /// What is solved for by the polarised discrete gradient, and its equation, as the runtime has it. Of an L that is quadratic in v.
+    pub(crate) polarised: Result<StepKernel<K>, Missing>,
 }
 
 /// Constraints, and the steps that keep them.
@@ -39,10 +70,7 @@ pub(crate) struct ConstraintKernels<K> {
 pub(crate) struct VelocityKernels<K> {
     /// The increments of velocities, which are solved for.
     pub(crate) increments: Vec<Symbol>,
-    /// ∂L/∂v and M.
-    pub(crate) mass: K,
-    /// Functions of parameters: if none is negative, M has no negative direction at any state.
-    pub(crate) weights: Option<K>,
+    pub(crate) mass: MassKernels<K>,
     /// ∂L/∂v and the force, with their derivatives by q and v; the force.
     pub(crate) stage: K,
     /// Whether the flow keeps p·v − L: nothing reads time, and there is neither friction nor another force.
@@ -50,6 +78,8 @@ pub(crate) struct VelocityKernels<K> {
     /// The equation of the polarised discrete gradient, what it adds to the momenta, and the derivatives of both. Of an L that is quadratic
     /// in v.
     pub(crate) polarised: Result<K, Missing>,
+    /// Sums of momenta, and angular momenta, that the flow keeps; whether the discrete gradient does, too.
+    pub(crate) momenta: Vec<(Momentum, bool)>,
 }
 
 /// The field of implicit methods for (q, p), for q alone, or for x.
@@ -85,7 +115,14 @@ pub(crate) struct ContactKernels<K> {
     /// Of each method by name.
     pub(crate) steps: Vec<(&'static str, StepKernel<K>)>,
     /// Of collocation; nothing if momenta are not followed.
-    pub(crate) stages: Option<StageKernel<K>>,
+    pub(crate) stages: Option<ContactStages<K>>,
+}
+
+/// What collocation of a contact system solves for.
+#[derive(Debug)]
+pub(crate) enum ContactStages<K> {
+    Points(StageKernel<K>),
+    Velocities(VelocityStages<K>),
 }
 
 /// The field of a contact system at a stage.
@@ -122,14 +159,25 @@ impl<K> Implicit<K> {
                 linear: field.linear,
                 mean_value: field.mean_value,
             }),
-            Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised }) => {
-                let (mass, weights, stage) = (of(mass), weights.map(&mut *of), of(stage));
+            Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised, momenta }) => {
+                let (mass, stage) = (mass.map(of), of(stage));
                 let polarised = polarised.map(&mut *of);
-                Implicit::Velocities(VelocityKernels { increments, mass, weights, stage, keeps, polarised })
+                Implicit::Velocities(VelocityKernels { increments, mass, stage, keeps, polarised, momenta })
+            }
+            Implicit::Herglotz(HerglotzKernels { stages, polarised }) => {
+                let stages = stages.map(of);
+                let polarised =
+                    polarised.map(|StepKernel { unknowns, kernel }| StepKernel { unknowns, kernel: of(kernel) });
+                Implicit::Herglotz(HerglotzKernels { stages, polarised })
             }
             Implicit::Contact(ContactKernels { steps, stages }) => {
                 let steps = mapped(steps, of);
-                let stages = stages.map(|StageKernel { moved, kernel }| StageKernel { moved, kernel: of(kernel) });
+                let stages = stages.map(|stages| match stages {
+                    ContactStages::Points(StageKernel { moved, kernel }) => {
+                        ContactStages::Points(StageKernel { moved, kernel: of(kernel) })
+                    }
+                    ContactStages::Velocities(stages) => ContactStages::Velocities(stages.map(of)),
+                });
                 Implicit::Contact(ContactKernels { steps, stages })
             }
             Implicit::Constrained(ConstraintKernels { constraints, quadratic, values, velocity, departure, steps }) => {
@@ -143,6 +191,18 @@ impl<K> Implicit<K> {
                 })
             }
         }
+    }
+}
+
+impl<K> VelocityStages<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> VelocityStages<L> {
+        VelocityStages { varying: self.varying, mass: self.mass.map(of), stage: of(self.stage) }
+    }
+}
+
+impl<K> MassKernels<K> {
+    fn map<L>(self, of: &mut impl FnMut(K) -> L) -> MassKernels<L> {
+        MassKernels { mass: of(self.mass), weights: self.weights.map(&mut *of), quadratic: self.quadratic }
     }
 }
 

@@ -3,12 +3,13 @@
 mod implicit;
 
 pub(crate) use implicit::{
-    ConstraintKernels, ContactKernels, FieldKernels, Implicit, StageKernel, StepKernel, VelocityKernels,
+    ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit, MassKernels,
+    StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 
 use super::domain::Domain;
+use super::exact::perturbed::Perturbed;
 use super::jet::JetKernel;
-use super::perturbed::Perturbed;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
 use crate::legendre::{Canonical, FirstOrder, Legendre, Route};

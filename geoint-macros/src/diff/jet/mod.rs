@@ -6,6 +6,7 @@
 //!
 //! Coefficients are normalised: u⁽ⁿ⁾/n!.
 
+mod factored;
 mod lanes;
 mod rules;
 

@@ -18,7 +18,8 @@ impl Builder<'_> {
         match self.graph.node(id).clone() {
             Node::Symbol(symbol) => Rule::State(symbol),
             Node::Linear(_, terms) => {
-                let terms = terms.into_iter().filter_map(|(c, term)| Some((Factor::Number(c), self.source(term)?)));
+                let terms = self.factored(terms).into_iter();
+                let terms = terms.filter_map(|(c, term)| Some((Factor::Number(c), self.source(term)?)));
                 let mut terms: Vec<_> = terms.collect();
                 // What is known last is added last.
                 terms.sort_by_key(|(_, source)| {
@@ -131,6 +132,11 @@ impl Builder<'_> {
     }
 
     fn power(&mut self, base: Id, exponent: Ratio) -> Rule {
+        // The square of a reciprocal stands beside other squares; the power rule has a sum of its own kind.
+        if exponent == Ratio::integer(-2) {
+            let reciprocal = self.graph.recip(base);
+            return Rule::Square(self.series(reciprocal));
+        }
         if !exponent.is_integer() || exponent.numerator < 0 {
             let u = self.series(base);
             return match exponent {
@@ -300,6 +306,8 @@ impl Builder<'_> {
             | Function::SineSlope
             | Function::CosineAt
             | Function::CosineSlope
+            | Function::FlowMatrix
+            | Function::FlowChange
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

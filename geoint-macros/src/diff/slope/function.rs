@@ -127,6 +127,8 @@ impl Slopes {
             | Function::SineSlope
             | Function::CosineAt
             | Function::CosineSlope
+            | Function::FlowMatrix
+            | Function::FlowChange
             | Function::KeplerF
             | Function::KeplerG
             | Function::KeplerFRate

@@ -17,8 +17,10 @@ pub(super) enum Prepared {
     Next(Factor),
     /// α·w/u.
     Ratio(Factor, Value, Value),
-    /// c·v.
-    Scaled(Number, Value),
+    /// c·v for a derivative v by time, in the unit of time of the coefficients.
+    Slope(Number, Value),
+    /// That unit.
+    Unit,
 }
 
 /// A number of the start, from the values there.
@@ -46,10 +48,11 @@ pub(super) fn prepared(number: Prepared, values: &[TokenStream]) -> TokenStream 
             let (exponent, w, u) = (factor(exponent), &values[w], &values[u]);
             quote!(#exponent * #w / #u)
         }
-        Prepared::Scaled(c, value) => {
-            let (c, value) = (constant(c), &values[value]);
-            quote!(#c * #value)
+        Prepared::Slope(c, value) => {
+            let slope = scaled(c, values[value].clone());
+            quote!(unit * (#slope))
         }
+        Prepared::Unit => quote!(unit),
     }
 }
 

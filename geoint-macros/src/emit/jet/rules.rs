@@ -17,7 +17,7 @@ impl Writer<'_> {
                 quote!(#array[n])
             }
             Rule::Affine(slope) => {
-                let slope = self.number(Prepared::Value(slope));
+                let slope = self.number(Prepared::Slope(Number::ONE, slope));
                 quote!(recurrence::affine(#slope, n))
             }
             Rule::Linear(terms) => self.linear(&terms),
@@ -27,7 +27,8 @@ impl Writer<'_> {
                 quote!(recurrence::product([#(#starts),*], [#(#c),*], #sum))
             }
             Rule::Shift { start, slope, of } => {
-                let [start, slope] = [start, slope].map(|value| self.number(Prepared::Value(value)));
+                let start = self.number(Prepared::Value(start));
+                let slope = self.number(Prepared::Slope(Number::ONE, slope));
                 let (before, c) = (self.before(of), coefficient(of));
                 quote!(#start.multiply_add(#c, #slope * #before))
             }
@@ -60,7 +61,7 @@ impl Writer<'_> {
                 scaled(factor, quote!(recurrence::integral(#start, #c, #sum, n)))
             }
             Rule::Wave { factor, slope, by } => {
-                let (slope, before) = (self.number(Prepared::Scaled(factor, slope)), self.before(by));
+                let (slope, before) = (self.number(Prepared::Slope(factor, slope)), self.before(by));
                 quote!(#slope * #before * R::from_f64(1.0 / n as f64))
             }
             Rule::Quadrature { factor, of, over } => {

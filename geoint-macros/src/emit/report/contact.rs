@@ -3,7 +3,7 @@
 use super::super::kernel::Context;
 use super::counted;
 use crate::analyze::{self, Dissipated};
-use crate::derive::{Implicit, KickDrift, System, Undamped};
+use crate::derive::{ContactStages, Implicit, KickDrift, System, Undamped};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::schedule::Plan;
@@ -20,7 +20,7 @@ pub(crate) fn contact(
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     // Writing to a string cannot fail.
     let _ = structure(&mut text, &printer, (energy, gradient), system)
-        .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, gradient.s, found)))
+        .and_then(|()| dissipated.map_or(Ok(()), |found| decaying(&mut text, &printer, ("H", gradient.s), found)))
         .and_then(|()| pieces(&mut text, &printer, system))
         .and_then(|()| implicit(&mut text, context.energy.degrees(), system));
     text
@@ -72,11 +72,11 @@ fn structure<F: Fn(Symbol) -> String>(
     }
 }
 
-/// What decays by one factor.
-fn decaying<F: Fn(Symbol) -> String>(
+/// What decays by one factor, by H or L.
+pub(super) fn decaying<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    rate: Id,
+    (by, rate): (&str, Id),
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) -> Written {
     let reads = analyze::reads(printer.graph(), rate);
@@ -87,7 +87,7 @@ fn decaying<F: Fn(Symbol) -> String>(
     };
     writeln!(text, "\nDecaying by the factor {factor}, all alike, so that quotients are constant")?;
     for i in cyclic {
-        writeln!(text, "- {}: H does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
+        writeln!(text, "- {}: {by} does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
     }
     for momentum in momenta {
         writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;
@@ -122,8 +122,14 @@ fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {
     let Some(stages) = &kernels.stages else {
         return writeln!(text, "- none: the momenta of a lift are not followed");
     };
-    let cost = counted(stages.kernel.operations());
-    let unknowns = stages.moved.len() as u32;
-    let beside = if unknowns == 2 * degrees { ": s follows, and friction costs nothing beside `Gauss`" } else { "" };
-    writeln!(text, "- `ContactGauss`, unknowns {unknowns} a stage: {cost} a stage of an iteration{beside}")
+    let (kernel, unknowns, varying) = match stages {
+        ContactStages::Points(stages) => {
+            let unknowns = stages.moved.len() as u32;
+            (&stages.kernel, unknowns, unknowns > 2 * degrees)
+        }
+        ContactStages::Velocities(stages) => (&stages.stage, degrees + u32::from(stages.varying), stages.varying),
+    };
+    let (cost, of) = (counted(kernel.operations()), if unknowns < 2 * degrees { " (velocities)" } else { "" });
+    let beside = if varying { "" } else { ": s follows, and friction costs nothing beside `Gauss`" };
+    writeln!(text, "- `ContactGauss`, unknowns {unknowns}{of} a stage: {cost} a stage of an iteration{beside}")
 }

@@ -166,7 +166,7 @@ fn kept<F: Fn(Symbol) -> String>(
     for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
         let value = printer.excerpt(conserved.value);
         let word = match (origin, source) {
-            (Origin::Listed, Source::Field(field)) => how(field.proofs.kept[i].as_ref()),
+            (Origin::Listed, Source::Field(field)) => how(&field.proofs.kept[i]),
             (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
             (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
             (Origin::Energy, Source::Field(_)) => "kept, the energy of the field".into(),
@@ -192,9 +192,9 @@ fn kept<F: Fn(Symbol) -> String>(
 }
 
 /// How it was proven that a function is kept.
-fn how(verdict: Option<&Identity>) -> String {
+fn how(verdict: &Identity) -> String {
     match verdict {
-        Some(Identity::Zero(proof)) => format!("kept, {}", proven(*proof, "kept")),
+        Identity::Zero(proof) => format!("kept, {}", proven(*proof, "kept")),
         _ => "assumed".into(),
     }
 }

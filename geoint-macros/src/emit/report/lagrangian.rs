@@ -2,8 +2,8 @@
 
 use super::super::damping;
 use super::super::kernel::Context;
-use super::counted;
-use crate::analyze::{self, Damping, Forces};
+use super::{contact, counted};
+use crate::analyze::{self, Damping, Dissipated, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -48,6 +48,19 @@ fn sections<F: Fn(Symbol) -> String>(
         writeln!(text, "- without velocities, −L = {}", printer.excerpt(legendre.potential))?;
     }
     writeln!(text, "- H is {}", mechanical(graph, legendre))?;
+    if let Some(gauge) = legendre.gauge {
+        writeln!(
+            text,
+            "- what is linear in velocities is d/dt f{} with f = {}: it adds ∂f/∂{} to momenta, and {}",
+            if analyze::reads(graph, gauge).t { " − ∂f/∂t" } else { "" },
+            printer.excerpt(gauge),
+            context.name_of(Role::Position),
+            match analyze::reads(graph, gauge).t {
+                true => "a potential ∂f/∂t to the energy",
+                false => "changes no motion: without it the energy has fewer terms that couple positions and momenta",
+            }
+        )?;
+    }
     if legendre.concave {
         writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
     }
@@ -184,8 +197,23 @@ fn steps<F: Fn(Symbol) -> String>(
     for i in &cyclic {
         writeln!(text, "- {}: L does not read {}", printer.named(Symbol::P(*i)), printer.named(Symbol::Q(*i)))?;
     }
-    if !energy && cyclic.is_empty() {
+    for (momentum, _) in &kernels.momenta {
+        writeln!(text, "- {}: {}", momentum.name, printer.excerpt(momentum.value))?;
+    }
+    if !energy && cyclic.is_empty() && kernels.momenta.is_empty() {
         writeln!(text, "- nothing that was found")?;
+    }
+    if !cyclic.is_empty() || !kernels.momenta.is_empty() {
+        writeln!(text, "`ImplicitMidpoint` and `Gauss` keep all momenta of these, to rounding")?;
+    }
+    let summed = kernels.momenta.iter().any(|(_, by_gradient)| *by_gradient);
+    if kernels.polarised.is_ok() && (energy || summed || !cyclic.is_empty()) {
+        let others = kernels.momenta.iter().filter(|(_, by_gradient)| !by_gradient).map(|(momentum, _)| &momentum.name);
+        let others: Vec<String> = others.map(|name| format!("the {name}")).collect();
+        match &others[..] {
+            [] => writeln!(text, "`DiscreteGradient` keeps all of these, to rounding")?,
+            _ => writeln!(text, "`DiscreteGradient` keeps all of these but {}, to rounding", others.join(", "))?,
+        }
     }
 
     writeln!(
@@ -201,6 +229,59 @@ fn steps<F: Fn(Symbol) -> String>(
                 "- Newton iteration of the discrete gradient, the polarised one: {}",
                 counted(polarised.operations())
             )
+        }
+        Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
+    }
+}
+
+/// The report of steps with velocities as unknowns where there is an action; `decay` is −∂L/∂s.
+pub(crate) fn herglotz(
+    context: &Context<'_>,
+    graph: &Graph,
+    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    system: &System<Plan>,
+) -> String {
+    let mut text = String::new();
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let _ = steps_with_action(&mut text, context, &printer, (long, decay, dissipated), system);
+    text
+}
+
+fn steps_with_action<F: Fn(Symbol) -> String>(
+    text: &mut String,
+    context: &Context<'_>,
+    printer: &Printer<'_, F>,
+    (long, decay, dissipated): (Id, Id, Option<&Dissipated>),
+    system: &System<Plan>,
+) -> Written {
+    let Implicit::Herglotz(kernels) = &system.implicit else { return Ok(()) };
+    let v = context.name_of(Role::Velocity);
+    writeln!(text, "Structure")?;
+    writeln!(
+        text,
+        "- steps are solved for {v}: H as a function of momenta would be long, or has no formula, by {}",
+        printer.excerpt(long)
+    )?;
+    writeln!(text, "- kick and drift do not exist, nor do pieces with flows in closed form")?;
+    writeln!(text, "- ∂H/∂s = −∂L/∂s = {}, and H' = −H ∂H/∂s − ∂L/∂t", printer.excerpt(decay))?;
+    match kernels.stages.varying {
+        true => writeln!(text, "- s acts back on positions or momenta")?,
+        false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
+    }
+    if let Some(dissipated) = dissipated {
+        contact::decaying(text, printer, ("L", decay), dissipated)?;
+    }
+    let unknowns = context.energy.degrees() + u32::from(kernels.stages.varying);
+    writeln!(text, "\nImplicit steps, with {unknowns} unknowns a stage (a sine with its cosine counts as two)")?;
+    writeln!(
+        text,
+        "- `ContactMidpoint` and `ContactGauss`: {} a stage of an iteration",
+        counted(kernels.stages.stage.operations())
+    )?;
+    match &kernels.polarised {
+        Ok(step) => {
+            let cost = counted(step.kernel.operations());
+            writeln!(text, "- `ContactDiscreteGradient`, the polarised one: {cost} an iteration")
         }
         Err(_) => writeln!(text, "- there is no discrete gradient: L is not quadratic in {v}"),
     }

@@ -15,7 +15,7 @@ pub(crate) use canonical::canonical;
 pub(crate) use constraints::constraints;
 pub(crate) use contact::contact;
 pub(crate) use flow::{OfField, Source, flow};
-pub(crate) use lagrangian::{lagrangian, velocities};
+pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
 
 /// How much something costs.
 fn counted(operations: Operations) -> String {

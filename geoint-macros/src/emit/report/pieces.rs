@@ -55,15 +55,22 @@ pub(super) fn of_flow<F: Fn(Symbol) -> String>(
     system: &System<Plan>,
 ) -> Written {
     for PiecesOf { splitting, pieces, symplectic, conserves_energy, .. } in &system.pieces {
+        let by_planes = *splitting != "PoissonSplitting";
+        if by_planes && *splitting != "PlanarSplitting" {
+            if let Ok(pieces) = pieces {
+                writeln!(text, "- `{splitting}`: {} equations of two unknowns", pieces.len())?;
+            }
+            continue;
+        }
         writeln!(text, "\nPieces of `{splitting}`, in the order of half a step")?;
         match pieces {
             Ok(pieces) => {
                 for piece in pieces {
                     let moved: Vec<String> = piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect();
-                    let what = if *splitting == "PlanarSplitting" { "the plane of" } else { "moves" };
-                    match *splitting {
-                        "PlanarSplitting" => writeln!(text, "- {what} {}", moved.join(", "))?,
-                        _ => writeln!(text, "- {}, {what} {}", printer.excerpt(piece.energy), moved.join(", "))?,
+                    let moved = moved.join(", ");
+                    match by_planes {
+                        true => writeln!(text, "- the plane of {moved}")?,
+                        false => writeln!(text, "- {}, moves {moved}", printer.excerpt(piece.energy))?,
                     }
                     of_piece(text, piece)?;
                 }

@@ -1,6 +1,6 @@
-//! Quadratic energies whose degrees of freedom are coupled in pairs at most: linear flows.
+//! Quadratic energies: linear flows, block by block of degrees of freedom that are coupled.
 //!
-//! x' = Mx + g with M = JS for one or two degrees of freedom. The powers of M are 1, M, N = M², M³, because N² = −bN − c with b = −tr N/2 and
+//! x' = Mx + g with M = JS. For more than two degrees of freedom exp(hM) is a matrix of numbers. For one or two the powers of M are 1, M, N = M², M³, because N² = −bN − c with b = −tr N/2 and
 //! c = det M. With z₁ and z₂ the roots of z² + bh²z + ch⁴, S(z) = sinh √z/√z and D(z) = (cosh √z − 1)/z, the lines through both values of
 //! S and of D are s₀ + s₂z and d₀ + d₂z, and φ₁(hM) = s₀ + s₂h²N + hM (d₀ + d₂h²N). Then x moves by hM φ₁(hM) x + h φ₁(hM) g, where no
 //! numbers of nearly equal size are subtracted.
@@ -39,6 +39,14 @@ pub(in super::super) fn block(graph: &mut Graph, group: &Group) -> Option<Flow> 
             let slope = powers.coefficient(graph, &[(of, 1)]);
             g.push(graph.scale(sign, slope));
         }
+        if n > CLOSED {
+            let changes = changes(graph, &m, &g, &coordinates);
+            for (symbol, change) in coordinates.iter().zip(changes) {
+                let start = graph.symbol(*symbol);
+                flow.moves(*symbol, graph.add(start, change));
+            }
+            continue;
+        }
         let (change, mean) = exponential(graph, &m);
         let h = graph.symbol(Symbol::H);
         for (i, symbol) in coordinates.iter().enumerate() {
@@ -50,17 +58,48 @@ pub(in super::super) fn block(graph: &mut Graph, group: &Group) -> Option<Flow> 
                 terms.push(shifted);
             }
             let end = graph.sum(&terms);
-            match symbol {
-                Symbol::Q(i) => flow.q[*i as usize] = end,
-                Symbol::P(i) => flow.p[*i as usize] = end,
-                _ => {}
-            }
+            flow.moves(*symbol, end);
         }
     }
     Some(flow)
 }
 
-/// Degrees of freedom that are coupled; nothing if these are more than two.
+/// So many degrees of freedom have a flow in closed form.
+const CLOSED: usize = 2;
+
+/// So many may be coupled: a flow then costs as much as 4·32² products, and its matrix is prepared.
+const MOST: usize = 32;
+
+/// (exp(hM) − 1) x + hφ₁(hM) g for more degrees of freedom: a matrix is computed where a step is prepared, with g as what a coordinate
+/// that stays 1 adds.
+fn changes(graph: &mut Graph, m: &Matrix, g: &[Id], coordinates: &[Symbol]) -> Vec<Id> {
+    let h = graph.symbol(Symbol::H);
+    let shifted = g.iter().any(|slope| !graph.is_zero(*slope));
+    let size = coordinates.len() + usize::from(shifted);
+    let mut entries = vec![graph.integer(size as i128)];
+    for column in 0..size {
+        for row in 0..coordinates.len() {
+            let entry = if column < coordinates.len() { m[row][column] } else { g[row] };
+            if !graph.is_zero(entry) {
+                entries.push(graph.integer((column * size + row) as i128));
+                entries.push(graph.mul(h, entry));
+            }
+        }
+    }
+    let mut args = vec![graph.zero(), graph.call(Function::FlowMatrix, &entries)];
+    args.extend(coordinates.iter().map(|symbol| graph.symbol(*symbol)));
+    if shifted {
+        args.push(graph.integer(1));
+    }
+    (0..coordinates.len())
+        .map(|row| {
+            args[0] = graph.integer(row as i128);
+            graph.call(Function::FlowChange, &args)
+        })
+        .collect()
+}
+
+/// Degrees of freedom that are coupled; nothing if these are too many.
 fn blocks(graph: &mut Graph, powers: &Polynomial, degrees: u32) -> Option<Vec<Vec<u32>>> {
     let mut blocks: Vec<Vec<u32>> = vec![];
     for i in 0..degrees {
@@ -85,7 +124,7 @@ fn blocks(graph: &mut Graph, powers: &Polynomial, degrees: u32) -> Option<Vec<Ve
             monomial.keys().any(|symbol| matches!(symbol, Symbol::Q(i) | Symbol::P(i) if block.contains(i)))
         })
     });
-    blocks.iter().all(|block| block.len() <= 2).then_some(blocks)
+    blocks.iter().all(|block| block.len() <= MOST).then_some(blocks)
 }
 
 /// ∂²H/∂a∂b.

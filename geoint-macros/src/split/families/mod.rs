@@ -70,7 +70,7 @@ pub(crate) static FAMILIES: &[Family] = &[
     },
     Family {
         name: "coupled oscillators",
-        energies: "x·Sx/2 + g·x, two degrees of freedom coupled at most",
+        energies: "x·Sx/2 + g·x, 32 degrees of freedom coupled at most",
         source: ARNOLD,
         action: false,
         solve: block::block,

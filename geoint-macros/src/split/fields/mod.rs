@@ -5,7 +5,7 @@ mod solve;
 mod poisson;
 mod planar;
 
-pub(crate) use planar::planes;
+pub(crate) use planar::{planes, solved_planes};
 pub(crate) use poisson::parts;
 
 use super::time::Clock;

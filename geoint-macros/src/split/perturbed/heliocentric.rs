@@ -3,7 +3,7 @@
 //! Q_i = q_i − q₀, V_i = v_i − V₀ with the velocity V₀ of the centre. T is then Σ m_i|V_i|²/2 and |Σ m_i V_i|²/2m₀, the motion of body 0, which moves
 //! all others alike: a jump. No order of bodies is asked for. M. J. Duncan, H. F. Levison & M. H. Lee, Astron. J. 116 (1998) 2067.
 
-use super::bodies::{Frame, Masses, Offsets};
+use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};
 
 pub(super) const HELIOCENTRIC: Frame = Frame {

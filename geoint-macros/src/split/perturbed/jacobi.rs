@@ -4,7 +4,7 @@
 //! written here, so that they, and the reverse sweep through them, cost as much for each body, not for each pair. J. Wisdom & M. Holman,
 //! Astron. J. 102 (1991) 1528; H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376.
 
-use super::bodies::{Frame, Masses, Offsets};
+use super::frame::{Frame, Masses, Offsets};
 use crate::ir::{Graph, Id};
 
 pub(super) const JACOBI: Frame = Frame {

@@ -5,13 +5,14 @@
 
 mod attraction;
 mod bodies;
+mod frame;
 mod heliocentric;
 mod jacobi;
 
-use super::atoms::linear_motion;
+use super::atoms::{is_whole, linear_motion};
 use super::families::piece;
 use super::flow::{Flow, Space};
-use super::polynomial::{Polynomial, is_momentum, times_powers};
+use super::polynomial::{Monomial, Polynomial, degree, is_momentum, times_powers};
 use super::time::Clock;
 use crate::analyze::{self, Split, Structure};
 use crate::diff;
@@ -112,12 +113,19 @@ pub(crate) fn divided(
         let attraction = attraction(graph, parts, shape)?;
         return Ok(bodies::perturbed(graph, &frame, &attraction, shape));
     }
-    let (bound, rest) = oscillators(graph, parts.potential);
-    if graph.is_zero(bound) {
-        return Err(NoPart { term: parts.potential, why: NO_EXACT_PART });
+    // All that is quadratic, or where that has no flow the squares of single positions.
+    for single in [false, true] {
+        let (bound, rest) = oscillators(graph, parts.potential, single);
+        if graph.is_zero(bound) {
+            return Err(NoPart { term: parts.potential, why: NO_EXACT_PART });
+        }
+        let exact = graph.add(parts.kinetic, bound);
+        let found = of_parts(graph, exact, rest, degrees);
+        if found.is_ok() || single {
+            return found;
+        }
     }
-    let exact = graph.add(parts.kinetic, bound);
-    of_parts(graph, exact, rest, degrees)
+    Err(NoPart { term: parts.potential, why: NO_EXACT_PART })
 }
 
 /// The quadratic terms and whatever else reads momenta, and the rest.
@@ -169,21 +177,24 @@ fn velocity(graph: &mut Graph, exact: Id, degrees: u32) -> Result<Vec<Id>, Id> {
     Ok(diff::gradient(graph, exact, degrees).p)
 }
 
-/// The terms of a potential in qᵢ² and qᵢ with constant coefficients, where there is qᵢ²; and the others.
-fn oscillators(graph: &mut Graph, potential: Id) -> (Id, Id) {
-    let (mut bound, mut rest) = (vec![], vec![]);
-    for term in analyze::single_terms(graph, potential) {
-        let square = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::T).is_some_and(
-            |powers| {
-                powers.has_only(|monomial| {
-                    monomial.len() == 1
-                        && monomial.iter().all(|(symbol, power)| *symbol != Symbol::T && *power == Ratio::integer(2))
-                })
-            },
-        );
-        if square { bound.push(term) } else { rest.push(term) }
-    }
-    (graph.sum(&bound), graph.sum(&rest))
+/// The terms of a potential that are quadratic with constant coefficients, of single positions or of any; and the others.
+fn oscillators(graph: &mut Graph, potential: Id, single: bool) -> (Id, Id) {
+    let mut terms = analyze::single_terms(graph, potential);
+    let bound = terms.extract_if(.., |term| is_oscillator(graph, *term, single)).collect::<Vec<_>>();
+    (graph.sum(&bound), graph.sum(&terms))
+}
+
+fn is_oscillator(graph: &mut Graph, term: Id, single: bool) -> bool {
+    let Some(powers) = Polynomial::of(graph, term, &|symbol| symbol.is_coordinate() || symbol == Symbol::T) else {
+        return false;
+    };
+    let two = Some(Ratio::integer(2));
+    let of_degree = |monomial: &Monomial| degree(monomial.values().copied());
+    let allowed = |monomial: &Monomial| {
+        let whole = is_whole(monomial) && !monomial.contains_key(&Symbol::T);
+        whole && if single { monomial.len() == 1 && of_degree(monomial) == two } else { of_degree(monomial) <= two }
+    };
+    powers.has_only(allowed) && powers.terms().any(|(monomial, _)| of_degree(monomial) == two)
 }
 
 /// Half of a number.

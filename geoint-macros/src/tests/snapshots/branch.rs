@@ -67,8 +67,10 @@ const _: () = {
         ByPolarisation, ByTree, ByVelocities, Collocated, BodyState, Collocation,
         ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
         ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
-        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting,
-        ContactStages, ContactState, ContactSystem, Coordinates, CotangentSpace,
+        Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
+        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
+        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
         Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
@@ -77,8 +79,9 @@ const _: () = {
         PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -928,6 +931,7 @@ const _: () = {
         #[inline]
         fn jet<const P: usize>(
             &self,
+            unit: R,
             t: R,
             z: &[[R; 1]; 2],
             _: &(),
@@ -937,7 +941,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 11],
+                k: &[R; 12],
                 masks: &[R::Mask; 1],
                 u2: &mut [R; P],
                 u3: &mut [R; P],
@@ -952,38 +956,38 @@ const _: () = {
             ) {
                 let (whole, next) = (
                     R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
+                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
                 let (c2, c8, c5, c3, c0, c9, c14, c12, c11, c10, c7, c4, c1, c6, c13);
                 c2 = u2[n];
-                c8 = recurrence::square(k[0], c2, recurrence::sum_of_square(u2, n));
+                c8 = recurrence::square(k[1], c2, recurrence::sum_of_square(u2, n));
                 c5 = c8;
                 u5[n] = c5;
                 c3 = recurrence::power(
-                    [k[2], k[1]],
+                    [k[3], k[2]],
                     c5,
-                    recurrence::sum_of_power(u5, u3, k[3], n),
+                    recurrence::sum_of_power(u5, u3, k[4], n),
                     n,
                 );
                 u3[n] = c3;
                 c0 = recurrence::product(
-                    [k[0], k[4]],
+                    [k[1], k[5]],
                     [c2, c3],
                     recurrence::sum(u2, u3, n),
                 );
                 c9 = u9[n];
-                c14 = recurrence::square(k[5], c9, recurrence::sum_of_square(u9, n));
+                c14 = recurrence::square(k[6], c9, recurrence::sum_of_square(u9, n));
                 u14[n] = c14;
                 c12 = recurrence::product(
-                    [k[5], k[6]],
+                    [k[6], k[7]],
                     [c9, c14],
                     recurrence::sum(u9, u14, n),
                 );
                 u12[n] = c12;
-                c11 = k[7] * u13[n - 1] * R::from_f64(1.0 / n as f64);
+                c11 = k[8] * u13[n - 1] * R::from_f64(1.0 / n as f64);
                 u11[n] = c11;
                 c10 = recurrence::product(
-                    [k[8], k[9]],
+                    [k[9], k[10]],
                     [c11, c12],
                     recurrence::sum(u11, u12, n),
                 );
@@ -994,7 +998,7 @@ const _: () = {
                 };
                 c1 = -c4;
                 c6 = -c9;
-                c13 = k[10] * u11[n - 1] * R::from_f64(1.0 / n as f64);
+                c13 = k[11] * u11[n - 1] * R::from_f64(1.0 / n as f64);
                 u13[n] = c13;
                 jet[n].z[0][0] = next * c0;
                 if n + 1 < P {
@@ -1050,7 +1054,8 @@ const _: () = {
             v13 = -v12;
             v14 = -q0;
             v15 = v9 * v7;
-            let k: [R; 11] = [
+            let k: [R; 12] = [
+                unit,
                 p0,
                 R::from_f64(-0.5) * v3 / v1,
                 v1,
@@ -1058,10 +1063,10 @@ const _: () = {
                 v3,
                 q0,
                 v8,
-                R::from_f64(-1.0) * k1,
+                unit * (-k1),
                 v7,
                 v9,
-                R::from_f64(1.0) * k1,
+                unit * (k1),
             ];
             let masks: [R::Mask; 1] = [v5];
             let (mut u2, mut u3, mut u5, mut u9, mut u11, mut u12, mut u13, mut u14) = (
@@ -1082,13 +1087,13 @@ const _: () = {
             u12[0] = v9;
             u13[0] = v6;
             u14[0] = v8;
-            jet[0].z[0][0] = v4;
+            jet[0].z[0][0] = unit * (v4);
             if P > 1 {
-                u9[1] = v4;
+                u9[1] = jet[0].z[0][0];
             }
-            jet[0].z[1][0] = v13;
+            jet[0].z[1][0] = unit * (v13);
             if P > 1 {
-                u2[1] = v13;
+                u2[1] = jet[0].z[1][0];
             }
             switches[0][0] = v14;
             macro_rules! orders {

@@ -74,8 +74,10 @@ const _: () = {
         ByPolarisation, ByTree, ByVelocities, Collocated, BodyState, Collocation,
         ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
         ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
-        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting,
-        ContactStages, ContactState, ContactSystem, Coordinates, CotangentSpace,
+        Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
+        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
+        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
         Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
@@ -84,8 +86,9 @@ const _: () = {
         PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -856,6 +859,7 @@ const _: () = {
         #[inline]
         fn jet<const P: usize>(
             &self,
+            unit: R,
             t: R,
             z: &[[R; 2]; 2],
             _: &(),
@@ -865,7 +869,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 4],
+                k: &[R; 5],
                 masks: &[R::Mask; 0],
                 u1: &mut [R; P],
                 u6: &mut [R; P],
@@ -878,25 +882,25 @@ const _: () = {
             ) {
                 let (whole, next) = (
                     R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
+                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
                 let (c9, c11, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
                 c9 = u9[n];
-                c11 = recurrence::square(k[0], c9, recurrence::sum_of_square(u9, n));
+                c11 = recurrence::square(k[1], c9, recurrence::sum_of_square(u9, n));
                 c8 = c11;
                 u8[n] = c8;
                 c7 = u7[n];
                 c4 = recurrence::product(
-                    [k[1], k[2]],
+                    [k[2], k[3]],
                     [c7, c8],
                     recurrence::sum(u7, u8, n),
                 );
                 c0 = R::from_f64(2.0) * c4;
                 c1 = u1[n];
-                c10 = recurrence::square(k[1], c7, recurrence::sum_of_square(u7, n));
+                c10 = recurrence::square(k[2], c7, recurrence::sum_of_square(u7, n));
                 u10[n] = c10;
                 c5 = recurrence::product(
-                    [k[0], k[3]],
+                    [k[1], k[4]],
                     [c9, c10],
                     recurrence::sum(u9, u10, n),
                 );
@@ -939,7 +943,7 @@ const _: () = {
             v8 = -p1;
             v9 = p0 * v1;
             v10 = q0 * v4;
-            let k: [R; 4] = [q0, p0, v1, v4];
+            let k: [R; 5] = [unit, q0, p0, v1, v4];
             let masks: [R::Mask; 0] = [];
             let (mut u1, mut u6, mut u7, mut u8, mut u9, mut u10) = (
                 [R::from_f64(0.0); P],
@@ -955,21 +959,21 @@ const _: () = {
             u8[0] = v1;
             u9[0] = q0;
             u10[0] = v4;
-            jet[0].z[0][0] = v3;
+            jet[0].z[0][0] = unit * (v3);
             if P > 1 {
-                u9[1] = v3;
+                u9[1] = jet[0].z[0][0];
             }
-            jet[0].z[0][1] = q1;
+            jet[0].z[0][1] = unit * (q1);
             if P > 1 {
-                u1[1] = q1;
+                u1[1] = jet[0].z[0][1];
             }
-            jet[0].z[1][0] = v7;
+            jet[0].z[1][0] = unit * (v7);
             if P > 1 {
-                u7[1] = v7;
+                u7[1] = jet[0].z[1][0];
             }
-            jet[0].z[1][1] = v8;
+            jet[0].z[1][1] = unit * (v8);
             if P > 1 {
-                u6[1] = v8;
+                u6[1] = jet[0].z[1][1];
             }
             macro_rules! orders {
                 ($($n:expr)*) => {

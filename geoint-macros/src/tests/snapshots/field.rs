@@ -33,7 +33,7 @@ Integrals
 Operations (a sine with its cosine counts as two)
 - x': sums and products 3
 - stage of a Newton iteration of collocation: sums and products 2
-- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1
+- Newton iteration of `DiscreteGradient`: sums and products 47, functions 1
 - Newton iteration of `FourthOrder`: sums and products 66, functions 1
 
 Implicit steps
@@ -54,6 +54,8 @@ Pieces of `PlanarSplitting`, in the order of half a step
   linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow
   exact in time; sums and products 6
 - the energy is kept to rounding, Casimirs to the order
+- `PlanarDiscreteGradient`: 1 equations of two unknowns
+- `PlanarItohAbe`: 2 equations of two unknowns
 ```*/
 struct Turning<R = f64> {
     ///The parameter `w` of the energy.
@@ -79,8 +81,10 @@ const _: () = {
         ByPolarisation, ByTree, ByVelocities, Collocated, BodyState, Collocation,
         ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
         ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
-        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting,
-        ContactStages, ContactState, ContactSystem, Coordinates, CotangentSpace,
+        Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
+        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
+        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
         Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
@@ -89,8 +93,9 @@ const _: () = {
         PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -98,7 +103,7 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 6\n- the energy is kept to rounding, Casimirs to the order\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 47, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 6\n- the energy is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equations of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
         /// The energy of a state.
         pub fn energy(&self, state: &FlowState<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -483,6 +488,388 @@ const _: () = {
             }
         }
     }
+    impl<R: Real> FlowPieces<PlanarDiscreteGradient, R> for Turning<R> {
+        const PIECES: &'static [FlowPiece] = &[
+            FlowPiece {
+                name: "-x[1]·w",
+                clock: PieceClock::Own,
+                solved: true,
+            },
+        ];
+        const SYMPLECTIC: bool = false;
+        const CONSERVES_ENERGY: bool = true;
+        type Proof = ();
+        type Flows = ([R; 2],);
+        type Frozen = ([R; 0],);
+        #[inline]
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 2],) {
+            (
+                {
+                    let h = last;
+                    let (k0, a0, v0, v1, v2);
+                    k0 = R::from_f64(0.5);
+                    a0 = self.w;
+                    v0 = k0 * a0;
+                    v1 = v0 * h;
+                    v2 = -v1;
+                    [v2, v1]
+                },
+            )
+        }
+        #[inline(always)]
+        fn freeze(&self, flows: &([R; 2],), t: R) -> ([R; 0],) {
+            (
+                {
+                    let prepared = &flows.0;
+                    []
+                },
+            )
+        }
+        #[inline(always)]
+        fn flow(
+            &self,
+            piece: usize,
+            flows: &([R; 2],),
+            frozen: &([R; 0],),
+            t: R,
+            z: &mut [R; 2],
+            s: &mut (),
+        ) {
+            let q = z;
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    q[0] = q[0] + step[0];
+                    q[1] = q[1] + step[1];
+                }
+                _ => {}
+            }
+        }
+        #[inline(always)]
+        fn increments(
+            &self,
+            piece: usize,
+            flows: &([R; 2],),
+            frozen: &([R; 0],),
+            t: R,
+            x: &PerCoordinate<[R; 2], ()>,
+        ) -> PerCoordinate<[R; 2], ()> {
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    d.z[0] = d.z[0] + step[0];
+                    d.z[1] = d.z[1] + step[1];
+                    d
+                }
+                _ => PerCoordinate::nothing(),
+            }
+        }
+    }
+    impl<R: Real> FlowPieces<PlanarItohAbe, R> for Turning<R> {
+        const PIECES: &'static [FlowPiece] = &[
+            FlowPiece {
+                name: "-x[1]·w",
+                clock: PieceClock::Own,
+                solved: true,
+            },
+            FlowPiece {
+                name: "-x[1]·w",
+                clock: PieceClock::Own,
+                solved: true,
+            },
+        ];
+        const SYMPLECTIC: bool = false;
+        const CONSERVES_ENERGY: bool = true;
+        type Proof = ();
+        type Flows = ([R; 2], [R; 2]);
+        type Frozen = ([R; 0], [R; 0]);
+        #[inline]
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 2], [R; 2]) {
+            (
+                {
+                    let h = outer;
+                    let (k0, a0, v0, v1, v2);
+                    k0 = R::from_f64(0.5);
+                    a0 = self.w;
+                    v0 = k0 * a0;
+                    v1 = v0 * h;
+                    v2 = -v1;
+                    [v2, v1]
+                },
+                {
+                    let h = last;
+                    let (k0, a0, v0, v1, v2);
+                    k0 = R::from_f64(0.5);
+                    a0 = self.w;
+                    v0 = k0 * a0;
+                    v1 = v0 * h;
+                    v2 = -v1;
+                    [v2, v1]
+                },
+            )
+        }
+        #[inline(always)]
+        fn freeze(&self, flows: &([R; 2], [R; 2]), t: R) -> ([R; 0], [R; 0]) {
+            (
+                {
+                    let prepared = &flows.0;
+                    []
+                },
+                {
+                    let prepared = &flows.1;
+                    []
+                },
+            )
+        }
+        #[inline(always)]
+        fn flow(
+            &self,
+            piece: usize,
+            flows: &([R; 2], [R; 2]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            z: &mut [R; 2],
+            s: &mut (),
+        ) {
+            let q = z;
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    q[0] = q[0] + step[0];
+                    q[1] = q[1] + step[1];
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    q[0] = q[0] + step[0];
+                    q[1] = q[1] + step[1];
+                }
+                _ => {}
+            }
+        }
+        #[inline(always)]
+        fn increments(
+            &self,
+            piece: usize,
+            flows: &([R; 2], [R; 2]),
+            frozen: &([R; 0], [R; 0]),
+            t: R,
+            x: &PerCoordinate<[R; 2], ()>,
+        ) -> PerCoordinate<[R; 2], ()> {
+            match piece {
+                0 => {
+                    let (prepared, start) = (&flows.0, &frozen.0);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    d.z[0] = d.z[0] + step[0];
+                    d.z[1] = d.z[1] + step[1];
+                    d
+                }
+                1 => {
+                    let (prepared, start) = (&flows.1, &frozen.1);
+                    let PerCoordinate { z: q, s } = x;
+                    let mut d: PerCoordinate<[R; 2], ()> = PerCoordinate::nothing();
+                    let step = planar_step(
+                        [q[0], q[1]],
+                        |increment: &[R; 2]| -> ([R; 2], [[R; 2]; 2]) {
+                            let (
+                                k0,
+                                q1,
+                                dq1,
+                                prepared_0,
+                                q0,
+                                dq0,
+                                prepared_1,
+                                k7,
+                                v0,
+                                v1,
+                                v2,
+                                v3,
+                            );
+                            k0 = R::from_f64(2.0);
+                            q1 = q[1];
+                            dq1 = increment[1];
+                            prepared_0 = prepared[0];
+                            q0 = q[0];
+                            dq0 = increment[0];
+                            prepared_1 = prepared[1];
+                            k7 = R::from_f64(1.0);
+                            v0 = k0.multiply_add(q1, dq1);
+                            v1 = prepared_0 * v0;
+                            v2 = k0.multiply_add(q0, dq0);
+                            v3 = prepared_1 * v2;
+                            ([v1, v3], [[k7, prepared_1], [prepared_0, k7]])
+                        },
+                    );
+                    d.z[0] = d.z[0] + step[0];
+                    d.z[1] = d.z[1] + step[1];
+                    d
+                }
+                _ => PerCoordinate::nothing(),
+            }
+        }
+    }
     impl<R: Real> Graded<R> for Turning<R> {
         type Proof = ();
         type Gradient = ByTree;
@@ -569,6 +956,8 @@ const _: () = {
                 v30,
                 v31,
                 v32,
+                v33,
+                v34,
             );
             k0 = R::from_f64(0.5);
             dq1 = d[1];
@@ -601,26 +990,28 @@ const _: () = {
             v16 = -v3;
             v17 = v16.multiply_add(v13, v9);
             v18 = k9 * v1;
-            v19 = prepared_2.multiply_add(v3, v14);
-            v20 = -v18;
-            v21 = v20.multiply_add(v13, v19);
-            v22 = v6 * v21;
-            v23 = -v13;
-            v24 = v11.multiply_add(v22, v23);
-            v25 = k9 * v3;
-            v26 = prepared_3.multiply_add(v1, v9);
-            v27 = -v25;
-            v28 = v27.multiply_add(v13, v26);
-            v29 = v6 * v28;
-            v30 = v11.multiply_add(v29, prepared_3);
-            v31 = v16.multiply_add(v22, prepared_2);
-            v32 = v16.multiply_add(v29, v23);
+            v19 = prepared_2 * v3;
+            v20 = prepared_0.multiply_add(v0, v19);
+            v21 = -v18;
+            v22 = v21.multiply_add(v13, v20);
+            v23 = v6 * v22;
+            v24 = -v13;
+            v25 = v11.multiply_add(v23, v24);
+            v26 = k9 * v3;
+            v27 = prepared_3 * v1;
+            v28 = prepared_1.multiply_add(v8, v27);
+            v29 = -v26;
+            v30 = v29.multiply_add(v13, v28);
+            v31 = v6 * v30;
+            v32 = v11.multiply_add(v31, prepared_3);
+            v33 = v16.multiply_add(v23, prepared_2);
+            v34 = v16.multiply_add(v31, v24);
             f[0] = v15;
             f[1] = v17;
-            jacobian[0][0] = v24;
-            jacobian[0][1] = v30;
-            jacobian[1][0] = v31;
-            jacobian[1][1] = v32;
+            jacobian[0][0] = v25;
+            jacobian[0][1] = v32;
+            jacobian[1][0] = v33;
+            jacobian[1][1] = v34;
         }
         #[inline(always)]
         fn equation(
@@ -687,6 +1078,8 @@ const _: () = {
                 v36,
                 v37,
                 v38,
+                v39,
+                v40,
             );
             k0 = R::from_f64(0.5);
             dq1 = d[1];
@@ -724,30 +1117,32 @@ const _: () = {
             v18 = v17.multiply_add(v13, v9);
             v19 = prepared_4 * v18;
             v20 = k10 * v1;
-            v21 = prepared_2.multiply_add(v3, v14);
-            v22 = -v20;
-            v23 = v22.multiply_add(v13, v21);
-            v24 = v6 * v23;
-            v25 = -v13;
-            v26 = v11.multiply_add(v24, v25);
-            v27 = prepared_5.multiply_add(v26, k13);
-            v28 = k10 * v3;
-            v29 = prepared_3.multiply_add(v1, v9);
-            v30 = -v28;
-            v31 = v30.multiply_add(v13, v29);
-            v32 = v6 * v31;
-            v33 = v11.multiply_add(v32, prepared_3);
-            v34 = prepared_5 * v33;
-            v35 = v17.multiply_add(v24, prepared_2);
+            v21 = prepared_2 * v3;
+            v22 = prepared_0.multiply_add(v0, v21);
+            v23 = -v20;
+            v24 = v23.multiply_add(v13, v22);
+            v25 = v6 * v24;
+            v26 = -v13;
+            v27 = v11.multiply_add(v25, v26);
+            v28 = prepared_5.multiply_add(v27, k13);
+            v29 = k10 * v3;
+            v30 = prepared_3 * v1;
+            v31 = prepared_1.multiply_add(v8, v30);
+            v32 = -v29;
+            v33 = v32.multiply_add(v13, v31);
+            v34 = v6 * v33;
+            v35 = v11.multiply_add(v34, prepared_3);
             v36 = prepared_5 * v35;
-            v37 = v17.multiply_add(v32, v25);
-            v38 = prepared_5.multiply_add(v37, k13);
+            v37 = v17.multiply_add(v25, prepared_2);
+            v38 = prepared_5 * v37;
+            v39 = v17.multiply_add(v34, v26);
+            v40 = prepared_5.multiply_add(v39, k13);
             image[0] = v16;
             image[1] = v19;
-            matrix[0][0] = v27;
-            matrix[0][1] = v34;
-            matrix[1][0] = v36;
-            matrix[1][1] = v38;
+            matrix[0][0] = v28;
+            matrix[0][1] = v36;
+            matrix[1][0] = v38;
+            matrix[1][1] = v40;
         }
         #[inline(always)]
         fn drift(&self, prepared: &[R; 6], p: &[R; 2]) -> [R; 2] {
@@ -1040,6 +1435,7 @@ const _: () = {
         #[inline]
         fn jet<const P: usize>(
             &self,
+            unit: R,
             t: R,
             z: &[R; 2],
             _: &(),
@@ -1049,7 +1445,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 1],
+                k: &[R; 2],
                 masks: &[R::Mask; 0],
                 u3: &mut [R; P],
                 u4: &mut [R; P],
@@ -1058,14 +1454,14 @@ const _: () = {
             ) {
                 let (whole, next) = (
                     R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
+                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
                 let (c4, c2, c0, c3, c1);
                 c4 = u4[n];
-                c2 = k[0] * c4;
+                c2 = k[1] * c4;
                 c0 = -c2;
                 c3 = u3[n];
-                c1 = k[0] * c3;
+                c1 = k[1] * c3;
                 jet[n].z[0] = next * c0;
                 if n + 1 < P {
                     u3[n + 1] = jet[n].z[0];
@@ -1083,18 +1479,18 @@ const _: () = {
             v0 = q1 * a0;
             v1 = -v0;
             v2 = q0 * a0;
-            let k: [R; 1] = [a0];
+            let k: [R; 2] = [unit, a0];
             let masks: [R::Mask; 0] = [];
             let (mut u3, mut u4) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
             u3[0] = q0;
             u4[0] = q1;
-            jet[0].z[0] = v1;
+            jet[0].z[0] = unit * (v1);
             if P > 1 {
-                u3[1] = v1;
+                u3[1] = jet[0].z[0];
             }
-            jet[0].z[1] = v2;
+            jet[0].z[1] = unit * (v2);
             if P > 1 {
-                u4[1] = v2;
+                u4[1] = jet[0].z[1];
             }
             macro_rules! orders {
                 ($($n:expr)*) => {

@@ -77,8 +77,10 @@ const _: () = {
         ByPolarisation, ByTree, ByVelocities, Collocated, BodyState, Collocation,
         ConformalContact, Conservative, ConstrainedStep, ConstrainedSystem,
         ContactDiscreteGradient, ContactMidpoint, FlowPiece, FlowPieces, PieceSplitting,
-        PlanarSplitting, PolarisedForm, PoissonSplitting, ContactSplitting,
-        ContactStages, ContactState, ContactSystem, Coordinates, CotangentSpace,
+        Placed, PlanarDiscreteGradient, PlanarItohAbe, PlanarSplitting, PolarisedForm,
+        PoissonSplitting, ContactSplitting, ContactCollocated, ContactGraded,
+        ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
+        contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
         Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
@@ -87,8 +89,9 @@ const _: () = {
         PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
         TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
         VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
-        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
+        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
+        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
+        unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -655,6 +658,7 @@ const _: () = {
         #[inline]
         fn jet<const P: usize>(
             &self,
+            unit: R,
             t: R,
             z: &[[R; 1]; 2],
             _: &(),
@@ -664,7 +668,7 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 4],
+                k: &[R; 5],
                 masks: &[R::Mask; 0],
                 u2: &mut [R; P],
                 u4: &mut [R; P],
@@ -676,18 +680,18 @@ const _: () = {
             ) {
                 let (whole, next) = (
                     R::from_f64(n as f64),
-                    R::from_f64(1.0 / (n + 1) as f64),
+                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
                 let (c2, c0, c6, c4, c3, c1, c5);
                 c2 = u2[n];
-                c0 = k[0] * c2;
+                c0 = k[1] * c2;
                 c6 = u6[n];
                 ju6[n] = whole * c6;
-                c4 = recurrence::integral(k[1], c6, recurrence::sum(ju6, u5, n), n);
+                c4 = recurrence::integral(k[2], c6, recurrence::sum(ju6, u5, n), n);
                 u4[n] = c4;
-                c3 = k[2] * c4;
+                c3 = k[3] * c4;
                 c1 = -c3;
-                c5 = -recurrence::integral(k[3], c6, recurrence::sum(ju6, u4, n), n);
+                c5 = -recurrence::integral(k[4], c6, recurrence::sum(ju6, u4, n), n);
                 u5[n] = c5;
                 jet[n].z[0][0] = next * c0;
                 if n + 1 < P {
@@ -715,7 +719,7 @@ const _: () = {
             (v6, v7) = q0.sin_cos();
             v8 = v5 * v6;
             v9 = -v8;
-            let k: [R; 4] = [v2, v7, v5, v6];
+            let k: [R; 5] = [unit, v2, v7, v5, v6];
             let masks: [R::Mask; 0] = [];
             let (mut u2, mut u4, mut u5, mut u6, mut ju6) = (
                 [R::from_f64(0.0); P],
@@ -728,13 +732,13 @@ const _: () = {
             u4[0] = v6;
             u5[0] = v7;
             u6[0] = q0;
-            jet[0].z[0][0] = v3;
+            jet[0].z[0][0] = unit * (v3);
             if P > 1 {
-                u6[1] = v3;
+                u6[1] = jet[0].z[0][0];
             }
-            jet[0].z[1][0] = v9;
+            jet[0].z[1][0] = unit * (v9);
             if P > 1 {
-                u2[1] = v9;
+                u2[1] = jet[0].z[1][0];
             }
             macro_rules! orders {
                 ($($n:expr)*) => {

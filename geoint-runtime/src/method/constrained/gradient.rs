@@ -1,21 +1,13 @@
 //! The discrete gradient with constraints.
 
-use super::step::Equation;
+use super::step::{Equation, Prepared};
 use crate::method::discrete_gradient::DiscreteGradient;
 use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::vector::moved;
 use crate::space::{Array, Compensated, Record, Summation, Tape};
-use crate::system::{ByConstraint, ConstrainedStep, Poles, on_one_side};
-
-/// Coefficients of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R> {
-    constants: P,
-    poles: Poles,
-    h: R,
-}
+use crate::system::{ByConstraint, ConstrainedStep, on_one_side};
 
 /// What a step hands on to the next one.
 #[derive(Clone, Debug)]
@@ -38,7 +30,7 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
     type Memory = Memory<S, R>;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
-        Prepared { constants: system.constants(h), poles: Poles::of(system), h }
+        Prepared::new(system, h)
     }
 
     fn memory() -> Self::Memory {

@@ -1,13 +1,13 @@
 //! RATTLE.
 
-use super::step::Equation;
+use super::step::{Equation, Prepared};
 use crate::method::composition::substeps;
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Summation};
-use crate::system::{ConstrainedStep, Poles, on_one_side, tangent};
+use crate::system::{ConstrainedStep, on_one_side, tangent};
 
 /// p½ = p₀ − h/2 (∂H/∂q + Gᵀλ)(q₀, p½), q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)) with g(q₁) = 0, and
 /// p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½) with G ∂H/∂p(q₁, p₁) = 0.
@@ -21,14 +21,6 @@ use crate::system::{ConstrainedStep, Poles, on_one_side, tangent};
 /// J. Numer. Anal. 33 (1996) 368; Hairer, Lubich & Wanner, *Geometric Numerical Integration*, (VII.1.26).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rattle;
-
-/// Coefficients of a step.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R> {
-    constants: P,
-    poles: Poles,
-    h: R,
-}
 
 impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
     type Proof = <S as ConstrainedStep<Rattle, R>>::Proof;
@@ -44,7 +36,7 @@ impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { constants: system.constants(h), poles: Poles::of(system), h }
+        Prepared::new(system, h)
     }
 
     fn memory() -> Self::Memory {

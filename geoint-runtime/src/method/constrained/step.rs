@@ -6,7 +6,21 @@ use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Square};
-use crate::system::{ConstrainedStep, on_one_side};
+use crate::system::{ConstrainedStep, Poles, on_one_side};
+
+/// Coefficients of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<P, R> {
+    pub(super) constants: P,
+    pub(super) poles: Poles,
+    pub(super) h: R,
+}
+
+impl<P, R: Real> Prepared<P, R> {
+    pub(super) fn new<M, S: ConstrainedStep<M, R, Constants = P>>(system: &S, h: R) -> Self {
+        Prepared { constants: system.constants(h), poles: Poles::of(system), h }
+    }
+}
 
 /// A step of `M` from z.
 pub(super) struct Equation<'a, S: ConstrainedStep<M, R>, M, R: Real> {

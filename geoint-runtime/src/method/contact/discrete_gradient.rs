@@ -14,6 +14,9 @@
 /// If H depends on time, that is frozen in the middle of the step t̄: H(x₁, t̄) = H(x₀, t̄) exp(−h g_s), and order and symmetry
 /// stay. For geometry instead of decay use [`ContactMidpoint`](crate::ContactMidpoint).
 ///
+/// A Lagrangian whose mass matrix is full is solved for velocities, and has the polarised one: the same law, with p·v − L for H. See
+/// [`ContactPolarised`](crate::system::ContactPolarised).
+///
 /// The equation: A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17. g is that of
 /// [`DiscreteGradient`](crate::DiscreteGradient). We are not aware of this method in the literature.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

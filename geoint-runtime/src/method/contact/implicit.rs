@@ -2,13 +2,13 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, check_end, start};
+use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
 use crate::space::vector::moved;
 use crate::space::{Array, PerCoordinate, Square, Summation};
-use crate::system::{ImplicitStep, Poles};
+use crate::system::{ByField, ByTree, ContactCollocated, ContactGraded, ImplicitStep, Poles};
 
 /// What a step needs.
 #[derive(Clone, Copy, Debug)]
@@ -105,23 +105,14 @@ fn apart<S: ImplicitStep<M, R>, M, R: Real>(x: &S::Unknown) -> PerCoordinate<S::
     PerCoordinate { z, s: x.as_slice().last().copied().unwrap_or_else(zero) }
 }
 
-/// Makes methods of this: where they look at the energy, whether the step is a contact map, whether H decays as the equation says.
-macro_rules! methods {
-    ($($method:ident: $ahead:literal, $contact:literal, $law:literal;)*) => { $(
-        impl<S: ImplicitStep<$method, R>, R: Real> Method<S, R> for $method {
-            type Proof = <S as ImplicitStep<$method, R>>::Proof;
-            type Prepared = PreparedFor<S, Self, R>;
+/// The steps of methods whose equation is that of increments: where they look at the energy.
+macro_rules! steps {
+    ($($method:ident by $form:ident: $ahead:literal;)*) => { $(
+        impl<S: ImplicitStep<$method, R>, R: Real> StepsOf<$method, S, R> for $form {
+            type Prepared = PreparedFor<S, $method, R>;
             type Memory = Newton<S::Unknown>;
 
-            fn claims(&self) -> Claims {
-                Claims { order: 2, symmetric: true, symplectic: $contact, conserves_energy: $law, perturbed: &[], forces: None }
-            }
-
-            fn name(&self) -> Name {
-                Name::new(stringify!($method))
-            }
-
-            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+            fn prepare(system: &S, h: R) -> Self::Prepared {
                 Prepared { constants: system.constants(h), half: R::from_f64(0.5) * h, poles: Poles::of(system) }
             }
 
@@ -135,14 +126,58 @@ macro_rules! methods {
                 memory: &mut Self::Memory,
                 at: Step<'_, S, R, C, P>,
             ) -> Result<(), Refusal> {
-                step::<S, Self, R, C, P>(prepared, memory, $ahead, at)
+                step::<S, $method, R, C, P>(prepared, memory, $ahead, at)
+            }
+        }
+    )* };
+}
+
+steps! {
+    ContactMidpoint by ByField: 0.5;
+    ContactDiscreteGradient by ByTree: 1.0;
+}
+
+/// Makes methods of this: in which form systems have them, and what they claim.
+macro_rules! methods {
+    ($($method:ident: $form:ident, $of:ident, $claims:expr;)*) => { $(
+        impl<S: $form<R>, R: Real> Method<S, R> for $method
+        where
+            S::$of: StepsOf<$method, S, R>,
+        {
+            type Proof = <S as $form<R>>::Proof;
+            type Prepared = <S::$of as StepsOf<$method, S, R>>::Prepared;
+            type Memory = <S::$of as StepsOf<$method, S, R>>::Memory;
+
+            fn claims(&self) -> Claims {
+                $claims
+            }
+
+            fn name(&self) -> Name {
+                Name::new(stringify!($method))
+            }
+
+            fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+                <S::$of as StepsOf<$method, S, R>>::prepare(system, h)
+            }
+
+            fn memory() -> Self::Memory {
+                <S::$of as StepsOf<$method, S, R>>::memory()
+            }
+
+            #[inline(always)]
+            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+                prepared: &Self::Prepared,
+                memory: &mut Self::Memory,
+                at: Step<'_, S, R, C, P>,
+            ) -> Result<(), Refusal> {
+                <S::$of as StepsOf<$method, S, R>>::step(prepared, memory, at)
             }
         }
     )* };
 }
 
 methods! {
-    ContactMidpoint: 0.5, true, false;
-    ContactDiscreteGradient: 1.0, false, true;
+    ContactMidpoint: ContactCollocated, Midpoint, Claims::of_order(2).symmetric().symplectic();
+    ContactDiscreteGradient: ContactGraded, Gradient, Claims::of_order(2).symmetric().conserving_energy();
 }
 substeps!([] ContactMidpoint; [] ContactDiscreteGradient);

@@ -31,6 +31,7 @@ mod gauss;
 mod implicit;
 mod leapfrog;
 mod midpoint;
+mod polarised;
 
 pub use discrete_gradient::ContactDiscreteGradient;
 pub use gauss::ContactGauss;

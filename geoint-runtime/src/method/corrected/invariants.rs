@@ -79,13 +79,13 @@ impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for Velocity
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
-        energy_of(system, zero(), &sum(z, dz)) - energy_of(system, zero(), z)
+        energy_of(system, zero(), &sum(z, dz), &()) - energy_of(system, zero(), z, &())
     }
 
     /// ∂H/∂q = −∂L/∂q and ∂H/∂p = v.
     #[inline]
     fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
-        let v = velocity_of(system, zero(), z);
+        let v = velocity_of(system, zero(), z, &());
         [opposite(&system.force(&VelocityForm::constants(system), zero(), &z[0], &v)), v]
     }
 }

@@ -2,8 +2,8 @@
 //!
 //! y(xᵢ) = y(x₀) + h Σ aᵢⱼ y'(xⱼ), and y(x₁) = y(x₀) + h Σ bⱼ y'(xⱼ).
 
+use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
@@ -13,21 +13,7 @@ use crate::solving::size::Sizes;
 use crate::solving::{Inverse, Inverted, linear};
 use crate::space::vector::{difference, scaled, sum};
 use crate::space::{Array, Snapshot, Square, Summation};
-use crate::system::{ByCanonical, CanonicalForm, Poles, row_scale};
-
-/// Coefficients of one step.
-#[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    poles: Poles,
-    constants: P,
-    h: R,
-    /// h·A.
-    coupling: [[R; S]; S],
-    /// h·c.
-    nodes: [R; S],
-    /// h·b.
-    weights: [R; S],
-}
+use crate::system::{ByCanonical, CanonicalForm, row_scale};
 
 impl<Y: CanonicalForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByCanonical
 where
@@ -37,15 +23,7 @@ where
     type Memory = Newton<[Y::Phase; S]>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
-        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
-        Prepared {
-            poles: Poles::of(system),
-            constants: system.canonical_constants(),
-            h,
-            coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
-            nodes: c.map(|c| R::from_f64(c) * h),
-            weights: b.map(|b| R::from_f64(b) * h),
-        }
+        Prepared::new(system, system.canonical_constants(), h)
     }
 
     fn memory() -> Self::Memory {

@@ -1,25 +1,22 @@
 //! Stages of a differential equation y' = f(y, t), or q'' = M⁻¹f(q, t): solved for the values of f.
 
+use super::prepared::Prepared;
 use super::stages::Stages;
 use super::{Gauss, GaussTableau};
+use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Snapshot, Summation};
-use crate::system::{ByField, Collocation, Poles};
+use crate::system::{ByField, Collocation};
+use core::array::from_fn;
 
-/// Coefficients of one step.
+/// The coefficients of one step of a differential equation of first or second order.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    pub(super) poles: Poles,
-    pub(super) constants: P,
-    pub(super) h: R,
+pub struct PreparedFields<P, R, const S: usize> {
+    pub(super) stages: Prepared<P, R, S>,
     /// What stage j adds to stage i: h·A, or h²·A².
     pub(super) coupling: [[R; S]; S],
-    /// h·c.
-    pub(super) nodes: [R; S],
-    /// h·b.
-    pub(super) weights: [R; S],
     /// What a stage adds to the end: h·b, or h²·b(1 − c).
     pub(super) increments: [R; S],
 }
@@ -28,28 +25,20 @@ impl<Y: Collocation<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for ByF
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y::Constants, R, S>;
+    type Prepared = PreparedFields<Y::Constants, R, S>;
     type Memory = Newton<[Y::Unknown; S]>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
-        let tableau = Gauss::<S>::TABLEAU;
-        let first_order = Y::DERIVATIVE == 1;
-        let coupling = |i: usize, j: usize| {
-            let square = (0..S).map(|k| tableau.a[i][k] * tableau.a[k][j]).sum();
-            if first_order { R::from_f64(tableau.a[i][j]) * h } else { R::from_f64(square) * h * h }
-        };
-        let increment = |i: usize| {
-            let (b, c) = (tableau.b[i], tableau.c[i]);
-            if first_order { R::from_f64(b) * h } else { R::from_f64(b * (1.0 - c)) * h * h }
-        };
-        Prepared {
-            poles: Poles::of(system),
-            constants: system.constants(),
-            h,
-            coupling: core::array::from_fn(|i| core::array::from_fn(|j| coupling(i, j))),
-            nodes: tableau.c.map(|c| R::from_f64(c) * h),
-            weights: tableau.b.map(|b| R::from_f64(b) * h),
-            increments: core::array::from_fn(increment),
+        let stages = Prepared::new(system, system.constants(), h);
+        if Y::DERIVATIVE == 1 {
+            return PreparedFields { stages, coupling: stages.coupling, increments: stages.weights };
+        }
+        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
+        let square = |i: usize, j: usize| (0..S).map(|k| a[i][k] * a[k][j]).sum();
+        PreparedFields {
+            stages,
+            coupling: from_fn(|i| from_fn(|j| R::from_f64(square(i, j)) * h * h)),
+            increments: from_fn(|i| R::from_f64(b[i] * (1.0 - c[i])) * h * h),
         }
     }
 
@@ -65,13 +54,13 @@ where
     ) -> Result<(), Refusal> {
         let zero = Y::Unknown::zero();
         let (y0, changed) = Y::start(&x.z);
-        let velocity = system.velocity(&prepared.constants, &changed);
+        let velocity = system.velocity(&prepared.stages.constants, &changed);
         probe.visit(t, &x.z, &());
         let Found { x: k, outcome, .. } =
             newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe);
         outcome?;
 
-        let Prepared { poles, constants, h, weights, increments, .. } = prepared;
+        let PreparedFields { stages: Prepared { poles, constants, h, weights, .. }, increments, .. } = prepared;
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {

@@ -23,9 +23,10 @@
 
 mod canonical;
 mod fields;
+pub(crate) mod prepared;
 mod stages;
 mod tableau;
-mod velocities;
+pub(in crate::method) mod velocities;
 
 pub use tableau::GaussTableau;
 
@@ -62,14 +63,7 @@ where
     type Memory = <Y::Stages as StepsOf<Self, Y, R>>::Memory;
 
     fn claims(&self) -> Claims {
-        Claims {
-            order: 2 * S as u32,
-            symmetric: true,
-            symplectic: true,
-            conserves_energy: false,
-            perturbed: &[],
-            forces: None,
-        }
+        Claims::of_order(2 * S as u32).symmetric().symplectic()
     }
 
     fn name(&self) -> Name {

@@ -1,6 +1,7 @@
 //! The equation of the stages.
 
-use super::fields::Prepared;
+use super::fields::PreparedFields;
+use super::prepared::Prepared;
 use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
@@ -11,7 +12,7 @@ use crate::system::Collocation;
 /// kᵢ = f(Yᵢ) for the derivatives at all stages.
 pub(super) struct Stages<'a, Y: Collocation<R>, R: Real, const S: usize> {
     pub(super) system: &'a Y,
-    pub(super) prepared: &'a Prepared<Y::Constants, R, S>,
+    pub(super) prepared: &'a PreparedFields<Y::Constants, R, S>,
     pub(super) t: R,
     pub(super) z: Y::Phase,
     pub(super) y0: Y::Unknown,
@@ -38,7 +39,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
         k: &[Y::Unknown; S],
         slope: &mut Square<Y::Unknown>,
     ) -> Y::Unknown {
-        let Prepared { constants, nodes, coupling, .. } = self.prepared;
+        let PreparedFields { stages: Prepared { constants, nodes, .. }, coupling, .. } = self.prepared;
         let (mut change, mut f) = (scaled(nodes[i], &self.velocity), Y::Unknown::zero());
         for j in 0..S {
             self.system.add(constants, coupling[i][j], &k[j], &mut change);
@@ -63,12 +64,12 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
     /// The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
     #[inline(always)]
     fn origin(&self) -> [Y::Unknown; S] {
-        [scaled(R::from_f64(1.0) / self.prepared.h, &self.changed); S]
+        [scaled(R::from_f64(1.0) / self.prepared.stages.h, &self.changed); S]
     }
 
     /// The stages as if y' were constant.
     fn explicit(&self) -> [Y::Unknown; S] {
-        let Prepared { constants, nodes, .. } = self.prepared;
+        let Prepared { constants, nodes, .. } = &self.prepared.stages;
         let mut slope = Y::Unknown::fill(Y::Unknown::zero());
         let mut rate = self.velocity;
         if Y::DERIVATIVE == 1 {
@@ -89,7 +90,7 @@ impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y
 
     #[inline(always)]
     fn evaluate(&self, probe: &mut P, k: &[Y::Unknown; S], matrix: &mut Square<[Y::Unknown; S]>) -> [Y::Unknown; S] {
-        let Prepared { constants, coupling, .. } = self.prepared;
+        let PreparedFields { stages: Prepared { constants, .. }, coupling, .. } = self.prepared;
         let rows = <[Y::Unknown; S]>::entries::<[Y::Unknown; S]>(matrix);
         core::array::from_fn(|i| {
             // f'(Yᵢ)·∂Yᵢ/∂kⱼ.

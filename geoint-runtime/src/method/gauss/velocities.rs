@@ -2,37 +2,29 @@
 //!
 //! ∂L/∂v(Qᵢ, Vᵢ) = pᵢ, fⱼ = ∂L/∂q(Qⱼ, Vⱼ) less friction.
 
+use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::explicit::tableau::Tableau;
 use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Record, Square, Summation, Tape};
-use crate::system::{ByVelocities, Orientation, Poles, VelocityForm, acceleration, row_scale, velocity_near};
+use crate::system::{ByVelocities, Orientation, VelocityForm, acceleration, row_scale, velocity_near};
 
-/// Coefficients of one step.
+/// The coefficients of one step, and what is known of the system.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, R, const S: usize> {
-    poles: Poles,
-    constants: P,
-    h: R,
-    /// h·A.
-    coupling: [[R; S]; S],
-    /// h·c.
-    nodes: [R; S],
-    /// h·b.
-    weights: [R; S],
+pub struct PreparedVelocities<P, R, const S: usize> {
+    pub(in crate::method) stages: Prepared<P, R, S>,
     /// The determinant of the mass matrix has one sign everywhere.
-    semidefinite: bool,
+    pub(in crate::method) semidefinite: bool,
 }
 
 /// What a step hands on to the next one.
 #[derive(Clone, Copy, Debug)]
 pub struct Memory<A, const S: usize> {
-    newton: Newton<[A; S]>,
-    orientation: Orientation,
+    pub(in crate::method) newton: Newton<[A; S]>,
+    pub(in crate::method) orientation: Orientation,
 }
 
 impl<A: Array, const S: usize> Record<A::Real> for Memory<A, S> {
@@ -46,18 +38,12 @@ impl<Y: VelocityForm<R>, R: Real, const S: usize> StepsOf<Gauss<S>, Y, R> for By
 where
     Gauss<S>: GaussTableau<S>,
 {
-    type Prepared = Prepared<Y::Constants, R, S>;
+    type Prepared = PreparedVelocities<Y::Constants, R, S>;
     type Memory = Memory<Y::Array, S>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
-        let Tableau { a, b, c } = Gauss::<S>::TABLEAU;
-        Prepared {
-            poles: Poles::of(system),
-            constants: VelocityForm::constants(system),
-            h,
-            coupling: a.map(|row| row.map(|a| R::from_f64(a) * h)),
-            nodes: c.map(|c| R::from_f64(c) * h),
-            weights: b.map(|b| R::from_f64(b) * h),
+        PreparedVelocities {
+            stages: Prepared::new(system, VelocityForm::constants(system), h),
             semidefinite: system.is_semidefinite(),
         }
     }
@@ -68,13 +54,13 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
+        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
         Memory { newton, orientation }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z) = (Y::Array::zero(), x.z);
         probe.visit(t, &z, &());
-        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, none)?.1))?;
+        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &(), none)?.1))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
         let (v, _) = newton.solve(&equation, &mut seen).checked()?;
@@ -95,8 +81,8 @@ where
         let before = start::<Y, R, C>(x);
         x.add(&[change, impulse]);
         // The end has a velocity, and the mass matrix has not changed its orientation.
-        if !prepared.semidefinite {
-            let end = velocity_near(system, t + *h, &x.z, v[S - 1]);
+        if !semidefinite {
+            let end = velocity_near(system, t + *h, &x.z, &(), v[S - 1]);
             orientation.agrees(end.map(|(_, positive)| positive))?;
         }
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
@@ -191,7 +177,7 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
     /// The velocities as if v' were constant.
     fn explicit(&self) -> [Y::Array; S] {
         let none = Y::Array::zero();
-        let v = velocity_near(self.system, self.t, &self.z, none).map_or(none, |(v, _)| v);
+        let v = velocity_near(self.system, self.t, &self.z, &(), none).map_or(none, |(v, _)| v);
         let rate = acceleration(self.system, self.t, &self.z[0], &v);
         self.prepared.nodes.map(|node| moved(&v, node, &rate))
     }

@@ -50,7 +50,7 @@ pub enum Flow {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Splitting<const K: usize, O = KickFirst> {
-    name: Name,
+    pub(in crate::method) name: Name,
     claims: Claims,
     pub(super) outer: [f64; K],
     pub(super) inner: [f64; K],

@@ -12,7 +12,7 @@ use crate::method::{Clock, Method};
 use crate::running::error::StepError;
 use crate::running::output::{Samples, Until};
 use crate::running::step_size::Bounds;
-use crate::running::trajectory::Trajectory;
+use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed, zero};
 use crate::space::{PerCoordinate, Point, Snapshot};
 use crate::system::{PhaseSpace, Rates, StateOf};
@@ -110,18 +110,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
     /// # Errors
     /// See [`StepError`]; the state is then the last good one.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        let left = self.steps.clock.left(t);
-        if left.is_infinite() {
-            return Err(StepError::InvalidStepSize { h: left });
-        }
-        let last = self.steps().saturating_add(self.most_steps);
-        while self.time() != t {
-            if self.steps() >= last {
-                return Err(StepError::TooManySteps { t: signed(self.time()), steps: self.most_steps });
-            }
-            self.step_towards(t)?;
-        }
-        Ok(())
+        adapt_to(self, t, self.most_steps)
     }
 
     /// One step to the time `t`, before or after now, or towards it; `false` if that is now.

@@ -168,20 +168,29 @@ impl<T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Iterator for C
     type Item = Result<Crossing<T::State>, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.done {
-            if let Some(found) = self.earliest() {
-                self.done = found.is_err();
-                return Some(found);
-            }
-            match self.step() {
-                Ok(true) => {}
-                Ok(false) => self.done = true,
-                Err(error) => {
-                    self.done = true;
-                    return Some(Err(error));
-                }
-            }
+        if self.done {
+            return None;
         }
-        None
+        let found = next(self, Self::earliest, Self::step);
+        self.done = !matches!(found, Some(Ok(_)));
+        found
+    }
+}
+
+/// The first zero that a step has, in as many steps as that takes; `None` where no step is left.
+pub(super) fn next<S, X>(
+    search: &mut S,
+    mut earliest: impl FnMut(&mut S) -> Option<Result<X, StepError>>,
+    mut step: impl FnMut(&mut S) -> Result<bool, StepError>,
+) -> Option<Result<X, StepError>> {
+    loop {
+        if let Some(found) = earliest(search) {
+            return Some(found);
+        }
+        match step(search) {
+            Ok(true) => {}
+            Ok(false) => return None,
+            Err(error) => return Some(Err(error)),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Where a function of the state changes sign along the polynomial of a step: all its zeros, in order.
 
-use super::crossings::{Crossing, Direction, ZEROS};
+use super::crossings::{Crossing, Direction, ZEROS, next};
 use super::has_reached;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
@@ -106,18 +106,23 @@ where
         for s in s.numbers_mut() {
             *s = coordinate(S::Phase::LEN);
         }
-        let t = M::series(|n| if n == 0 { start } else { R::from_f64(f64::from(n == 1)) });
+        let t = M::series(|n| match n {
+            0 => start,
+            1 => R::from_f64(expansion.unit),
+            _ => R::from_f64(0.0),
+        });
         (self.g)(&S::Over::of(t, z, s))
     }
 
     /// The parts of the last step at which a function is zero, with the sign that it has in the beginning; and its sign at the end.
     fn zeros_of(&self, values: &G, i: usize) -> (Zeros, f64) {
-        let (_, _, h) = self.run.steps.last_expansion();
+        let (expansion, _, h) = self.run.steps.last_expansion();
+        let part = h / expansion.unit;
         let (mut g, mut power) = ([0.0; taylor::MOST], 1.0);
         let coefficients = M::coefficients(&values.as_slice()[i]);
         for (g, coefficient) in g.iter_mut().zip(coefficients) {
             *g = power * signed(*coefficient);
-            power *= h;
+            power *= part;
         }
         let inner = taylor::roots(&g[..coefficients.len().min(taylor::MOST)]);
         let side = signed(M::coefficients(&self.sides.as_slice()[i])[0]);
@@ -178,20 +183,12 @@ where
     type Item = Result<Crossing<StateOf<S, R>>, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while !self.done {
-            if let Some(found) = self.earliest() {
-                return Some(Ok(found));
-            }
-            match self.step() {
-                Ok(true) => {}
-                Ok(false) => self.done = true,
-                Err(error) => {
-                    self.done = true;
-                    return Some(Err(error));
-                }
-            }
+        if self.done {
+            return None;
         }
-        None
+        let found = next(self, |search| search.earliest().map(Ok), Self::step);
+        self.done = !matches!(found, Some(Ok(_)));
+        found
     }
 }
 

@@ -38,10 +38,10 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// `n` steps: the bare loop.
     #[inline]
     pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
-        if n == 1 {
-            return self.step();
-        }
         self.check_start()?;
+        if n == 1 {
+            return self.one_by_one(1);
+        }
         let mut left = n;
         while left > 0 {
             let steps = left.min(self.steps_to_look());
@@ -51,14 +51,18 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
             } else {
-                // One by one, as single steps are taken, to stop where those do.
-                for _ in 0..steps {
-                    self.step_within(None)?;
-                }
+                // To stop where single steps do.
+                self.one_by_one(steps)?;
             }
             left -= steps;
         }
         Ok(())
+    }
+
+    /// So many single steps. Here once for all that take some: a step may be long.
+    #[inline(never)]
+    fn one_by_one(&mut self, steps: u64) -> Result<(), StepError> {
+        (0..steps).try_for_each(|_| self.step_within(None).map(drop))
     }
 
     /// So many steps from `x` on; whether their ends are good. Where one has to be examined that is every end, else the last one shows it.

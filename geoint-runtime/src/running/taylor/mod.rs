@@ -10,7 +10,7 @@ pub(in crate::running) mod steps;
 use crate::running::dense::{Crossing, Direction, TaylorCrossings};
 use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
-use crate::running::trajectory::Trajectory;
+use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed};
 use crate::space::{Array, Point, Snapshot};
 use crate::system::{Jets, StateOf};
@@ -94,18 +94,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
     /// # Errors
     /// See [`StepError`]; the state is then the last good one. A `t` that is not finite is a step size that is none.
     pub fn advance_to(&mut self, t: R) -> Result<(), StepError> {
-        let left = self.steps.clock.left(t);
-        if left.is_infinite() {
-            return Err(StepError::InvalidStepSize { h: left });
-        }
-        let last = self.steps().saturating_add(self.most_steps);
-        while self.time() != t {
-            if self.steps() >= last {
-                return Err(StepError::TooManySteps { t: signed(self.time()), steps: self.most_steps });
-            }
-            self.step_towards(t)?;
-        }
-        Ok(())
+        adapt_to(self, t, self.most_steps)
     }
 
     /// One step to the time `t`, before or after now, or towards it; `false` if that is now.

@@ -21,6 +21,8 @@ type Carried<S, R> = Point<
 #[derive(Clone, Copy, Debug)]
 pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
     pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
+    /// The unit of time in the coefficients, a power of two.
+    pub(in crate::running) unit: f64,
     /// From order 1 on.
     pub(in crate::running) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
     /// From order 0 on.
@@ -69,8 +71,12 @@ const STUCK: u32 = 16;
 impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     pub(in crate::running) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
         let here = PerCoordinate::of(&x);
-        let expansion =
-            Expansion { x: here, jet: M::fill(PerCoordinate::zero()), switches: M::fill(S::Switches::zero()) };
+        let expansion = Expansion {
+            x: here,
+            unit: 1.0,
+            jet: M::fill(PerCoordinate::zero()),
+            switches: M::fill(S::Switches::zero()),
+        };
         let (tolerance, backwards) = match method.steps() {
             taylor::Steps::Tolerance(tolerance) => (tolerance, false),
             taylor::Steps::Length(h) => (0.0, h < 0.0),
@@ -115,6 +121,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         tape.flag(&mut self.backwards);
         self.estimate.record(tape);
         tape.number(&mut self.last.1);
+        tape.number(&mut self.expansions[self.present].unit);
         let mut stuck = u64::from(self.stuck);
         tape.count(&mut stuck);
         self.stuck = stuck.min(u64::from(STUCK)) as u32;
@@ -134,17 +141,36 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         self.last.1
     }
 
-    /// The coefficients at a point into a place.
+    /// The coefficients at a point into a place, for steps of about this length.
     #[inline(always)]
-    fn expand(&mut self, place: usize, t: R, x: PerCoordinate<S::Phase, S::Action>) {
+    fn expand(&mut self, place: usize, h: f64, t: R, x: PerCoordinate<S::Phase, S::Action>) {
         let expansion = &mut self.expansions[place];
-        expansion.x = x;
-        M::jet(self.order, &self.system, (t, &x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
+        let unit = power_of_two(h);
+        (expansion.x, expansion.unit) = (x, unit);
+        let start = [R::from_f64(unit), t];
+        M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
+    }
+
+    /// The coefficients where a run starts, in a unit of time in which none of them overflows, or goes on, in the unit before.
+    #[cold]
+    fn begin(&mut self) {
+        let (t, x) = (self.time(), PerCoordinate::of(&self.x));
+        self.expand(self.present, self.expansions[self.present].unit, t, x);
+        if self.taken == 0 {
+            self.expand(self.present, self.guess(), t, x);
+        }
+        self.known = true;
     }
 
     /// The coefficients at the present.
     fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
         &self.expansions[self.present].jet.as_ref()[..self.order]
+    }
+
+    /// A length in the unit of the coefficients at the present.
+    #[inline(always)]
+    fn in_units(&self, h: f64) -> f64 {
+        h / self.expansions[self.present].unit
     }
 
     /// The length of the next step, without regard to where it leads.
@@ -153,14 +179,14 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if let taylor::Steps::Length(h) = self.method.steps() {
             return h.abs();
         }
-        self.estimate.length(self.jet()).min(bounds.longest)
+        (self.expansions[self.present].unit * self.estimate.length(self.jet())).min(bounds.longest)
     }
 
     /// In how long, roughly, the state changes by itself; twice the step before, if that is more. For a polynomial, whose coefficients set
     /// no end to a step.
     #[cold]
     fn guess(&self) -> f64 {
-        let time = self.estimate.time(&self.jet()[0]);
+        let time = self.expansions[self.present].unit * self.estimate.time(&self.jet()[0]);
         let time = if time > 0.0 && time < f64::INFINITY { time } else { 1.0 };
         time.max(2.0 * self.last.1.abs())
     }
@@ -168,9 +194,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     /// A step that is not longer than `left`.
     pub(in crate::running) fn take(&mut self, left: f64) -> Result<(), StepError> {
         if !self.known {
-            let (t, x) = (self.time(), PerCoordinate::of(&self.x));
-            self.expand(self.present, t, x);
-            self.known = true;
+            self.begin();
         }
         let t = signed(self.time());
         let bounds = self.bounds.at(t, R::epsilon());
@@ -179,14 +203,16 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
             return Err(self.refused(t, wish, Reason::Diverges));
         }
-        let mut h = self.towards(if wish.min(left) < f64::INFINITY { wish.min(left) } else { self.guess() });
+        // Where nothing else ends it.
+        let whole = if wish < f64::INFINITY { wish } else { self.guess() };
+        let mut h = self.towards(if left < f64::INFINITY { wish.min(left) } else { whole });
         let mut switch = self.switch(h);
         let mut beyond = 0.25 * R::epsilon() * h.abs();
         if let Some(switch) = switch {
             h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
         }
         let arrival = loop {
-            match self.attempt(h, switch.is_none()) {
+            match self.attempt(h, whole, switch.is_none()) {
                 // Which side it is on will be decided by the value.
                 Ok(_) if switch.is_some_and(|switch| !self.is_behind(switch)) && beyond < wish => {
                     h += self.towards(beyond);
@@ -223,30 +249,33 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         if self.backwards { -h } else { h }
     }
 
-    /// Where a step of length h leads, and when that is. The coefficients there are computed, and, if `compared`, their first order with
-    /// that of the polynomial.
+    /// Where a step of length h, in place of a whole one, leads, and when that is. The coefficients there are computed, and, if `compared`,
+    /// their first order with that of the polynomial.
     #[inline(always)]
-    fn attempt(&mut self, h: f64, compared: bool) -> Result<(Carried<S, R>, Clock<R>), Reason> {
+    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(Carried<S, R>, Clock<R>), Reason> {
         let (mut x, mut clock) = (self.x, self.clock);
-        let (increment, rate) = taylor::increment_and_rate(self.jet(), h);
+        let part = self.in_units(h);
+        let (increment, rate) = taylor::increment_and_rate(self.jet(), part);
         x.add_everywhere(&increment);
         if !x.is_finite() {
             return Err(Reason::Diverges);
         }
         clock.pass_step(R::from_f64(h), DoubleWord::new(zero()));
         let t = clock.now(zero());
-        self.expand(1 - self.present, t, PerCoordinate::of(&x));
+        self.expand(1 - self.present, whole, t, PerCoordinate::of(&x));
         if S::EXAMINED
             && let Some(what) = self.system.outside_domain(t, &x.z, &x.s)
         {
             return Err(Reason::OutsideDomain { what });
         }
-        let rates = [&rate, &self.expansions[1 - self.present].jet.as_ref()[0]];
-        if !rates[1].is_finite() {
+        let [from, to] = [self.present, 1 - self.present].map(|place| self.expansions[place].unit);
+        let mut here = self.expansions[1 - self.present].jet.as_ref()[0];
+        here.times(R::from_f64(from / to));
+        if !here.is_finite() {
             let what = self.system.outside_domain(t, &x.z, &x.s);
             return Err(what.map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        if compared && !self.is_fixed() && !self.estimate.agree(h, rates, &self.jet()[0]) {
+        if compared && !self.is_fixed() && !self.estimate.agree(part, [&rate, &here], &self.jet()[0]) {
             return Err(Reason::Diverges);
         }
         Ok((x, clock))
@@ -261,11 +290,13 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     #[inline(never)]
     fn first_switch(&self, h: f64) -> Option<Switch> {
         let switches = &self.expansions[self.present].switches.as_ref()[..self.order];
+        let h = self.in_units(h);
         let mut first: Option<Switch> = None;
         for place in 0..S::Switches::LEN {
             let (mut g, mut power) = ([0.0; taylor::MOST], 1.0);
             for (g, switch) in g.iter_mut().zip(switches) {
-                *g = power * signed(switch.as_slice()[place]);
+                let switch = signed(switch.as_slice()[place]);
+                *g = if switch == 0.0 { 0.0 } else { power * switch };
                 power *= h;
             }
             let roots = taylor::roots(&g[..self.order.min(taylor::MOST)]);
@@ -352,8 +383,15 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     /// The state so long after the start of the last step, which is at the time `t`.
     pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
         let expansion = &self.expansions[1 - self.present];
-        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after);
+        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after / expansion.unit);
         x.add_scaled(R::from_f64(1.0), &expansion.x);
         S::State::of(t, x.z, x.s)
     }
+}
+
+/// The largest power of two that a length is not below, 1 where there is none: to multiply with it and to divide by it is exact.
+#[inline(always)]
+fn power_of_two(h: f64) -> f64 {
+    let power = f64::from_bits(h.to_bits() & f64::INFINITY.to_bits());
+    if power > 0.0 && power < f64::INFINITY { power } else { 1.0 }
 }

@@ -3,6 +3,7 @@
 mod branches;
 mod claims;
 mod integrals;
+mod kept;
 mod liouville;
 mod points;
 mod search;

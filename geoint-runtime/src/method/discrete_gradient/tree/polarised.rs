@@ -113,7 +113,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         check_conditions(system, middle, &end, x)?;
         let mut v = sum(&v, &d);
         if !semidefinite {
-            let (end, positive) = velocity_near(system, t + *h, &x.z, v).ok_or(Refusal::Singular)?;
+            let (end, positive) = velocity_near(system, t + *h, &x.z, &(), v).ok_or(Refusal::Singular)?;
             orientation.agrees(Some(positive))?;
             v = end;
         }
@@ -132,11 +132,11 @@ fn known<S: PolarisedForm<R>, R: Real>(
     orientation: &mut Orientation,
 ) -> Result<Known<S::Phase, S::Array>, Refusal> {
     let none = S::Array::zero();
-    let (v, positive) = velocity_near(system, t, &z, none).ok_or(Refusal::Singular)?;
+    let (v, positive) = velocity_near(system, t, &z, &(), none).ok_or(Refusal::Singular)?;
     orientation.sign::<R>(|| Some(positive))?;
     orientation.agrees(Some(positive))?;
     let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
-    system.mass(t, &z[0], &v, &mut p, &mut mass);
+    system.mass(t, &z[0], &v, &(), (&mut p, &mut mass));
     for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {
         units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
     }

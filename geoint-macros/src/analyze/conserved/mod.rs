@@ -1,0 +1,12 @@
+//! What the flow of an energy keeps, or lets decay by one factor.
+
+mod dissipated;
+mod generators;
+mod momenta;
+mod noether;
+mod weights;
+
+pub(crate) use dissipated::{Dissipated, decay, dissipated, dissipated_by_velocities};
+pub(crate) use momenta::Momentum;
+pub(super) use momenta::momenta;
+pub(crate) use noether::{noether, translations};

@@ -1,0 +1,184 @@
+//! Linear and quadratic functions J of the state that commute with every part Q that the tree of H ends at, and so with H.
+//!
+//! A step with the tree discrete gradient Σ c·∇Q(m), m the middle of the step, changes J by h Σ c·{J, Q}(m): it keeps what
+//! the flow keeps. J is sought among the combinations of a few generators, whose coefficients are numbers, or numbers times products of
+//! powers of parameters.
+
+use super::generators::{Generator, Summand, generators, name};
+use super::weights::{Term, Weight, clear, times, weights};
+use crate::analyze::degree::Degrees;
+use crate::analyze::dependence::{Dependence, Reads};
+use crate::analyze::equations::{Equations, Row, add_multiple};
+use crate::analyze::leaves::leaves;
+use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
+use crate::ir::{Graph, Id, Ratio};
+use crate::parse::Shape;
+use std::borrow::Cow;
+
+/// A function of the state that is kept.
+#[derive(Debug)]
+pub(crate) struct Momentum {
+    /// What people call it.
+    pub(crate) name: String,
+    pub(crate) value: Id,
+}
+
+/// A generator with the product of parameters before it.
+struct Unknown {
+    generator: usize,
+    weight: Weight,
+}
+
+/// All that were found, but for single coordinates: those are kept because H does not read the conjugate one.
+pub(in crate::analyze) fn momenta(
+    graph: &mut Graph,
+    dependence: &Dependence,
+    degrees: &Degrees,
+    energy: Id,
+    coordinates: &Shape,
+) -> Vec<Momentum> {
+    of_generators(graph, (dependence, degrees), energy, coordinates, &generators(coordinates))
+}
+
+/// Those that are combinations of some generators.
+pub(super) fn of_generators(
+    graph: &mut Graph,
+    (dependence, degrees): (&Dependence, &Degrees),
+    energy: Id,
+    coordinates: &Shape,
+    generators: &[Generator],
+) -> Vec<Momentum> {
+    let found = forms(graph, dependence, degrees, energy).and_then(|forms| {
+        let brackets = brackets(&moves(generators, coordinates.len()), &forms)?;
+        // Weights that depend on time, on velocities, or on an action, would change.
+        let steady = |atom: &Atom| match atom {
+            Atom::Node(id) => dependence.reads(*id) == Reads::default(),
+            _ => true,
+        };
+        let mut unknowns: Vec<Unknown> =
+            (0..generators.len()).map(|generator| Unknown { generator, weight: vec![] }).collect();
+        for (generator, weight) in weights(generators.len(), &brackets, steady).into_iter().enumerate() {
+            if !weight.is_empty() {
+                unknowns.push(Unknown { generator, weight });
+            }
+        }
+        let solutions = commuting(&unknowns, generators.len(), &brackets)?;
+        Some((unknowns, solutions))
+    });
+    let Some((unknowns, solutions)) = found else { return vec![] };
+
+    let alone = |solution: &Row| match solution.keys().collect::<Vec<_>>()[..] {
+        [u] => generators[unknowns[*u].generator].coordinate(),
+        _ => None,
+    };
+    let kept: Vec<Variable> = solutions.iter().filter_map(alone).collect();
+    let mut momenta = vec![];
+    for solution in &solutions {
+        let mut weights: Vec<Weight> = solution.keys().map(|u| unknowns[*u].weight.clone()).collect();
+        clear(&mut weights);
+        let summands: Vec<Summand<'_>> = solution
+            .iter()
+            .zip(&weights)
+            .map(|((u, number), weight)| Summand {
+                generator: &generators[unknowns[*u].generator],
+                number: *number,
+                weight,
+            })
+            .collect();
+        // Nor are squares of these told, nor multiples.
+        if summands.iter().all(|summand| summand.generator.is_function_of(&kept)) {
+            continue;
+        }
+        let zero = graph.zero();
+        let value = summands.iter().fold(zero, |sum, summand| {
+            let weight = weight_node(graph, summand.weight);
+            summand.generator.add_to(graph, sum, summand.number, weight)
+        });
+        // The same with a parameter before it is no other one.
+        if momenta.iter().all(|known: &Momentum| known.value != value) {
+            momenta.push(Momentum { name: name(coordinates, &summands), value });
+        }
+    }
+    momenta
+}
+
+/// A product of powers of parameters as a node.
+fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
+    let mut product = graph.integer(1);
+    for (atom, exponent) in weight {
+        let base = atom.node(graph);
+        let power = graph.pow(base, Ratio::integer(*exponent));
+        product = graph.mul(product, power);
+    }
+    product
+}
+
+/// The parts that the tree ends at.
+fn forms(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
+    let leaves = leaves(graph, dependence, degrees, energy, 2)?;
+    let mut expansion = Expansion::new(graph, degrees);
+    leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
+}
+
+/// By variable u the generators J that move it: {u, J} as Σ coefficient·variable.
+type Moves = Vec<Vec<(usize, i128, Variable)>>;
+
+fn moves(generators: &[Generator], degrees_of_freedom: usize) -> Moves {
+    let mut moves = vec![vec![]; 2 * degrees_of_freedom];
+    for (g, generator) in generators.iter().enumerate() {
+        for (c, [a, b]) in &generator.terms {
+            // {u, a b} = {u, a} b + a {u, b}, and {q, p} = 1 = −{p, q}.
+            for (x, rest) in [(*a, *b), (*b, *a)] {
+                let (conjugate, sign) = if x % 2 == 0 { (x + 1, -1) } else { (x - 1, 1) };
+                if let Some(moves) = moves.get_mut(conjugate as usize) {
+                    moves.push((g, sign * c, rest));
+                }
+            }
+        }
+    }
+    moves
+}
+
+/// The brackets of all generators with each form, in order of their variables; `None` if a number is no longer exact.
+fn brackets<'a>(moves: &Moves, forms: &'a [Quadratic]) -> Option<Vec<Vec<Term<'a>>>> {
+    let of = |form: &'a Quadratic| {
+        let mut bracket = vec![];
+        for monomial in form {
+            let [a, b] = monomial.variables;
+            for (u, rest) in [(a, b), (b, a)] {
+                for (generator, c, v) in moves.get(u as usize).into_iter().flatten() {
+                    let variables = [rest.min(*v), rest.max(*v)];
+                    let number = monomial.number.mul(Ratio::integer(*c))?;
+                    bracket.push(Term { variables, generator: *generator, atoms: &monomial.atoms, number });
+                }
+            }
+        }
+        bracket.sort_by_key(|term: &Term<'_>| term.variables);
+        Some(bracket)
+    };
+    forms.iter().map(of).collect()
+}
+
+/// The combinations of unknowns whose brackets with all forms vanish, as numbers before the unknowns.
+fn commuting(unknowns: &[Unknown], generators: usize, brackets: &[Vec<Term<'_>>]) -> Option<Vec<Row>> {
+    let weighted = |g: usize| unknowns[generators..].iter().position(|unknown| unknown.generator == g);
+    let weighted: Vec<Option<usize>> = (0..generators).map(|g| Some(generators + weighted(g)?)).collect();
+    let mut equations = Equations::new(unknowns.len());
+    for bracket in brackets {
+        let mut terms = vec![];
+        for Term { variables, generator, atoms, number } in bracket {
+            terms.push(((*variables, Cow::Borrowed(*atoms)), *generator, *number));
+            if let Some(unknown) = weighted[*generator] {
+                terms.push(((*variables, Cow::Owned(times(atoms, &unknowns[unknown].weight)?)), unknown, *number));
+            }
+        }
+        // Monomials are independent: the coefficient of each vanishes.
+        terms.sort_by(|(a, ..), (b, ..)| a.cmp(b));
+        for coefficient in terms.chunk_by(|(a, ..), (b, ..)| a == b) {
+            let mut row = Row::new();
+            add_multiple(&mut row, Ratio::ONE, coefficient.iter().map(|(_, unknown, c)| (*unknown, *c)))?;
+            equations.add(row)?;
+        }
+    }
+    equations.solutions()
+}

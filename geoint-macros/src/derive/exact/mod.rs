@@ -1,0 +1,5 @@
+//! Parts of an energy with exact flows, in kernels.
+
+pub(super) mod parts;
+pub(super) mod perturbed;
+pub(super) mod pieces;

@@ -1,0 +1,126 @@
+//! The pieces of x' = S(x) ∇H: by the terms of H, and by planes.
+
+use crate::analyze::{self, claims, search};
+use crate::derive::flow::Flow;
+use crate::derive::implicit;
+use crate::derive::proof::coordinates;
+use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
+use crate::ir::{Graph, Id, Symbol};
+use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
+use crate::schedule::{Kernel, Levels};
+use crate::split::{self, Clock, Motion, NoPart, Part};
+
+/// S of x' = S(x) ∇I.
+#[derive(Clone, Debug)]
+pub(crate) struct Parted {
+    /// I.
+    pub(crate) integral: Id,
+    pub(crate) matrix: Vec<Vec<Id>>,
+    /// Whether it is known to make a Poisson bracket.
+    pub(crate) poisson: bool,
+    /// Of an S that was searched for, whether it is the only one of its kind.
+    pub(crate) unique: Option<bool>,
+}
+
+impl Parted {
+    /// Of an S that is known.
+    pub(crate) fn of_structure(integral: Id, matrix: &[Vec<Id>], poisson: bool) -> Parted {
+        Parted { integral, matrix: matrix.to_vec(), poisson, unique: None }
+    }
+
+    /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
+    pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
+        let x = coordinates(flow.field.len());
+        let kept = flow.kept.iter().map(|named| &named.conserved).find(|conserved| conserved.but.is_none());
+        let integral = kept.map(|conserved| conserved.value).or(flow.energy.as_ref().map(|(energy, _)| *energy))?;
+        if let Some((_, matrix)) = &flow.energy
+            && claims::is_gradient_form(graph, &x, matrix, integral, &flow.field).is_ok()
+        {
+            return Some(Parted { integral, matrix: matrix.clone(), poisson: true, unique: None });
+        }
+        let search::Structure { matrix, unique } = search::structure(graph, &x, &flow.field, integral)?;
+        let poisson = claims::is_poisson(graph, &x, &matrix).is_ok();
+        Some(Parted { integral, matrix, poisson, unique: Some(unique) })
+    }
+}
+
+/// A splitting of x' = S(x) ∇I: its name, what nothing implements where it has no pieces, and what is said then.
+struct Splitting {
+    name: &'static str,
+    marker: &'static str,
+    why: &'static str,
+    /// What two coordinates do that are in the way.
+    pair: &'static str,
+}
+
+const BY_TERMS: Splitting =
+    Splitting { name: "PoissonSplitting", marker: "InTerms", why: NOT_POISSON, pair: "are not in involution" };
+const BY_PLANES: Splitting =
+    Splitting { name: "PlanarSplitting", marker: "InPlanes", why: NOT_PLANAR, pair: "span the plane" };
+const BY_GRADIENTS: Splitting =
+    Splitting { name: "PlanarDiscreteGradient", marker: "InGradients", why: NOT_SOLVED, pair: "span the plane" };
+const BY_INCREMENTS: Splitting =
+    Splitting { name: "PlanarItohAbe", marker: "InIncrements", why: NOT_SOLVED, pair: "span the plane" };
+
+/// The pieces of every splitting of a flow.
+pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, damped: bool) -> Vec<PiecesOf<Kernel>> {
+    let Some(Parted { integral, matrix, poisson, .. }) = parted else {
+        // Without anything that is kept there is nothing to split by.
+        let first = flow.kept.first().map(|first| first.conserved.value);
+        return first.map_or_else(Vec::new, |term| none(term, NO_STRUCTURE));
+    };
+    if damped {
+        return none(*integral, DAMPED_FLOW);
+    }
+    let autonomous = !analyze::reads(graph, *integral).t;
+    let by_terms = split::parts(graph, *integral, matrix);
+    let by_planes = split::planes(graph, *integral, matrix);
+    let [gradients, increments] = split::solved_planes(graph, *integral, matrix);
+    let found = [(BY_TERMS, by_terms), (BY_PLANES, by_planes), (BY_GRADIENTS, gradients), (BY_INCREMENTS, increments)];
+    let pieces = |(splitting, found): (Splitting, Result<Vec<Part>, NoPart>)| {
+        let Splitting { name, marker, why, pair } = splitting;
+        let missing = |NoPart { formula, pair: found }| Missing {
+            marker,
+            term: formula,
+            why,
+            pair: found.map(|found: [Symbol; 2]| (found, pair)),
+        };
+        let kernels = found.map(|parts| parts.into_iter().map(|part| kernel(graph, part)).collect());
+        let by_terms = name == BY_TERMS.name;
+        pieces_of(name, kernels.map_err(missing), by_terms && *poisson, !by_terms && autonomous)
+    };
+    found.into_iter().map(pieces).collect()
+}
+
+/// No pieces of any splitting.
+fn none(term: Id, why: &'static str) -> Vec<PiecesOf<Kernel>> {
+    let none =
+        |Splitting { name, marker, .. }| pieces_of(name, Err(Missing { marker, term, why, pair: None }), false, false);
+    [BY_TERMS, BY_PLANES, BY_GRADIENTS, BY_INCREMENTS].map(none).into()
+}
+
+fn pieces_of(
+    splitting: &'static str,
+    pieces: Result<Vec<PieceKernel<Kernel>>, Missing>,
+    symplectic: bool,
+    conserves_energy: bool,
+) -> PiecesOf<Kernel> {
+    PiecesOf { cost: 0, rejected: vec![], splitting, pieces, symplectic, conserves_energy }
+}
+
+fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
+    let levels = match part.clock {
+        Clock::Own => Levels::Unfrozen,
+        Clock::Stage => Levels::Frozen,
+    };
+    let known = part.rules.iter().map(|rule| format!("{}: {}", rule.name, rule.fields)).collect();
+    let (solved, flow) = match part.motion {
+        Motion::Closed(ends) => (false, FlowKernel::with_increments(graph, levels, ends)),
+        Motion::Solved(pair, field) => {
+            let h = graph.symbol(Symbol::H);
+            let equation = implicit::image(graph, &field, h);
+            (true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, equation) })
+        }
+    };
+    PieceKernel { energy: part.formula, solved, known, clock: part.clock, flow }
+}

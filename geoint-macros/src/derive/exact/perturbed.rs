@@ -1,0 +1,181 @@
+//! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
+
+use crate::analyze::reads;
+use crate::derive::canonical::{impulse, increments};
+use crate::derive::system::{FlowKernel, Missing};
+use crate::diff;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Graph, Id, Number, Symbol};
+use crate::messages::{JUMP_IS_NO_KICK, NOT_NYSTROM_EXACT};
+use crate::schedule::{Kernel, Levels};
+use crate::split::{self, Clock, Division, NoExactPart, OwnMotion};
+use std::ops::Range;
+
+/// A and B.
+#[derive(Debug)]
+pub(crate) struct Perturbed<K> {
+    pub(crate) exact: Id,
+    pub(crate) rest: Id,
+    /// Whether the flow of B is a kick.
+    pub(crate) is_kick: bool,
+    /// Whether it is the flow of B, or a step of order 2.
+    pub(crate) is_exact: bool,
+    /// Parts of the flow of A that may end within a step.
+    pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
+    /// How the flow of A is known.
+    pub(crate) known: Vec<String>,
+    pub(crate) flow: FlowKernel<K>,
+    /// Whether that flow is exact in its own time.
+    pub(crate) exact_in_time: bool,
+    pub(crate) kick: FlowKernel<K>,
+    /// Whether a kick adds what positions alone decide.
+    pub(crate) repeats: bool,
+    pub(crate) gradient_kick: Result<FlowKernel<K>, Missing>,
+    pub(crate) inner: Option<Inner<K>>,
+}
+
+/// Other coordinates than those of the state.
+#[derive(Debug)]
+pub(crate) struct Inner<K> {
+    pub(crate) name: &'static str,
+    pub(crate) enter: FlowKernel<K>,
+    pub(crate) leave: FlowKernel<K>,
+}
+
+/// Kernels of both parts.
+pub(in crate::derive) fn kernels(
+    graph: &mut Graph,
+    division: &Division,
+    degrees: u32,
+) -> Result<Perturbed<Kernel>, Missing> {
+    let parts = match division {
+        Ok(parts) => parts,
+        Err(NoExactPart { term, why }) => return Err(Missing { marker: "Parted", term: *term, why, pair: None }),
+    };
+    let changed = parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::S).collect();
+    let gradient_kick = match &parts.velocity {
+        Ok(velocity) => {
+            let force: Vec<Id> =
+                diff::gradient(graph, parts.kick, degrees).q.into_iter().map(|slope| graph.neg(slope)).collect();
+            let kick = diff::gradient_kick(graph, parts.kick, &force, velocity);
+            let impulse = weighted(graph, parts, kick.impulse);
+            Ok(increments(graph, Symbol::P, &impulse))
+        }
+        Err(term) => {
+            let why = if parts.jump.is_some() { JUMP_IS_NO_KICK } else { NOT_NYSTROM_EXACT };
+            Err(Missing { marker: "Gentle", term: *term, why, pair: None })
+        }
+    };
+    let rest = match &parts.jump {
+        Some(jump) => graph.add(parts.kick, jump.energy),
+        None => parts.kick,
+    };
+    Ok(Perturbed {
+        exact: parts.exact,
+        rest,
+        is_kick: parts.jump.is_none(),
+        is_exact: parts.jump.as_ref().is_none_or(|jump| jump.commutes),
+        parts: parts.parts.clone(),
+        known: parts.known.clone(),
+        flow: FlowKernel::with_increments(graph, Levels::Prepared, changed),
+        exact_in_time: parts.clock == Clock::Own,
+        kick: {
+            let impulse = impulse(graph, parts.kick, degrees);
+            let impulse = weighted(graph, parts, impulse);
+            match &parts.jump {
+                Some(jump) if jump.commutes => beside_jump(graph, jump, &impulse),
+                Some(jump) => between_jumps(graph, jump, &impulse),
+                None => increments(graph, Symbol::P, &impulse),
+            }
+        },
+        repeats: parts.jump.is_none() && !reads(graph, parts.kick).t,
+        gradient_kick,
+        inner: parts.inner.as_ref().map(|inner| Inner {
+            name: inner.name,
+            enter: FlowKernel::new(Levels::One, inner.enter.clone()),
+            leave: FlowKernel::new(Levels::One, inner.leave.clone()),
+        }),
+    })
+}
+
+/// A jump and a kick that leave each other as they are.
+fn beside_jump(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
+    let h = graph.symbol(Symbol::H);
+    let shifts: Vec<Id> = jump.velocity.iter().map(|velocity| graph.mul(h, *velocity)).collect();
+    let indices = 0..shifts.len() as u32;
+    let moved = indices.clone().map(Symbol::Q).zip(shifts).chain(indices.map(Symbol::P).zip(impulse.iter().copied()));
+    let mut ends = vec![];
+    for (symbol, increment) in moved.filter(|(_, increment)| !graph.is_zero(*increment)).collect::<Vec<_>>() {
+        let start = graph.symbol(symbol);
+        ends.push((symbol, graph.add(start, increment)));
+    }
+    FlowKernel::with_increments(graph, Levels::Prepared, ends)
+}
+
+/// Half of a jump, a kick, half of a jump.
+fn between_jumps(graph: &mut Graph, jump: &split::Jump, impulse: &[Id]) -> FlowKernel<Kernel> {
+    let indices = 0..impulse.len() as u32;
+    let h = graph.symbol(Symbol::H);
+    let half = graph.scale(Number::HALF, h);
+    let shifts: Vec<Id> = jump.velocity.iter().map(|velocity| graph.mul(half, *velocity)).collect();
+    let start = |graph: &mut Graph, of: fn(u32) -> Symbol, i: u32| graph.symbol(of(i));
+    let mut shifted = vec![];
+    for (i, shift) in indices.clone().zip(&shifts) {
+        let q = start(graph, Symbol::Q, i);
+        shifted.push(graph.add(q, *shift));
+    }
+    let mut after_jump = Substitution::new(|_, symbol| match symbol {
+        Symbol::Q(i) => Some(shifted[i as usize]),
+        _ => None,
+    });
+    let impulse: Vec<Id> = impulse.iter().map(|impulse| after_jump.apply(graph, *impulse)).collect();
+    let mut momenta = vec![];
+    for (i, impulse) in indices.clone().zip(&impulse) {
+        let p = start(graph, Symbol::P, i);
+        momenta.push(graph.add(p, *impulse));
+    }
+    let mut after_kick = Substitution::new(|_, symbol| match symbol {
+        Symbol::P(i) => Some(momenta[i as usize]),
+        _ => None,
+    });
+    let mut ends = vec![];
+    for (i, shift) in indices.clone().zip(&shifts) {
+        let (q, last) = (start(graph, Symbol::Q, i), after_kick.apply(graph, *shift));
+        let both = graph.add(*shift, last);
+        ends.push((Symbol::Q(i), graph.add(q, both)));
+    }
+    ends.extend(indices.map(Symbol::P).zip(momenta));
+    ends.retain(|(symbol, end)| *end != graph.symbol(*symbol));
+    FlowKernel::with_increments(graph, Levels::Prepared, ends)
+}
+
+/// What an impulse adds to what is in the place of momenta.
+fn weighted(graph: &mut Graph, parts: &split::Perturbed, impulse: Vec<Id>) -> Vec<Id> {
+    match &parts.inner {
+        Some(inner) => impulse.into_iter().zip(&inner.weights).map(|(impulse, w)| graph.mul(*w, impulse)).collect(),
+        None => impulse,
+    }
+}
+
+impl<K> Perturbed<K> {
+    pub(in crate::derive) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Perturbed<L> {
+        Perturbed {
+            exact: self.exact,
+            rest: self.rest,
+            is_kick: self.is_kick,
+            is_exact: self.is_exact,
+            parts: self.parts,
+            known: self.known,
+            flow: self.flow.map(of),
+            exact_in_time: self.exact_in_time,
+            kick: self.kick.map(of),
+            repeats: self.repeats,
+            gradient_kick: self.gradient_kick.map(|flow| flow.map(of)),
+            inner: self.inner.map(|inner| Inner {
+                name: inner.name,
+                enter: inner.enter.map(of),
+                leave: inner.leave.map(of),
+            }),
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! The pieces of an energy in kernels.
+
+use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
+use crate::ir::{Graph, Symbol};
+use crate::schedule::Kernel;
+use crate::split::{self, Pieces};
+
+/// The flows of pieces, of a splitting with its name, or what is said of the term that is in none; `rest` if momenta are not followed.
+pub(in crate::derive) fn kernels(
+    graph: &mut Graph,
+    splitting: &'static str,
+    (found, why): (&Pieces, &'static str),
+    rest: bool,
+) -> PiecesOf<Kernel> {
+    let pieces = match found {
+        Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, rest)).collect()),
+        Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
+    };
+    let (cost, rejected) = found.as_ref().map(|found| (found.cost, found.rejected.clone())).unwrap_or_default();
+    PiecesOf { splitting, pieces, cost, rejected, symplectic: true, conserves_energy: false }
+}
+
+fn kernel(graph: &mut Graph, piece: &split::Piece, rest: bool) -> PieceKernel<Kernel> {
+    let mut changed = piece.flow.changed(graph);
+    changed.retain(|(symbol, _)| !(rest && matches!(symbol, Symbol::P(_))));
+    let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
+    let split::Family { name, energies, source, .. } = piece.family;
+    let known = vec![format!("{name}: {energies} ({source})")];
+    PieceKernel { energy: piece.energy, solved: false, known, clock: piece.clock, flow }
+}

@@ -1,0 +1,139 @@
+//! What the divergence of a field says: whether it is that of an energy (J. Liouville), and Jacobi's last multiplier where it is not zero.
+
+use super::coordinates;
+use crate::analyze::liouville::{self, Logarithm, NoEnergy};
+use crate::analyze::{Identity, Proof, claims, is_positive, search, symbols};
+use crate::derive::domain::{Check, Sign, checks_of};
+use crate::ir::{Graph, Id, Node, Partial, Symbol};
+
+/// What is known of a field by its divergence.
+#[derive(Debug)]
+pub(crate) struct Liouville {
+    /// div f, and whether it is zero.
+    pub(crate) divergence: (Id, Identity),
+    /// H with q' = ∂H/∂p and p' = −∂H/∂q for the halves of x, or why there is none; nothing for an odd number of coordinates.
+    pub(crate) energy: Option<Result<Recovered, NoEnergy>>,
+    /// Where div f is not zero.
+    pub(crate) multiplier: Option<Multiplier>,
+}
+
+impl Liouville {
+    /// The energy, if steps may keep it.
+    pub(crate) fn kept(&self) -> Option<Id> {
+        match self.energy {
+            Some(Ok(Recovered { energy, everywhere: true, .. })) => Some(energy),
+            _ => None,
+        }
+    }
+
+    /// The divergence, if it is certainly not zero.
+    pub(crate) fn divergent(&self) -> Option<Id> {
+        matches!(self.divergence.1, Identity::Wrong(_)).then_some(self.divergence.0)
+    }
+}
+
+/// The energy of a field.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Recovered {
+    pub(crate) energy: Id,
+    pub(crate) proof: Proof,
+    /// Whether it is defined wherever the field is: then it has one value there, and steps may keep it.
+    pub(crate) everywhere: bool,
+}
+
+/// μ with div(μf) = 0.
+#[derive(Debug)]
+pub(crate) struct Multiplier {
+    pub(crate) value: Id,
+    /// In the plane, H with μf = (∂H/∂y, −∂H/∂x), if it is elementary.
+    pub(crate) energy: Option<Id>,
+}
+
+/// Decides it.
+pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[Partial]) -> Liouville {
+    let x = coordinates(field.len());
+    let divergence = claims::divergence(graph, &x, field);
+    let halves = x.split_at(x.len() / 2);
+    let energy = x.len().is_multiple_of(2).then(|| {
+        let (energy, proof) = liouville::energy(graph, halves, field, Logarithm::OfMagnitude)?;
+        Ok(Recovered { energy, proof, everywhere: is_defined(graph, energy, field, partial) })
+    });
+    let multiplier = if divergence.1.is_zero() { None } else { multiplier(graph, &x, field) };
+    Liouville { divergence, energy, multiplier }
+}
+
+fn multiplier(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Multiplier> {
+    let found = match search::multiplier(graph, x, field) {
+        Some(exponents) => {
+            let mut powers = vec![];
+            for (symbol, exponent) in x.iter().zip(exponents) {
+                let symbol = graph.symbol(*symbol);
+                powers.push(graph.pow(symbol, exponent));
+            }
+            Some(graph.product(&powers))
+        }
+        None => of_separable_orbits(graph, x, field),
+    };
+    let value = found?;
+    let scaled: Vec<Id> = field.iter().map(|f| graph.mul(value, *f)).collect();
+    if !claims::divergence(graph, x, &scaled).1.is_zero() {
+        return None;
+    }
+    let plane = |graph: &mut Graph| {
+        let halves = x.split_at(1);
+        Some(liouville::energy(graph, halves, &scaled, Logarithm::OfNumber).ok()?.0)
+    };
+    let energy = if x.len() == 2 { plane(graph) } else { None };
+    Some(Multiplier { value, energy })
+}
+
+/// 1/(A(x)D(y)) of a field x' = A(x)B(y), y' = C(x)D(y) in the plane, whose orbits are separable: dy/dx = C/A · D/B.
+fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<Id> {
+    let ([x, y], [first, second]) = (x, field) else { return None };
+    let mut own = |component: Id, own: Symbol, other: Symbol| {
+        let rest = graph.coefficient(component).1;
+        let mut product = graph.integer(1);
+        for (base, exponent) in graph.factors(rest) {
+            let read = symbols(graph, base);
+            match (read.contains(&own), read.contains(&other)) {
+                (true, true) => return None,
+                (true, false) => {
+                    let factor = graph.pow(base, exponent.neg());
+                    product = graph.mul(product, factor);
+                }
+                _ => {}
+            }
+        }
+        Some(product)
+    };
+    // Their reciprocals.
+    let (a, d) = (own(*first, *x, *y)?, own(*second, *y, *x)?);
+    Some(graph.mul(a, d))
+}
+
+/// Whether a node is defined wherever a field is: all that has to be tested of it is tested of the field.
+fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[Partial]) -> bool {
+    let mut tested: Vec<Id> =
+        partial.iter().filter(|partial| partial.condition.is_none()).map(|partial| partial.node).collect();
+    let computed = graph.reachable(field);
+    if !computed.iter().any(|id| matches!(graph.node(*id), Node::Select(..))) {
+        tested.extend(computed);
+    }
+    let tested = conditions(graph, &tested);
+    let asked = graph.reachable(&[node]);
+    conditions(graph, &asked).into_iter().all(|(argument, sign)| {
+        let covers =
+            |(other, tested): &(Id, Sign)| *other == argument && (*tested == sign || *tested == Sign::NotPositive);
+        is_positive(graph, argument) || tested.iter().any(covers)
+    })
+}
+
+/// What must not be, and where: a square is positive where its base is not zero.
+fn conditions(graph: &mut Graph, nodes: &[Id]) -> Vec<(Id, Sign)> {
+    let checks: Vec<Check> = nodes.iter().flat_map(|id| checks_of(graph, *id)).collect();
+    let condition = |check: &Check| match graph.node(check.argument) {
+        Node::Power(base, exponent) if exponent.is_integer() && exponent.numerator % 2 == 0 => (*base, Sign::Zero),
+        _ => (check.argument, check.if_it_is),
+    };
+    checks.iter().map(condition).collect()
+}

@@ -1,0 +1,108 @@
+//! Sums whose terms have factors in common: a·x + a·y is a·(x + y), one multiplication of series in place of two.
+//!
+//! The graph itself stays as it is: the order of its operations is that of the rates of every other method.
+
+use super::Builder;
+use crate::ir::{Id, Number, Ratio};
+
+/// What moves in a product, each factor as often as it occurs.
+type Factors = Vec<(Id, Ratio)>;
+
+impl Builder<'_> {
+    /// The terms with those together that have a factor in common.
+    pub(super) fn factored(&mut self, mut terms: Vec<(Number, Id)>) -> Vec<(Number, Id)> {
+        while let Some(next) = self.with_common_factor(&terms) {
+            terms = next;
+        }
+        terms
+    }
+
+    /// Two terms or more as a product of what they have in common with the sum of the rest.
+    fn with_common_factor(&mut self, terms: &[(Number, Id)]) -> Option<Vec<(Number, Id)>> {
+        let all: Vec<Option<Factors>> = terms.iter().map(|(_, term)| self.own_factors(*term)).collect();
+        let has =
+            |factors: &Option<Factors>, factor: &(Id, Ratio)| factors.as_ref().is_some_and(|own| own.contains(factor));
+        let number = |factor: &(Id, Ratio)| all.iter().filter(|factors| has(factors, factor)).count();
+        let mut most: Option<((Id, Ratio), usize)> = None;
+        for factor in all.iter().flatten().flatten() {
+            let number = number(factor);
+            if number > most.map_or(1, |(_, number)| number) {
+                most = Some((*factor, number));
+            }
+        }
+        let (factor, _) = most?;
+        let (mut rest, mut inner, mut common): (Vec<(Number, Id)>, Vec<(Number, Factors, Id)>, Option<Factors>) =
+            (vec![], vec![], None);
+        for (factors, (c, term)) in all.into_iter().zip(terms) {
+            match factors.filter(|own| own.contains(&factor)) {
+                Some(own) => {
+                    common = Some(common.map_or_else(|| own.clone(), |common| shared(&common, &own)));
+                    inner.push((*c, own, *term));
+                }
+                None => rest.push((*c, *term)),
+            }
+        }
+        let common = common?;
+        let mut sum = self.graph.zero();
+        for (c, own, term) in inner {
+            let (scale, term) = self.graph.coefficient(term);
+            let mut left = self.graph.number(c.mul(scale));
+            // What stands still, and what moves and is not in common.
+            let mut taken = common.clone();
+            for (base, exponent) in self.graph.factors(term) {
+                for part in parts(base, exponent) {
+                    if let Some(place) = taken.iter().position(|other| *other == part && own.contains(&part)) {
+                        taken.swap_remove(place);
+                        continue;
+                    }
+                    let part = self.graph.pow(part.0, part.1);
+                    left = self.graph.mul(left, part);
+                }
+            }
+            sum = self.graph.add(sum, left);
+        }
+        // What has cancelled, or has no more to it than a factor, is none the better.
+        if self.is_constant(sum) {
+            return None;
+        }
+        let mut product = sum;
+        for (base, exponent) in common {
+            let part = self.graph.pow(base, exponent);
+            product = self.graph.mul(product, part);
+        }
+        let (c, product) = self.graph.coefficient(product);
+        rest.push((c, product));
+        Some(rest)
+    }
+
+    /// The factors that move, of a product of two or more that nothing else reads.
+    fn own_factors(&mut self, term: Id) -> Option<Factors> {
+        let shared = self.uses.get(&term).is_some_and(|uses| *uses > 1);
+        let all = self.graph.factors(self.graph.coefficient(term).1);
+        let moving: Factors = all
+            .into_iter()
+            .filter(|(base, _)| !self.is_constant(*base))
+            .flat_map(|(base, exponent)| parts(base, exponent))
+            .collect();
+        (!shared && moving.len() > 1).then_some(moving)
+    }
+}
+
+/// A power as that many factors.
+fn parts(base: Id, exponent: Ratio) -> Vec<(Id, Ratio)> {
+    let times = exponent.numerator.unsigned_abs();
+    if exponent.is_integer() && (1..=4).contains(&times) {
+        return vec![(base, Ratio::integer(exponent.numerator.signum())); times as usize];
+    }
+    vec![(base, exponent)]
+}
+
+/// What both have, as often as both have it.
+fn shared(a: &Factors, b: &Factors) -> Factors {
+    let mut left = b.clone();
+    let taken = a.iter().filter(|factor| {
+        let place = left.iter().position(|other| other == *factor);
+        place.map(|place| left.swap_remove(place)).is_some()
+    });
+    taken.copied().collect()
+}

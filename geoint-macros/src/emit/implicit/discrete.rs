@@ -1,0 +1,212 @@
+//! The field of discrete gradients, with divided differences.
+
+use super::write_field;
+use crate::analyze::MeanValue;
+use crate::derive::{FieldKernels, Missing};
+use crate::emit::kernel::{Context, write};
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::self_type;
+use crate::ir::{Graph, Symbol};
+use crate::schedule::Plan;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// `impl DiscreteField`.
+pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+    let name = self_type(context);
+    let FieldKernels { increments, .. } = field;
+    let unknown = context.unknown_type(increments.len());
+    let places = context.unknown_places(increments.len());
+    let parameters = context.stored(plan, 0);
+    let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
+    let slope = context.planned(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
+    let equation = field.folded.then(|| {
+        let equation =
+            context.planned(&plan.last[1], given, |values| write_field(context, names[1], &plan.last[1], &values));
+        quote! {
+            #[inline(always)]
+            fn equation(
+                &self,
+                _: (&Self::Constants, R),
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                image: &mut #unknown,
+                matrix: &mut Square<#unknown>,
+            ) {
+                #equation
+            }
+        }
+    });
+    let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::Dp).collect();
+    let drift = context.planned(&plan.last[2], (&mean, "p"), |values| write("drift", &places, &values));
+    let inverse = if field.linear { quote!(Inverted<#unknown>) } else { quote!(()) };
+    let mean = match field.mean_value {
+        MeanValue::Gauss(points) => {
+            let points = Literal::u32_unsuffixed(points);
+            quote!(Gauss(#points))
+        }
+        MeanValue::Parts(parts) => {
+            let parts = Literal::u32_unsuffixed(parts);
+            quote!(Parts(#parts))
+        }
+        MeanValue::NotClosed(_) => quote!(NotClosed),
+    };
+    quote! {
+        impl<R: Real> Graded<R> for #name {
+            type Proof = ();
+            type Gradient = ByTree;
+        }
+        impl<R: Real> DiscreteField<R> for #name {
+            type Proof = ();
+            type Parameters = [R; #prepared];
+            type Start = [R; #started];
+            type Inverse = #inverse;
+            const MEAN: Mean = Mean::#mean;
+
+            #[inline]
+            fn parameters(&self, h: R) -> [R; #prepared] {
+                #parameters
+            }
+            #[inline(always)]
+            fn begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
+                #begin
+            }
+            #[inline(always)]
+            fn slope(
+                &self,
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                f: &mut #unknown,
+                jacobian: &mut Square<#unknown>,
+            ) {
+                #slope
+            }
+            #equation
+            #[inline(always)]
+            fn drift(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+                let mut drift = <#unknown as Array>::zero();
+                #drift
+                drift
+            }
+        }
+    }
+}
+
+/// `impl DiscreteField`, and what it is of, that no scalar satisfies, of a field that keeps nothing.
+pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let (name, phase) = (self_type(context), context.phase());
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByTree;
+        }
+        impl<R: Real + #marker> DiscreteField<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+            type Inverse = ();
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase) -> #never {
+                match *never {}
+            }
+            fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
+                match *never {}
+            }
+            fn drift(&self, never: &#never, _: &#phase) -> #phase {
+                match *never {}
+            }
+        }
+    }
+}
+
+/// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
+    let (name, phase, array) = (self_type(context), context.phase(), context.array());
+    let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
+    let count = momenta.last[0].results.len() / (2 * degrees);
+    let columns = Literal::usize_unsuffixed(1 + count);
+    let places: Vec<Vec<usize>> = (0..count)
+        .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
+        .collect();
+    let slopes = context.values(momenta, |values| write("slopes", &places, &values));
+    quote! {
+        impl<R: Real> FourthOrderField<R> for #name {
+            type Proof = ();
+            type FourthParameters = fourth_order::ParametersOf<Self, R>;
+            type FourthStart = fourth_order::Begun<#array>;
+
+            #[inline]
+            fn fourth_parameters(&self, h: R) -> Self::FourthParameters {
+                fourth_order::parameters(self, h)
+            }
+            #[inline(always)]
+            fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &#phase) -> Self::FourthStart {
+                fourth_order::begin(self, parameters, t, z)
+            }
+            #[inline(always)]
+            fn fourth_slope(
+                &self,
+                parameters: &Self::FourthParameters,
+                start: &Self::FourthStart,
+                d: &#phase,
+                image: &mut #phase,
+                matrix: &mut Square<#phase>,
+            ) {
+                let momenta = |z: &#phase| {
+                    let mut slopes = [<#phase as Array>::zero(); #columns];
+                    #parts
+                    #slopes
+                    slopes
+                };
+                fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
+            }
+        }
+    }
+}
+
+/// `impl FourthOrderField`.
+pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+    let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
+    let parameters = context.stored(plan, 0);
+    let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let image = context.planned(&plan.last[0], (&field.increments, "d"), |values| {
+        write_field(context, ["image", "matrix"], &plan.last[0], &values)
+    });
+    quote! {
+        impl<R: Real> FourthOrderField<R> for #name {
+            type Proof = ();
+            type FourthParameters = [R; #prepared];
+            type FourthStart = [R; #started];
+
+            #[inline]
+            fn fourth_parameters(&self, h: R) -> [R; #prepared] {
+                #parameters
+            }
+            #[inline(always)]
+            fn fourth_begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
+                #begin
+            }
+            #[inline(always)]
+            fn fourth_slope(
+                &self,
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#unknown,
+                image: &mut #unknown,
+                matrix: &mut Square<#unknown>,
+            ) {
+                #image
+            }
+        }
+    }
+}

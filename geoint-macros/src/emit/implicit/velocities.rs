@@ -1,0 +1,195 @@
+//! A Lagrangian by its derivatives, for steps with velocities as unknowns.
+
+use super::{square, write_field};
+use crate::derive::{MassKernels, Missing, VelocityKernels};
+use crate::emit::kernel::{Context, write};
+use crate::emit::missing::unsatisfied;
+use crate::emit::system::{cotangent, keeps_energy, self_type};
+use crate::ir::{Graph, Symbol};
+use crate::schedule::Plan;
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+/// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
+pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
+    let VelocityKernels { increments, mass, stage, polarised, keeps, .. } = kernels;
+    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
+    let squares = square(&places);
+    let n = places.len();
+    let mass = mass_form(context, mass);
+    let constants = context.stored(stage, 0);
+    let prepared = Literal::usize_unsuffixed(stage.slots[0]);
+    let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
+    let stage = context.planned(&stage.last[0], (&[], ""), |values| {
+        let (vectors, matrices) = values.split_at(2 * n);
+        let (momentum, force) = (write("momentum", &places, &vectors[..n]), write("force", &places, &vectors[n..]));
+        let names = ["momentum_by_q", "mass", "force_by_q", "force_by_v"];
+        let matrices =
+            names.into_iter().zip(matrices.chunks(n * n)).map(|(name, entries)| write(name, &squares, entries));
+        quote!(#momentum #force #(#matrices)*)
+    });
+    let polarised = match polarised {
+        Ok(plan) => self::polarised(context, increments, plan),
+        Err(missing) => not_polarised(context, graph, *missing),
+    };
+    let cotangent = cotangent(context);
+    let kept = keeps.then(|| keeps_energy(context, &quote!(VelocityEnergy), None));
+    quote! {
+        #cotangent
+        #kept
+        #mass
+        impl<R: Real> Collocated<R> for #name {
+            type Proof = ();
+            type Stages = ByVelocities;
+        }
+        impl<R: Real> VelocityForm<R> for #name {
+            type Proof = ();
+            type Constants = [R; #prepared];
+
+            #[inline]
+            fn constants(&self) -> [R; #prepared] {
+                #constants
+            }
+            #[inline(always)]
+            fn stage(
+                &self,
+                prepared: &[R; #prepared],
+                t: R,
+                q: &#array,
+                v: &#array,
+                [momentum, force]: [&mut #array; 2],
+                [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
+            ) {
+                #stage
+            }
+            #[inline(always)]
+            fn force(&self, prepared: &[R; #prepared], t: R, q: &#array, v: &#array) -> #array {
+                let mut force = <#array as Array>::zero();
+                #force
+                force
+            }
+        }
+        #polarised
+    }
+}
+
+/// `impl MassForm`.
+pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> TokenStream {
+    let MassKernels { mass, weights, quadratic } = kernels;
+    let (name, array, action) = (self_type(context), context.array(), context.action());
+    let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
+    let semidefinite = weights.as_ref().map(|weights| {
+        let holds = context.values(weights, |weights| quote!(true #(&& !#weights.any_below(0.0))*));
+        quote! {
+            fn is_semidefinite(&self) -> bool {
+                #holds
+            }
+        }
+    });
+    quote! {
+        impl<R: Real> MassForm<R> for #name {
+            type Proof = ();
+            const QUADRATIC: bool = #quadratic;
+
+            #semidefinite
+            #[inline(always)]
+            fn mass(
+                &self,
+                t: R,
+                q: &#array,
+                v: &#array,
+                s: &#action,
+                (momentum, mass): (&mut #array, &mut Square<#array>),
+            ) {
+                #mass
+            }
+        }
+    }
+}
+
+/// `impl PolarisedForm`.
+fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> TokenStream {
+    let (name, array, places) = (self_type(context), context.array(), context.coordinates());
+    let (phase, parts) = (context.phase(), context.parts());
+    let parameters = context.stored(plan, 0);
+    let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
+    let given = (increments, "d");
+    let (n, squares) = (places.len(), square(&places));
+    let equation = context.planned(&plan.last[0], given, |values| {
+        let (vectors, matrices) = values.split_at(2 * n);
+        let vectors = ["residual", "impulse"].into_iter().zip(vectors.chunks(n));
+        let matrices = ["matrix", "impulse_by_d"].into_iter().zip(matrices.chunks(n * n));
+        let vectors = vectors.map(|(name, values)| write(name, &places, values));
+        let matrices = matrices.map(|(name, values)| write(name, &squares, values));
+        quote!(#(#vectors)* #(#matrices)*)
+    });
+    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    quote! {
+        impl<R: Real> Graded<R> for #name {
+            type Proof = ();
+            type Gradient = ByPolarisation;
+        }
+        impl<R: Real> PolarisedForm<R> for #name {
+            type Proof = ();
+            type Parameters = [R; #prepared];
+            type Start = [R; #started];
+
+            #[inline]
+            fn parameters(&self, h: R) -> [R; #prepared] {
+                #parameters
+            }
+            #[inline(always)]
+            fn begin(&self, prepared: &[R; #prepared], t: R, z: &#phase, v: &#array) -> [R; #started] {
+                #parts
+                #begin
+            }
+            #[inline(always)]
+            fn equation(
+                &self,
+                prepared: &[R; #prepared],
+                start: &[R; #started],
+                d: &#array,
+                [residual, impulse]: [&mut #array; 2],
+                [matrix, impulse_by_d]: [&mut Square<#array>; 2],
+            ) {
+                #equation
+            }
+        }
+    }
+}
+
+/// The same where L is not quadratic: for no scalar, with a message.
+fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
+    let (name, array, phase) = (self_type(context), context.array(), context.phase());
+    let (marker, tokens) = unsatisfied(context, graph, missing);
+    let never = quote!(::core::convert::Infallible);
+    quote! {
+        #tokens
+        impl<R: Real + #marker> Graded<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Gradient = ByPolarisation;
+        }
+        impl<R: Real + #marker> PolarisedForm<R> for #name {
+            type Proof = <R as #marker>::Proof;
+            type Parameters = #never;
+            type Start = #never;
+
+            fn parameters(&self, _: R) -> #never {
+                ::core::unreachable!()
+            }
+            fn begin(&self, never: &#never, _: R, _: &#phase, _: &#array) -> #never {
+                match *never {}
+            }
+            fn equation(
+                &self,
+                never: &#never,
+                _: &#never,
+                _: &#array,
+                _: [&mut #array; 2],
+                _: [&mut Square<#array>; 2],
+            ) {
+                match *never {}
+            }
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Gauss collocation one dimension up, for contact systems.
+
+mod factors;
+mod stages;
+mod velocities;
+
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::scalar::Real;
+use crate::space::Summation;
+use crate::system::ContactCollocated;
+
+/// Gauss collocation with `S` stages, 1 to 6, in the symplectisation. Order 2S, symmetric, a contact map, for every H.
+///
+/// With P = r p, r' = r ∂H/∂s and r = 1 at the start of a step, (q, P, s) and r are moved by the Hamiltonian r H(q, P/r, s), whose collocation
+/// commutes with scaling of (P, r): so it is a contact map, which multiplies ds − p dq by 1/r₁. With all derivatives at the stages,
+///
+/// qᵢ = q₀ + h Σ aᵢⱼ ∂H/∂p, rᵢ pᵢ = p₀ − h Σ aᵢⱼ rⱼ ∂H/∂q, sᵢ = s₀ + h Σ aᵢⱼ (p·∂H/∂p − H), rᵢ = 1 + h Σ aᵢⱼ rⱼ ∂H/∂s.
+///
+/// One stage is [`ContactMidpoint`](crate::ContactMidpoint). Solved for q, p and s of all stages; where H = g(t)·s + H₀(q, p, t) the factors rᵢ
+/// are known beforehand and s follows, so that friction costs nothing beside [`Gauss`]. A step is refused where r₁ is not positive. All
+/// p·(Aq + b) that the flow multiplies by one factor are multiplied by 1/r₁.
+///
+/// A Lagrangian whose mass matrix is full, or whose velocities follow from momenta by no formula, is solved for stage velocities, and for s
+/// where that acts back: rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ ∂L/∂q, which is the same map with half of the unknowns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ContactGauss<const S: usize>;
+
+impl<Y: ContactCollocated<R>, R: Real, const S: usize> Method<Y, R> for ContactGauss<S>
+where
+    Y::Stages: StepsOf<ContactGauss<S>, Y, R>,
+    Gauss<S>: GaussTableau<S>,
+{
+    type Proof = <<Gauss<S> as GaussTableau<S>>::Proof as And<<Y as ContactCollocated<R>>::Proof>>::Both;
+    type Prepared = <Y::Stages as StepsOf<Self, Y, R>>::Prepared;
+    type Memory = <Y::Stages as StepsOf<Self, Y, R>>::Memory;
+
+    fn claims(&self) -> Claims {
+        Claims::of_order(2 * S as u32).symmetric().symplectic()
+    }
+
+    fn name(&self) -> Name {
+        let names = [
+            "ContactGauss<1>",
+            "ContactGauss<2>",
+            "ContactGauss<3>",
+            "ContactGauss<4>",
+            "ContactGauss<5>",
+            "ContactGauss<6>",
+        ];
+        Name::new(names[S - 1])
+    }
+
+    fn prepare(&self, system: &Y, h: R) -> Self::Prepared {
+        <Y::Stages as StepsOf<Self, Y, R>>::prepare(system, h)
+    }
+
+    fn memory() -> Self::Memory {
+        <Y::Stages as StepsOf<Self, Y, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        <Y::Stages as StepsOf<Self, Y, R>>::step(prepared, memory, step)
+    }
+}

@@ -1,0 +1,339 @@
+//! Stages of a Lagrangian with an action, solved for their velocities: with qᵢ = q₀ + h Σ aᵢⱼ vⱼ,
+//!
+//! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with f = ∂L/∂q and σ = −∂L/∂s.
+
+use super::ContactGauss;
+use super::factors::Factors;
+use crate::method::contact::ContactMidpoint;
+use crate::method::gauss::prepared::Prepared;
+use crate::method::gauss::velocities::{Memory, PreparedVelocities};
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::scalar::{Real, zero};
+use crate::solving::equation::StepEquation;
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, dot, moved, scaled, sum, sum_of_products};
+use crate::space::{Array, PerCoordinate, Square, Summation};
+use crate::system::{ByVelocities, ContactStage, ContactVelocities, Orientation, row_scale, velocity_near};
+
+/// One stage is the midpoint rule.
+impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelocities {
+    type Prepared = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Prepared;
+    type Memory = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Memory;
+
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::prepare(system, h)
+    }
+
+    fn memory() -> Self::Memory {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::step(prepared, memory, step)
+    }
+}
+
+impl<Y: ContactVelocities<R>, R: Real, const S: usize> StepsOf<ContactGauss<S>, Y, R> for ByVelocities
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Prepared = PreparedVelocities<Y::StageConstants, R, S>;
+    type Memory = Memory<Y::Moved, S>;
+
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
+        PreparedVelocities {
+            stages: Prepared::new(system, system.stage_constants(), h),
+            semidefinite: system.is_semidefinite(),
+        }
+    }
+
+    fn memory() -> Self::Memory {
+        // Each unknown of a stage is of a kind of its own.
+        Memory { newton: Newton::new(1, Y::Moved::LEN), orientation: Orientation::unknown() }
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
+        Memory { newton, orientation }: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let (none, z, s) = (Y::Array::zero(), x.z, x.s);
+        probe.visit(t, &z, &s);
+        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &s, none)?.1))?;
+        let Prepared { poles, h, coupling, nodes, constants, .. } = prepared;
+        let known = if varying::<Y, R>() {
+            None
+        } else {
+            let decay = nodes.map(|node| ContactVelocities::force(system, constants, t + node, &none, &none, &s).1);
+            Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
+        };
+        let equation = StageVelocities { system, prepared, t, z, s, sign, known };
+        let mut seen = Seen { probe, d: [Y::Moved::zero(); S], stages: [ContactStage::none(); S] };
+        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+
+        let Seen { probe, d: last, stages } = seen;
+        let end = equation.end(&d, &last, &stages).ok_or(Refusal::Singular)?;
+        let before = start::<Y, R, C>(x);
+        x.add_everywhere(&end);
+        // The end has a velocity, and the mass matrix has not changed its orientation.
+        if !semidefinite {
+            let end = velocity_near(system, t + *h, &x.z, &x.s, equation.apart(&d[S - 1]).0);
+            orientation.agrees(end.map(|(_, positive)| positive))?;
+        }
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// Whether the factors, and s, depend on what is solved for: where L = L₀(q, v, t) − g(t)·s they do not.
+const fn varying<Y: ContactVelocities<R>, R: Real>() -> bool {
+    Y::Moved::LEN > Y::Array::LEN
+}
+
+/// The equations of all stages for their velocities, and for the increments of s if they read it.
+struct StageVelocities<'a, Y: ContactVelocities<R>, R: Real, const S: usize> {
+    system: &'a Y,
+    prepared: &'a Prepared<Y::StageConstants, R, S>,
+    t: R,
+    z: Y::Phase,
+    s: R,
+    /// Of the determinant of the mass matrix.
+    sign: R,
+    /// The factors, where they do not depend on what is solved for.
+    known: Option<Factors<R, S>>,
+}
+
+impl<Y: ContactVelocities<R>, R: Real, const S: usize> Clone for StageVelocities<'_, Y, R, S> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<Y: ContactVelocities<R>, R: Real, const S: usize> Copy for StageVelocities<'_, Y, R, S> {}
+
+impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R, S> {
+    /// The velocity of a stage, and the increment of s.
+    #[inline(always)]
+    fn apart(&self, d: &Y::Moved) -> (Y::Array, R) {
+        let mut v = Y::Array::zero();
+        for (v, d) in v.as_mut_slice().iter_mut().zip(d.as_slice()) {
+            *v = *d;
+        }
+        (v, d.as_slice().get(Y::Array::LEN).copied().unwrap_or_else(zero))
+    }
+
+    /// The same in a row, with what belongs to s if that is solved for.
+    #[inline(always)]
+    fn together(&self, v: &Y::Array, s: R) -> Y::Moved {
+        let mut row = Y::Moved::zero();
+        for (x, v) in row.as_mut_slice().iter_mut().zip(v.as_slice()) {
+            *x = *v;
+        }
+        if let Some(last) = row.as_mut_slice().get_mut(Y::Array::LEN) {
+            *last = s;
+        }
+        row
+    }
+
+    /// What velocities of stages move positions by.
+    #[inline(always)]
+    fn shift(&self, i: usize, d: &[Y::Moved; S]) -> Y::Array {
+        let mut change = Y::Array::zero();
+        for (a, d) in self.prepared.coupling[i].iter().zip(d) {
+            change.add_scaled(*a, &self.apart(d).0);
+        }
+        change
+    }
+
+    /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
+    /// would not be multiplied by a positive number.
+    #[inline(always)]
+    fn end(
+        &self,
+        d: &[Y::Moved; S],
+        last: &[Y::Moved; S],
+        stages: &[ContactStage<Y::Array>; S],
+    ) -> Option<PerCoordinate<Y::Phase, R>> {
+        let Prepared { coupling, weights, .. } = self.prepared;
+        let corrections: [Y::Moved; S] = core::array::from_fn(|i| difference(&d[i], &last[i]));
+        let after: [(Y::Array, R, R); S] =
+            core::array::from_fn(|i| after(&stages[i], &self.shift(i, &corrections), self.apart(&corrections[i])));
+        let factors = match self.known {
+            Some(known) => known,
+            None => Factors::new::<false>(coupling, &after.map(|(_, decay, _)| decay))?,
+        };
+        let grown = factors.growth(weights)?;
+        let (mut change, mut impulse) = (Y::Array::zero(), scaled(-grown, &self.z[1]));
+        for i in 0..S {
+            change.add_scaled(weights[i], &self.apart(&d[i]).0);
+            impulse.add_scaled(weights[i] * factors.r[i], &after[i].0);
+        }
+        let impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
+        let mut rates = after.map(|(.., lagrangian)| lagrangian);
+        if !varying::<Y, R>() {
+            rates = factors.rates_of_action(coupling, rates)?;
+        }
+        Some(PerCoordinate { z: [change, impulse], s: sum_of_products(weights, &rates) })
+    }
+}
+
+/// f, σ and L after small changes of q, v and s.
+#[inline(always)]
+fn after<A: Array>(stage: &ContactStage<A>, dq: &A, (dv, ds): (A, A::Real)) -> (A, A::Real, A::Real) {
+    let [.., by_q, by_v] = &stage.derivatives;
+    let [momentum_by_s, force_by_s] = &stage.by_action;
+    let mut force = moved(&stage.force, ds, force_by_s);
+    let rows = A::entries_of::<A>(by_q).iter().zip(A::entries_of::<A>(by_v));
+    for (f, (by_q, by_v)) in force.as_mut_slice().iter_mut().zip(rows) {
+        *f += dot(by_q, dq) + dot(by_v, &dv);
+    }
+    let decay = stage.decay - dot(momentum_by_s, &dv) - dot(force_by_s, dq) + stage.decay_by_action * ds;
+    let lagrangian = stage.lagrangian + dot(&stage.momentum, &dv) + dot(&stage.force, dq) - stage.decay * ds;
+    (force, decay, lagrangian)
+}
+
+/// Who watches, and what was evaluated last, for which unknowns.
+struct Seen<'a, P, D, A: Array, const S: usize> {
+    probe: &'a mut P,
+    d: [D; S],
+    stages: [ContactStage<A>; S],
+}
+
+impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
+    StepEquation<[Y::Moved; S], Seen<'_, P, Y::Moved, Y::Array, S>> for StageVelocities<'_, Y, R, S>
+{
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+
+    /// The accuracy of a velocity that can be seen in the position which h times it is added to.
+    #[inline(always)]
+    fn origin(&self) -> [Y::Moved; S] {
+        [self.together(&scaled(R::from_f64(1.0) / self.prepared.h, &self.z[0]), self.s); S]
+    }
+
+    /// The velocities as if v' and s' were constant.
+    fn explicit(&self) -> [Y::Moved; S] {
+        let StageVelocities { system, prepared, t, z, s, .. } = self;
+        let v = velocity_near(*system, *t, z, s, Y::Array::zero()).map_or(Y::Array::zero(), |(v, _)| v);
+        let mut at = ContactStage::none();
+        system.stage(&prepared.constants, *t, &z[0], &v, s, &mut at);
+        let rate = at.acceleration(&v);
+        prepared.nodes.map(|node| self.together(&moved(&v, node, &rate), node * at.lagrangian))
+    }
+
+    #[inline(always)]
+    fn evaluate(
+        &self,
+        seen: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
+        d: &[Y::Moved; S],
+        matrix: &mut Square<[Y::Moved; S]>,
+    ) -> [Y::Moved; S] {
+        difference(d, &self.residual(seen, d, matrix))
+    }
+
+    /// What the momentum of each stage is too large by, a row over |Mᵢᵢ|, and the increment of s.
+    #[inline(always)]
+    fn residual(
+        &self,
+        Seen { probe, d: last, stages }: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
+        d: &[Y::Moved; S],
+        matrix: &mut Square<[Y::Moved; S]>,
+    ) -> [Y::Moved; S] {
+        let Prepared { coupling, constants, nodes, .. } = self.prepared;
+        let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
+        *last = *d;
+        for (i, stage) in stages.iter_mut().enumerate() {
+            let (v, ds) = self.apart(&d[i]);
+            let (t, q, s) = (self.t + nodes[i], sum(&self.z[0], &self.shift(i, d)), self.s + ds);
+            probe.visit(t, &[q, self.z[1]], &s);
+            self.system.stage(constants, t, &q, &v, &s, stage);
+        }
+        let stages = &*stages;
+        let Factors { r, by_decay, .. } = match self.known {
+            Some(known) => known,
+            None => {
+                let decay = core::array::from_fn(|i| stages[i].decay);
+                Factors::new::<true>(coupling, &decay).unwrap_or_else(Factors::unknown)
+            }
+        };
+        let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
+        let mut residuals = [Y::Moved::zero(); S];
+        for (i, residual) in residuals.iter_mut().enumerate() {
+            for row in 0..n {
+                let entry = |stage: &ContactStage<Y::Array>, of: usize| {
+                    Y::Array::entries_of::<Y::Array>(&stage.derivatives[of])[row]
+                };
+                let mass = entry(&stages[i], MASS);
+                let mut scale = one / row_scale(&mass, row);
+                // As many mass matrices as stages: with an even number of them the determinant is positive.
+                if S % 2 == 1 && i == 0 && row == 0 {
+                    scale *= self.sign;
+                }
+                let p = stages[i].momentum.as_slice()[row];
+                let mut value = (r[i] - one).multiply_add(p, p - self.z[1].as_slice()[row]);
+                for j in 0..S {
+                    value = (-(coupling[i][j] * r[j])).multiply_add(stages[j].force.as_slice()[row], value);
+                }
+                residual.as_mut_slice()[row] = scale * value;
+                for k in 0..S {
+                    let mut by_v = if i == k { scaled(r[i], &mass) } else { Y::Array::zero() };
+                    by_v.add_scaled(coupling[i][k] * r[i], &entry(&stages[i], MOMENTUM_BY_Q));
+                    by_v.add_scaled(-(coupling[i][k] * r[k]), &entry(&stages[k], FORCE_BY_V));
+                    for j in 0..S {
+                        by_v.add_scaled(-(coupling[i][j] * r[j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
+                    }
+                    let mut by_s = zero();
+                    if varying::<Y, R>() {
+                        by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
+                        if i == k {
+                            by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
+                        }
+                        // What σ of the stage m does by all factors.
+                        for m in 0..S {
+                            let mut by = p * by_decay[i][m];
+                            for j in 0..S {
+                                let f = stages[j].force.as_slice()[row];
+                                by = (-(coupling[i][j] * by_decay[j][m])).multiply_add(f, by);
+                            }
+                            by_v.add_scaled(-(by * coupling[m][k]), &stages[m].by_action[1]);
+                            if m == k {
+                                by_v.add_scaled(-by, &stages[m].by_action[0]);
+                                by_s = by.multiply_add(stages[m].decay_by_action, by_s);
+                            }
+                        }
+                    }
+                    rows[i * length + row][k] = self.together(&scaled(scale, &by_v), scale * by_s);
+                }
+            }
+            // s₀ + h Σ aᵢⱼ Lⱼ, if it is solved for.
+            for row in n..length {
+                let mut value = d[i].as_slice()[row];
+                for j in 0..S {
+                    value = (-coupling[i][j]).multiply_add(stages[j].lagrangian, value);
+                }
+                residual.as_mut_slice()[row] = value;
+                for k in 0..S {
+                    let mut by_v = scaled(-coupling[i][k], &stages[k].momentum);
+                    for j in 0..S {
+                        by_v.add_scaled(-(coupling[i][j] * coupling[j][k]), &stages[j].force);
+                    }
+                    let own = if i == k { one } else { zero() };
+                    let by_s = coupling[i][k].multiply_add(stages[k].decay, own);
+                    rows[i * length + row][k] = self.together(&by_v, by_s);
+                }
+            }
+        }
+        residuals
+    }
+}
+
+/// The places of derivatives.
+const MOMENTUM_BY_Q: usize = 0;
+const MASS: usize = 1;
+const FORCE_BY_Q: usize = 2;
+const FORCE_BY_V: usize = 3;

@@ -1,0 +1,213 @@
+//! Steps of the polarised discrete gradient of a Lagrangian with an action: see [`ContactPolarised`].
+
+use super::ContactDiscreteGradient;
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::scalar::{Real, zero};
+use crate::solving::equation::StepEquation;
+use crate::solving::newton::Newton;
+use crate::space::vector::{difference, dot, moved, product, scaled, sum};
+use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
+use crate::system::{ByPolarisation, ContactPolarised, ContactStage, Orientation, Poles, row_scale, velocity_near};
+
+/// Coefficients of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Prepared<P, R> {
+    parameters: P,
+    poles: Poles,
+    h: R,
+    /// The determinant of the mass matrix has one sign everywhere.
+    semidefinite: bool,
+}
+
+/// What a step hands on to the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<D, A> {
+    newton: Newton<D>,
+    orientation: Orientation,
+    /// The velocity at the end of the last step.
+    v: A,
+}
+
+impl<D: Array, A: Array<Real = D::Real>> Record<D::Real> for Memory<D, A> {
+    fn record(&mut self, tape: &mut impl Tape<D::Real>) {
+        self.newton.record(tape);
+        self.orientation.record(tape);
+        self.v.as_mut_slice().iter_mut().for_each(|x| tape.scalar(x));
+    }
+}
+
+impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for ByPolarisation {
+    type Prepared = Prepared<S::Parameters, R>;
+    type Memory = Memory<S::Unknown, S::Array>;
+
+    fn prepare(system: &S, h: R) -> Self::Prepared {
+        Prepared {
+            parameters: system.parameters(h),
+            poles: Poles::of(system),
+            h,
+            semidefinite: system.is_semidefinite(),
+        }
+    }
+
+    fn memory() -> Self::Memory {
+        Memory { newton: Newton::new(S::Array::LEN, 2), orientation: Orientation::unknown(), v: S::Array::zero() }
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
+        Prepared { parameters, poles, h, semidefinite }: &Self::Prepared,
+        Memory { newton, orientation, v: near }: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let (z, s, middle) = (x.z, x.s, t + R::from_f64(0.5) * *h);
+        probe.visit(t, &z, &s);
+        // With time frozen in the middle of the step.
+        let (v, positive) = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
+        let sign = orientation.sign::<R>(|| Some(positive))?;
+        orientation.agrees(Some(positive))?;
+        let begun = system.begin(parameters, middle, &z, &s, &v);
+        let units = units(system, middle, &z, &s, (&v, sign));
+        let equation = Equation { system, parameters, middle, h: *h, z, s, v, begun, units };
+        let none = S::Unknown::zero();
+        let mut seen = Seen { probe, d: none, increments: none, by_d: S::Unknown::fill(none) };
+        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+        // Increments where they were evaluated last, and what the last correction changes them by: its square is rounding.
+        let correction = difference(&d, &seen.d);
+        let mut increments = seen.increments;
+        for (x, row) in increments.as_mut_slice().iter_mut().zip(S::Unknown::entries_of::<S::Unknown>(&seen.by_d)) {
+            *x += dot(row, &correction);
+        }
+        let Seen { probe, .. } = seen;
+
+        let (impulse, ds) = equation.apart(&increments);
+        let before = start::<S, R, C>(x);
+        x.add_everywhere(&PerCoordinate { z: [equation.shift(&d), impulse], s: ds });
+        *near = sum(&v, &equation.apart(&d).0);
+        if !semidefinite {
+            let (end, positive) = velocity_near(system, middle, &x.z, &x.s, *near).ok_or(Refusal::Singular)?;
+            orientation.agrees(Some(positive))?;
+            *near = end;
+        }
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// 1/|Mᵢᵢ| for rows of momenta, and 1 for that of the action; the first with the sign of the determinant of M.
+#[inline(always)]
+fn units<S: ContactPolarised<R>, R: Real>(
+    system: &S,
+    t: R,
+    z: &S::Phase,
+    s: &R,
+    (v, sign): (&S::Array, R),
+) -> S::Unknown {
+    let (mut p, mut mass, mut units) = (S::Array::zero(), S::Array::fill(S::Array::zero()), S::Unknown::zero());
+    system.mass(t, &z[0], v, s, (&mut p, &mut mass));
+    units.as_mut_slice().fill(R::from_f64(1.0));
+    let rows = S::Array::entries_of::<S::Array>(&mass).iter().enumerate();
+    for (unit, (i, row)) in units.as_mut_slice().iter_mut().zip(rows) {
+        *unit = R::from_f64(1.0) / row_scale(row, i);
+    }
+    units.as_mut_slice()[0] *= sign;
+    units
+}
+
+/// ∂L/∂v = p₁ at the end, and the increment of s, for those of v and s.
+struct Equation<'a, S: ContactPolarised<R>, R: Real> {
+    system: &'a S,
+    parameters: &'a S::Parameters,
+    middle: R,
+    h: R,
+    z: S::Phase,
+    s: R,
+    v: S::Array,
+    begun: S::Start,
+    units: S::Unknown,
+}
+
+impl<S: ContactPolarised<R>, R: Real> Clone for Equation<'_, S, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S: ContactPolarised<R>, R: Real> Copy for Equation<'_, S, R> {}
+
+impl<S: ContactPolarised<R>, R: Real> Equation<'_, S, R> {
+    /// What belongs to coordinates, and to the action.
+    #[inline(always)]
+    fn apart(&self, d: &S::Unknown) -> (S::Array, R) {
+        let mut v = S::Array::zero();
+        v.as_mut_slice().copy_from_slice(&d.as_slice()[..S::Array::LEN]);
+        (v, d.as_slice().last().copied().unwrap_or_else(zero))
+    }
+
+    /// The same in a row.
+    #[inline(always)]
+    fn together(&self, v: &S::Array, s: R) -> S::Unknown {
+        let mut row = S::Unknown::zero();
+        row.as_mut_slice().fill(s);
+        row.as_mut_slice()[..S::Array::LEN].copy_from_slice(v.as_slice());
+        row
+    }
+
+    /// q₁ − q₀ = h (v₀ + d/2).
+    #[inline(always)]
+    fn shift(&self, d: &S::Unknown) -> S::Array {
+        scaled(self.h, &moved(&self.v, R::from_f64(0.5), &self.apart(d).0))
+    }
+}
+
+/// Who watches, and the increments that were evaluated last, for which d, with their derivatives.
+struct Seen<'a, P, D: Array> {
+    probe: &'a mut P,
+    d: D,
+    increments: D,
+    by_d: Square<D>,
+}
+
+impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Seen<'_, P, S::Unknown>>
+    for Equation<'_, S, R>
+{
+    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+
+    #[inline(always)]
+    fn origin(&self) -> S::Unknown {
+        self.together(&self.v, self.s)
+    }
+
+    /// The increments as if v' and s' were constant.
+    fn explicit(&self) -> S::Unknown {
+        let mut at = ContactStage::none();
+        self.system.stage(&self.system.stage_constants(), self.middle, &self.z[0], &self.v, &self.s, &mut at);
+        scaled(self.h, &self.together(&at.acceleration(&self.v), at.lagrangian))
+    }
+
+    #[inline(always)]
+    fn evaluate(
+        &self,
+        seen: &mut Seen<'_, P, S::Unknown>,
+        d: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        difference(d, &self.residual(seen, d, matrix))
+    }
+
+    #[inline(always)]
+    fn residual(
+        &self,
+        Seen { probe, d: last, increments, by_d }: &mut Seen<'_, P, S::Unknown>,
+        d: &S::Unknown,
+        matrix: &mut Square<S::Unknown>,
+    ) -> S::Unknown {
+        let s = self.s + self.apart(d).1;
+        probe.visit(self.middle, &[sum(&self.z[0], &self.shift(d)), self.z[1]], &s);
+        let mut residual = S::Unknown::zero();
+        *last = *d;
+        self.system.equation(self.parameters, &self.begun, d, [&mut residual, increments], [matrix, by_d]);
+        for (row, unit) in S::Unknown::entries::<S::Unknown>(matrix).iter_mut().zip(self.units.as_slice()) {
+            *row = scaled(*unit, row);
+        }
+        product(&residual, &self.units)
+    }
+}

@@ -1,0 +1,291 @@
+//! How one equation is solved: by how many iterations, from how many guesses.
+
+use super::predictor;
+use super::{Found, MOST_UNKNOWNS, subtract};
+use crate::scalar::Real;
+use crate::solving::Refusal;
+use crate::solving::damped;
+use crate::solving::equation::StepEquation;
+use crate::solving::linear;
+use crate::solving::noise;
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
+use crate::solving::size::Sizes;
+use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
+
+/// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
+const LEAST_CURVATURE: f64 = 1e-3;
+
+/// Of so many steps one looks a second time, to see that factor again.
+const SECOND_LOOK: u32 = 64;
+
+/// The factor by which corrections of the fixed point must shrink.
+const SHRINKING: f64 = 0.3;
+
+/// Of so many steps one tries the fixed point again.
+const ANOTHER_TRY: u32 = 256;
+
+/// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
+/// solution of another branch.
+const FAR_OFF: f64 = 1.0 / 64.0;
+
+/// Iterations after which a guess was no good.
+const ROUGH: u32 = 3;
+
+/// What is known of the iteration from steps before.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Iteration<A> {
+    sizes: Sizes<A>,
+    /// Of so many unknowns each of so many kinds has one unit.
+    kinds: [usize; 2],
+    /// Steps until there are increments enough to extrapolate.
+    missing: usize,
+    /// That is so, or steps are too long to be extrapolated.
+    rough: bool,
+    /// The square of a correction after which the next one is nothing, from C as last seen.
+    reach: f64,
+    steps: u32,
+    /// The fixed point attracts too weakly.
+    stiff: bool,
+}
+
+/// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
+pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
+
+impl<A: Array> Record<A::Real> for Iteration<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        // Kinds follow from the method.
+        let Iteration { sizes, kinds: _, missing, rough, reach, steps, stiff } = self;
+        let mut counts = [*missing as u64, u64::from(*steps)];
+        sizes.record(tape);
+        counts.iter_mut().for_each(|n| tape.count(n));
+        (*missing, *steps) = ((counts[0] as usize).min(predictor::POINTS), counts[1] as u32);
+        tape.flag(rough);
+        tape.number(reach);
+        tape.flag(stiff);
+    }
+}
+
+impl<A: Array> Iteration<A> {
+    /// Of equations whose unknowns come in `kinds` of `n` that have one unit.
+    pub(super) fn new(n: usize, kinds: usize) -> Self {
+        Iteration {
+            sizes: Sizes::new(),
+            kinds: [n, kinds],
+            missing: predictor::POINTS,
+            rough: true,
+            reach: A::Real::epsilon() * REMAINDER,
+            steps: 0,
+            stiff: A::LEN <= MOST_UNKNOWNS,
+        }
+    }
+
+    /// Whether nothing can be extrapolated from the increments before.
+    #[inline(always)]
+    pub(super) fn is_rough(&self) -> bool {
+        self.rough
+    }
+
+    /// The sizes of increments so far.
+    #[inline(always)]
+    pub(super) fn sizes(&self) -> &Sizes<A> {
+        &self.sizes
+    }
+
+    /// One step more.
+    #[inline(always)]
+    pub(super) fn pass(&mut self) {
+        self.steps = self.steps.wrapping_add(1);
+    }
+
+    /// Whether nothing is left to correct after the first correction of a step. Convergence is quadratic, and C is known from a step
+    /// before.
+    #[inline(always)]
+    pub(super) fn is_last(&self, delta: &A) -> bool {
+        self.sizes.exceed(delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK)
+    }
+
+    /// Solves an equation for many unknowns: by the fixed point if that attracts.
+    #[inline(always)]
+    pub(super) fn of_many<W, E: StepEquation<A, W>>(
+        &mut self,
+        start: Start<A>,
+        equation: &E,
+        watch: &mut W,
+    ) -> Found<A> {
+        if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
+            let guess = start.0.unwrap_or_else(|| explicit(*equation));
+            let found = self.fixed_point(guess, equation, watch);
+            self.stiff = found.is_none();
+            if let Some(x) = found {
+                self.missing = self.missing.saturating_sub(1);
+                self.rough &= self.missing > 0;
+                return Found::solution(x, A::zero());
+            }
+        }
+        let found;
+        (*self, found) = self.search(start, *equation, watch);
+        found
+    }
+
+    /// Solves the equation by as many iterations, and from as many guesses, as it needs.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn search<W, E: StepEquation<A, W>>(
+        mut self,
+        (extrapolated, mut first): Start<A>,
+        equation: E,
+        watch: &mut W,
+    ) -> (Self, Found<A>) {
+        let fills = self.missing > 0;
+        let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
+        loop {
+            // Sizes for pivots. A guess may be wild: no correction is compared with it.
+            let mut scale = self.sizes;
+            let guess = match &attempt {
+                Attempt::Extrapolated(guess) => *guess,
+                Attempt::Explicit => {
+                    let guess = explicit(equation);
+                    scale.include(&equation.origin(), &guess);
+                    guess
+                }
+                Attempt::Damped(still) => damped::approach_solution(*still, &self.sizes, equation, watch),
+            };
+            let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
+            match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
+                Ok((x, lost, iterations)) => {
+                    self.missing = self.missing.saturating_sub(1);
+                    // As long as some are missing, nothing follows from the number of iterations.
+                    self.rough = self.missing > 0 || iterations >= ROUGH && !fills;
+                    return (self, Found::solution(x, lost));
+                }
+                Err(refusal) => {
+                    attempt = match (attempt, E::STANDSTILL) {
+                        // Something may have happened that was not to be foreseen.
+                        (Attempt::Extrapolated(_), _) => Attempt::Explicit,
+                        // No guess leads to a solution.
+                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        _ => return (self, Found::none(refusal)),
+                    }
+                }
+            }
+        }
+    }
+
+    /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
+    #[inline(always)]
+    fn iterate<W, E: StepEquation<A, W>>(
+        &mut self,
+        (guess, mut first, most): (A, Option<(A, bool)>, f64),
+        scale: &Sizes<A>,
+        equation: &E,
+        watch: &mut W,
+    ) -> Result<(A, A, u32), Refusal> {
+        let origin = equation.origin();
+        let mut x = guess;
+        let mut matrix = A::fill(A::zero());
+        let mut corrections = Corrections::of_order(2);
+        for iterations in 1..=MAX_ITERATIONS {
+            let (delta, positive) = match first.take() {
+                Some(first) => first,
+                None => {
+                    let mut delta = equation.residual(watch, &x, &mut matrix);
+                    match linear::solve(&mut matrix, &mut delta, scale) {
+                        Some(positive) => (delta, positive),
+                        None if delta.is_finite() => return Err(Refusal::Singular),
+                        None => return Err(corrections.not_converged()),
+                    }
+                }
+            };
+            if iterations == 1 && most.is_finite() && !self.sizes.exceed(&delta, most) {
+                return Err(corrections.not_converged());
+            }
+            let lost = subtract(&mut x, &delta);
+            if iterations == 1 && self.is_last(&delta) {
+                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
+            }
+            let correction = self.sizes.relative(&delta, &origin, &x);
+            if iterations == 2 {
+                self.see(correction, corrections.last());
+            }
+            let verdict = corrections.judge::<A::Real>(correction);
+            let mut noise =
+                || E::STANDSTILL.is_some() && self.is_noise((x, corrections.neighbourhood()), *equation, watch);
+            if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
+                self.sizes.include(&origin, &x);
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            }
+            if verdict == Verdict::Stuck {
+                corrections.restart();
+            }
+            if !correction.is_finite() {
+                break;
+            }
+        }
+        Err(corrections.not_converged())
+    }
+
+    /// Whether what is left of x − g(x) is rounding.
+    #[cold]
+    #[inline(never)]
+    fn is_noise<W, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
+        let mut unused = A::fill(A::zero());
+        let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
+        let mut sizes = self.sizes;
+        sizes.include(&equation.origin(), &x);
+        let [n, kinds] = self.kinds;
+        let noise = noise::measure(&sizes, (&x, nearest), |i| i / n % kinds, |x| Some(residual(x)));
+        // Here last: who watches has seen the solution last.
+        noise::explains(&noise, &residual(&x), &sizes)
+    }
+
+    /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
+    #[inline(always)]
+    fn fixed_point<W, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
+        let (origin, mut x) = (equation.origin(), guess);
+        let mut corrections = Corrections::of_order(1);
+        loop {
+            let next = equation.image(watch, &x);
+            let delta = difference(&x, &next);
+            x = next;
+            let correction = self.sizes.relative(&delta, &origin, &x);
+            let before = corrections.last();
+            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
+                self.sizes.include(&origin, &x);
+                return Some(x);
+            }
+            if correction.is_nan() || correction > SHRINKING * before {
+                return is_rounding::<A::Real>(correction).then_some(x);
+            }
+        }
+    }
+
+    /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
+    #[inline(always)]
+    fn see(&mut self, correction: f64, before: f64) {
+        // A margin, since C is not the same all along an orbit.
+        let before = before.min(1.0);
+        let curvature = 16.0 * correction / (before * before);
+        let reach = A::Real::epsilon() * REMAINDER / curvature.max(LEAST_CURVATURE);
+        if correction > 64.0 * A::Real::epsilon() || reach > self.reach {
+            self.reach = reach;
+        }
+    }
+}
+
+/// Where an iteration starts.
+enum Attempt<A> {
+    Extrapolated(A),
+    Explicit,
+    /// From afar, with this multiple of the origin for what stands still.
+    Damped(f64),
+}
+
+/// The explicit guess, if there is one.
+#[cold]
+#[inline(never)]
+fn explicit<A: Array, W>(equation: impl StepEquation<A, W>) -> A {
+    let guess = equation.explicit();
+    // It may look beyond the domain of the energy where the solution need not.
+    if guess.is_finite() { guess } else { A::zero() }
+}

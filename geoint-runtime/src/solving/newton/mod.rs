@@ -1,0 +1,121 @@
+//! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
+
+mod iteration;
+mod predictor;
+
+use crate::solving::Refusal;
+use crate::solving::equation::StepEquation;
+use crate::solving::linear;
+use crate::space::vector::difference;
+use crate::space::{Array, Record, Tape};
+use iteration::Iteration;
+use predictor::Predictor;
+
+/// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
+/// it emits a kernel for Newton's iteration.
+const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
+
+/// Solves one equation a step, and remembers what helps with the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Newton<A> {
+    predictor: Predictor<A>,
+    iteration: Iteration<A>,
+}
+
+/// What a solver has found.
+///
+/// No `Result`: the refusal and the numbers would share their memory, and the numbers go through it in every step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Found<A> {
+    pub(crate) x: A,
+    /// What the last correction could not subtract from the digits of x. That has a bias: what is left of x − g is a multiple of the last
+    /// digit of x, and so is, nearly, a small correction.
+    pub(crate) lost: A,
+    /// Where there is no solution, the rest is worth nothing.
+    pub(crate) outcome: Result<(), Refusal>,
+}
+
+impl<A: Array> Found<A> {
+    /// x and what it has lost, for steps that take so long that a `Result` costs nothing beside them.
+    #[inline(always)]
+    pub(crate) fn checked(self) -> Result<(A, A), Refusal> {
+        self.outcome.map(|()| (self.x, self.lost))
+    }
+
+    #[inline(always)]
+    fn solution(x: A, lost: A) -> Self {
+        Found { x, lost, outcome: Ok(()) }
+    }
+
+    fn none(refusal: Refusal) -> Self {
+        Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
+    }
+}
+
+impl<A: Array> Record<A::Real> for Newton<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.predictor.record(tape);
+        self.iteration.record(tape);
+    }
+}
+
+impl<A: Array> Newton<A> {
+    /// Unknowns come in `kinds` of `n` that have one unit.
+    pub(crate) fn new(n: usize, kinds: usize) -> Self {
+        Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
+    }
+
+    /// Solves an equation to rounding, from the increments before or from its explicit guess.
+    ///
+    /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
+    /// symmetry of a step, and the order of its compositions, hold only at the solved point.
+    ///
+    /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
+    /// continuous in h: the equation has others, or an unstable direction has been turned round.
+    #[inline(always)]
+    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+        let found = self.solution(equation, watch);
+        // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
+        self.predictor.push(&found.x);
+        self.iteration.pass();
+        found
+    }
+
+    #[inline(always)]
+    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+        let extrapolates = !self.iteration.is_rough();
+        if A::LEN > MOST_UNKNOWNS {
+            let guess = extrapolates.then(|| self.predictor.predict());
+            return self.iteration.of_many((guess, None), equation, watch);
+        }
+        // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
+        let start = 'start: {
+            if E::STANDSTILL.is_some() || !extrapolates {
+                break 'start (extrapolates.then(|| self.predictor.predict()), None);
+            }
+            let guess = self.predictor.predict();
+            let mut matrix = A::fill(A::zero());
+            let mut delta = equation.residual(watch, &guess, &mut matrix);
+            let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
+                break 'start (Some(guess), None);
+            };
+            if !(self.iteration.is_last(&delta) && positive) {
+                break 'start (Some(guess), Some((delta, positive)));
+            }
+            let mut x = guess;
+            let lost = subtract(&mut x, &delta);
+            return Found::solution(x, lost);
+        };
+        let found;
+        (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        found
+    }
+}
+
+/// x ← x − delta, and what that rounds off.
+#[inline(always)]
+fn subtract<A: Array>(x: &mut A, delta: &A) -> A {
+    let before = *x;
+    *x = difference(&before, delta);
+    difference(&difference(&before, x), delta)
+}

@@ -1,0 +1,262 @@
+//! Positions that are bound to g(q) = 0: q' = ∂H/∂p, p' = −∂H/∂q − Gᵀλ with G = ∂g/∂q.
+//!
+//! A state is on a constraint if g(q) = 0 and the velocity does not lead away from it, G ∂H/∂p = 0.
+use crate::system::{Cotangent, PhaseSpace};
+
+use crate::scalar::Real;
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, ROUNDINGS, Verdict};
+use crate::solving::size::Sizes;
+use crate::solving::{Refusal, linear};
+use crate::space::vector::{dot, scaled};
+use crate::space::{Array, Square, State};
+/// A system with constraints.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no constraints",
+    label = "this is for systems with `constraint = [g]`"
+)]
+pub trait Constrained<R: Real = f64>:
+    Cotangent<R> + PhaseSpace<R, Action = (), State = State<<Self as Cotangent<R>>::Coordinates>>
+{
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// A number for each constraint.
+    type Multipliers: Array<Real = R>;
+    /// The formula of each g, then that of its rate.
+    const CONSTRAINTS: &'static [[&'static str; 2]];
+    /// Whether ∂H/∂p is affine in p.
+    const QUADRATIC: bool;
+
+    /// g, and a row of G for each.
+    fn constraints(&self, q: &Self::Array, values: &mut Self::Multipliers, gradients: &mut Gradients<Self, R>);
+    /// ∂H/∂p and W = ∂²H/∂p².
+    fn velocity(&self, t: R, z: &Self::Phase, velocity: &mut Self::Array, inverse_mass: &mut Square<Self::Array>);
+    /// g and G ∂H/∂p; and by how much they change, at most, where each coordinate and parameter changes by its own size.
+    fn departure(&self, t: R, z: &Self::Phase) -> [[Self::Multipliers; 2]; 2];
+}
+
+/// A row of the shape of positions for each constraint.
+pub type Gradients<S, R> = <<S as Constrained<R>>::Multipliers as Array>::Map<<S as Cotangent<R>>::Array>;
+
+/// The equation of a step of the method `M` from z, for its increments and multipliers in a row.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no constraints",
+    label = "`{M}` is for systems with `constraint = [g]`",
+    note = "without constraints `Rattle` is `StormerVerlet`, if the energy is T(p) + V(q)"
+)]
+pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// The unknowns in a row.
+    type Unknown: Array<Real = R>;
+    /// What depends on parameters and h.
+    type Constants: Copy + core::fmt::Debug;
+    /// What depends on z and t.
+    type Start: Copy + core::fmt::Debug;
+
+    /// What depends on parameters and h.
+    fn constants(&self, h: R) -> Self::Constants;
+    /// What all evaluations of a step from z have in common.
+    fn begin(&self, constants: &Self::Constants, t: R, z: &Self::Phase) -> Self::Start;
+    /// The residual and its derivative; row i has the unit of unknown i.
+    fn residual(
+        &self,
+        constants: &Self::Constants,
+        start: &Self::Start,
+        x: &Self::Unknown,
+        residual: &mut Self::Unknown,
+        matrix: &mut Square<Self::Unknown>,
+    );
+    /// The increments of positions and momenta that belong to unknowns.
+    fn end(&self, constants: &Self::Constants, start: &Self::Start, x: &Self::Unknown) -> Self::Phase;
+    /// The magnitude of each unknown whose rounding is that of positions.
+    fn origin(&self, constants: &Self::Constants, start: &Self::Start) -> Self::Unknown;
+}
+
+/// What a state of a system with constraints lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Unmet {
+    /// This is not zero.
+    Off(&'static str),
+    /// The gradient of this constraint depends on those of the constraints before it.
+    Dependent(&'static str),
+}
+
+/// What a state lacks at the start of steps of length `h`, if anything.
+///
+/// Rounding is no departure: that of coordinates and parameters, and of a velocity that moves nothing in a step but by rounding.
+#[cold]
+#[inline(never)]
+pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -> Option<Unmet> {
+    let rounding = ROUNDINGS * R::epsilon();
+    let [[values, sizes], [rates, sizes_of_rates]] = system.departure(t, z);
+    let numbers = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
+    for (k, [formula, rate]) in S::CONSTRAINTS.iter().enumerate() {
+        let reach = rounding * numbers(&sizes, k);
+        // What is not a number is off as well.
+        let on = numbers(&values, k) <= reach;
+        let moves = numbers(&rates, k);
+        let stays = moves <= rounding * numbers(&sizes_of_rates, k) || moves * h.magnitude() <= reach;
+        if !on || !stays {
+            return Some(Unmet::Off(if on { rate } else { formula }));
+        }
+    }
+    let dependent = on_one_side(system, (t, z), [&z[0], &z[0]]).err()?;
+    Some(Unmet::Dependent(dependent))
+}
+
+/// Whether the constraints are independent at two positions, and their gradients span nearly the same directions there: on the way from
+/// one to the other, where they depend on each other, the space that they span changes its orientation. The formula of a constraint that
+/// fails.
+#[inline(always)]
+pub(crate) fn on_one_side<S: Constrained<R>, R: Real>(
+    system: &S,
+    (t, z): (R, &S::Phase),
+    [first, last]: [&S::Array; 2],
+) -> Result<(), &'static str> {
+    let (_, inverse_mass) = velocity(system, t, z);
+    let [first, last] = [first, last].map(|q| gradients(system, q).1);
+    let mut matrix = S::Multipliers::fill(S::Multipliers::zero());
+    let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
+    for (row, gradient) in rows.iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&first)) {
+        let direction = times::<S::Array>(&inverse_mass, gradient);
+        // In units of its own square: then pivots have none.
+        let scale = R::from_f64(1.0) / dot(gradient, &direction);
+        for (x, other) in row.as_mut_slice().iter_mut().zip(S::Multipliers::entries_of::<S::Array>(&last)) {
+            *x = scale * dot(&direction, other);
+        }
+    }
+    let least = ROUNDINGS * R::epsilon() * S::Multipliers::LEN as f64;
+    let mut positive = true;
+    for k in 0..rows.len() {
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        let top = upper[k].as_slice();
+        let pivot = top[k];
+        let large = pivot.magnitude() > least;
+        if !large || !pivot.magnitude().is_finite() {
+            return Err(S::CONSTRAINTS[k][0]);
+        }
+        positive ^= pivot.any_below(0.0);
+        for row in lower {
+            let factor = -(row.as_slice()[k] / pivot);
+            row.add_scaled(factor, &upper[k]);
+        }
+    }
+    if positive { Ok(()) } else { Err(S::CONSTRAINTS[rows.len() - 1][0]) }
+}
+
+/// The momenta at z without what leads away from the constraints: p − Gᵀμ with G ∂H/∂p = 0.
+#[inline(always)]
+pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, mut z: S::Phase) -> Result<S::Array, Refusal> {
+    let (none, minus) = (S::Array::zero(), R::from_f64(-1.0));
+    let (_, gradients) = gradients(system, &z[0]);
+    let rows = S::Multipliers::entries_of::<S::Array>(&gradients);
+    let mut corrections = Corrections::of_order(2);
+    for _ in 0..MAX_ITERATIONS {
+        let (velocity, inverse_mass) = velocity(system, t, &z);
+        let mut multipliers = S::Multipliers::zero();
+        for (multiplier, gradient) in multipliers.as_mut_slice().iter_mut().zip(rows) {
+            *multiplier = dot(gradient, &velocity);
+        }
+        solve::<S, R>(&gradients, &gradients, &inverse_mass, &mut multipliers)?;
+        let mut delta = none;
+        for (multiplier, gradient) in multipliers.as_slice().iter().zip(rows) {
+            delta.add_scaled(*multiplier, gradient);
+        }
+        z[1].add_scaled(minus, &delta);
+        if S::QUADRATIC {
+            return Ok(z[1]);
+        }
+        let correction = Sizes::new().relative(&delta, &none, &z[1]);
+        match corrections.judge::<R>(correction) {
+            Verdict::Solved | Verdict::Stuck => return Ok(z[1]),
+            Verdict::Continue if correction.is_finite() => {}
+            Verdict::Continue => break,
+        }
+    }
+    Err(corrections.not_converged())
+}
+
+/// The state nearest to another one that is on the constraints: positions are moved in the metric of the mass matrix, then the momentum
+/// is made tangent.
+#[cold]
+#[inline(never)]
+pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
+    let (none, minus) = (S::Array::zero(), R::from_f64(-1.0));
+    let (_, inverse_mass) = velocity(system, t, z);
+    let (_, start) = gradients(system, &z[0]);
+    let directions = S::Multipliers::entries_of::<S::Array>(&start);
+    let mut q = z[0];
+    let mut corrections = Corrections::of_order(2);
+    for _ in 0..MAX_ITERATIONS {
+        let (mut multipliers, here) = gradients(system, &q);
+        solve::<S, R>(&here, &start, &inverse_mass, &mut multipliers)?;
+        let mut delta = none;
+        for (multiplier, gradient) in multipliers.as_slice().iter().zip(directions) {
+            delta.add_scaled(*multiplier, &times::<S::Array>(&inverse_mass, gradient));
+        }
+        q.add_scaled(minus, &delta);
+        let correction = Sizes::new().relative(&delta, &z[0], &q);
+        match corrections.judge::<R>(correction) {
+            Verdict::Solved | Verdict::Stuck => {
+                on_one_side(system, (t, z), [&q, &q]).map_err(|what| Refusal::DependentConstraints { what })?;
+                return Ok([q, tangent(system, t, [q, z[1]])?]);
+            }
+            Verdict::Continue if correction.is_finite() => {}
+            Verdict::Continue => break,
+        }
+    }
+    Err(corrections.not_converged())
+}
+
+/// Solves G W G₀ᵀ ν = r in place of r.
+#[inline(always)]
+fn solve<S: Constrained<R>, R: Real>(
+    gradients: &Gradients<S, R>,
+    starts: &Gradients<S, R>,
+    inverse_mass: &Square<S::Array>,
+    r: &mut S::Multipliers,
+) -> Result<(), Refusal> {
+    let mut matrix = S::Multipliers::fill(S::Multipliers::zero());
+    let gradients = S::Multipliers::entries_of::<S::Array>(gradients);
+    let rows = S::Multipliers::entries::<S::Multipliers>(&mut matrix);
+    for (l, start) in S::Multipliers::entries_of::<S::Array>(starts).iter().enumerate() {
+        let direction = times::<S::Array>(inverse_mass, start);
+        for (row, gradient) in rows.iter_mut().zip(gradients) {
+            row.as_mut_slice()[l] = dot(gradient, &direction);
+        }
+    }
+    // Row k gets the unit of the multiplier k, that of 1/√(G W Gᵀ).
+    let mut sizes = S::Multipliers::zero();
+    for (k, (row, r)) in rows.iter_mut().zip(r.as_mut_slice()).enumerate() {
+        let diagonal = row.as_slice()[k];
+        sizes.as_mut_slice()[k] = R::from_f64(1.0 / Real::sqrt(diagonal.magnitude()));
+        let scale = R::from_f64(1.0) / diagonal;
+        *row = scaled(scale, row);
+        *r *= scale;
+    }
+    linear::solve(&mut matrix, r, &Sizes::of_magnitudes(sizes)).map(drop).ok_or(Refusal::Singular)
+}
+
+fn velocity<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> (S::Array, Square<S::Array>) {
+    let none = S::Array::zero();
+    let (mut velocity, mut inverse_mass) = (none, S::Array::fill(none));
+    system.velocity(t, z, &mut velocity, &mut inverse_mass);
+    (velocity, inverse_mass)
+}
+
+#[inline(always)]
+fn gradients<S: Constrained<R>, R: Real>(system: &S, q: &S::Array) -> (S::Multipliers, Gradients<S, R>) {
+    let (mut values, mut gradients) = (S::Multipliers::zero(), S::Multipliers::fill(S::Array::zero()));
+    system.constraints(q, &mut values, &mut gradients);
+    (values, gradients)
+}
+
+/// The product of a matrix with a vector.
+#[inline(always)]
+fn times<A: Array>(matrix: &Square<A>, x: &A) -> A {
+    let mut product = A::zero();
+    for (y, row) in product.as_mut_slice().iter_mut().zip(A::entries_of::<A>(matrix)) {
+        *y = dot(row, x);
+    }
+    product
+}

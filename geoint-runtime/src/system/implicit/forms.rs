@@ -1,0 +1,84 @@
+//! How the equations of implicit steps are posed: by a field in positions and momenta, or by a Lagrangian in velocities.
+
+use crate::scalar::Real;
+use crate::system::{Contact, PhaseSpace};
+
+/// A system whose steps of Gauss collocation can be solved for.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no system of `#[hamiltonian]` without constraints",
+    label = "this method is for those",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
+)]
+pub trait Collocated<R: Real = f64>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// [`ByField`], [`ByVelocities`] or [`ByCanonical`].
+    type Stages;
+}
+
+/// Stages are solved for values of the field: see [`Collocation`](super::Collocation).
+#[derive(Clone, Copy, Debug)]
+pub struct ByField;
+
+/// Stages are solved for velocities: see [`VelocityForm`](super::VelocityForm).
+#[derive(Clone, Copy, Debug)]
+pub struct ByVelocities;
+
+/// Stages are solved for points, moved by their canonical coordinates: see [`CanonicalForm`](super::CanonicalForm).
+#[derive(Clone, Copy, Debug)]
+pub struct ByCanonical;
+
+/// A system whose energy, or what it keeps, has a discrete gradient.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no discrete gradient",
+    label = "this method is for systems of `#[hamiltonian]`, and for Lagrangians that are quadratic in the velocities or of a known conjugate",
+    note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`",
+    note = "methods for every contact Hamiltonian: `ContactGauss`, `ContactMidpoint`, `ContactDiscreteGradient`"
+)]
+pub trait Graded<R: Real = f64>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// [`ByTree`], [`ByPolarisation`] or [`ByConstraint`].
+    type Gradient;
+}
+
+/// The tree discrete gradient: see [`DiscreteField`](super::DiscreteField).
+#[derive(Clone, Copy, Debug)]
+pub struct ByTree;
+
+/// With constraints: see [`ConstrainedStep`](super::ConstrainedStep).
+#[derive(Clone, Copy, Debug)]
+pub struct ByConstraint;
+
+/// The polarised one: see [`PolarisedForm`](super::PolarisedForm).
+#[derive(Clone, Copy, Debug)]
+pub struct ByPolarisation;
+
+/// A contact system whose steps of Gauss collocation can be solved for: momenta are followed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no contact Gauss methods",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactCollocated<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// What [`ContactGauss`](crate::ContactGauss) solves for: [`ByField`] or [`ByVelocities`].
+    type Stages;
+    /// The same of [`ContactMidpoint`](crate::ContactMidpoint).
+    type Midpoint;
+}
+
+/// A contact system whose energy has a discrete gradient.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no discrete gradient of a contact system",
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
+    note = "methods for a lift: `ContactSplitting` and its compositions"
+)]
+pub trait ContactGraded<R: Real = f64>: Contact<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// [`ByTree`] or [`ByPolarisation`].
+    type Gradient;
+}

@@ -1,0 +1,20 @@
+//! What implicit methods solve: by a field, by canonical coordinates, by velocities, with an action or without, with constraints.
+
+mod canonical;
+mod constraints;
+mod contact;
+mod fields;
+mod forms;
+mod velocities;
+
+pub use canonical::CanonicalForm;
+pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
+pub(crate) use constraints::{on_one_side, projected, tangent};
+pub use contact::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
+pub use fields::{Collocation, DiscreteField, Mean, QuadraticField};
+pub use forms::{
+    ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, ContactCollocated,
+    ContactGraded, Graded,
+};
+pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
+pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};

@@ -1,0 +1,108 @@
+//! States at which gradients vanish or depend on each other, and the edges of domains.
+
+use super::systems::*;
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::FirstIntegrals;
+
+/// A sleeping top, near it and at it: all four gradients depend on each other there.
+#[test]
+fn sleeping_tops_are_followed() {
+    let top = LagrangeTop { a: 2.0, c: 1.0, l: 1.0 };
+    for distance in [1e-3, 1e-5, 1e-7, 1e-9, 0.0] {
+        let start = FlowState::new([distance, 0.0, 4.0, 0.0, distance, 1.0]);
+        let before = top.integrals(0.0, &start.x);
+        let mut sim = top.integrator(FourthOrder(DiscreteGradient), 0.05, start);
+        for _ in 0..100 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let after = top.integrals(0.0, &sim.state().x);
+            for (a, b) in after.iter().zip(before) {
+                assert!((a - b).abs() < 2e-14, "at {distance:e}: {:e}", a - b);
+            }
+        }
+    }
+    // A permanent rotation of a free body.
+    let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+    let start = FlowState::new([0.0, 0.0, 1.3]);
+    let mut sim = body.integrator(DiscreteGradient, 0.1, start);
+    sim.advance(100).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(sim.state().x, start.x);
+}
+
+/// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
+#[test]
+fn gradients_that_vanish_are_no_failure() {
+    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    for distance in [1e-3, 1e-8, 0.0] {
+        let start = FlowState::new([1.0 + distance, 2.0]);
+        let mut sim = system.integrator(DiscreteGradient, 0.05, start);
+        let mut furthest = 0.0_f64;
+        for _ in 0..1000 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let [x, y] = sim.state().x;
+            furthest = furthest.max((x - 1.0).abs());
+            assert!((x - 1.0).hypot(y - 2.0) <= 1.5 * distance, "at {distance:e}: {x} {y}");
+        }
+        assert!((furthest - distance).abs() <= 2e-3 * distance + 1e-15, "at {distance:e}: {furthest:e}");
+    }
+}
+
+/// Where a logarithm is left, a step is refused, and the last state stays.
+#[test]
+fn edges_of_integrals_are_refused() {
+    let system = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    let mut sim = system.integrator(DiscreteGradient, 0.1, FlowState::new([-1.0, 0.5]));
+    assert!(matches!(sim.step(), Err(StepError::OutsideDomain { .. })), "outside");
+    let start = FlowState::new([1.0, 0.5]);
+    let mut sim = system.integrator(DiscreteGradient, 100.0, start);
+    if sim.step().is_err() {
+        assert_eq!(sim.state(), start);
+    } else {
+        assert!(sim.state().x.iter().all(|x| *x > 0.0));
+    }
+}
+
+/// A bracket that has a pole where b vanishes: there the flow ends, after (1 + gx)²/(2gc).
+#[hamiltonian(structure = {
+    let b = 1.0 + g * x[0];
+    [[0.0, 1.0 / b], [-1.0 / b, 0.0]]
+})]
+fn guiding_centre(x: [f64; 2], g: f64, c: f64) -> f64 {
+    x[1].powi(3) - c * x[1]
+}
+
+/// A bracket whose quotient has none.
+#[hamiltonian(structure = |_, _| 1.0 / (1.0 + x[0] * x[0]))]
+fn curved(x: [f64; 2]) -> f64 {
+    x[1] * x[1] / 2.0 - x[0].cos()
+}
+
+#[test]
+fn poles_of_a_structure_are_watched() {
+    let (system, start) = (GuidingCentre { g: 0.5, c: 0.4 }, FlowState::new([-1.9, 0.0]));
+    fn ends<M: Method<GuidingCentre, Proof = ()>>(system: GuidingCentre, start: FlowState<[f64; 2]>, method: M) {
+        for h in [1e-3, 0.1, 10.0] {
+            let mut sim = Integrator::new(system, method, h, start);
+            let (error, last) = loop {
+                let last = sim.state();
+                if let Err(error) = sim.step() {
+                    break (error, last);
+                }
+            };
+            let name = method.name();
+            assert_eq!(sim.state(), last, "{name}");
+            assert!((last.t - 0.00625).abs() < 2.5e-3 || h > 1e-3 && last == start, "{name}: {last:?}");
+            let text = error.to_string();
+            assert!(text.contains("x[0]·g + 1") || text.contains("x[1]³ - x[1]·c"), "{name}: {text}");
+        }
+    }
+    ends(system, start, DiscreteGradient);
+    ends(system, start, FourthOrder(DiscreteGradient));
+    ends(system, start, Gauss::<2>);
+    ends(system, start, PoissonSplitting);
+    ends(system, start, PlanarSplitting);
+
+    let mut sim = Curved.integrator(FourthOrder(DiscreteGradient), 0.5, FlowState::new([2.3, 0.4]));
+    let energy = sim.energy();
+    sim.advance(1000).unwrap_or_else(|error| panic!("{error}"));
+    assert!((sim.energy() - energy).abs() < 2e-15);
+}

@@ -1,0 +1,114 @@
+//! Splittings by planes.
+
+use super::*;
+
+#[test]
+fn euler_by_planes() {
+    let (energy, momentum) =
+        (EULER.energy(), |w: &[f64; 3]| (w[0].powi(2) + 4.0 * w[1].powi(2) + 9.0 * w[2].powi(2)) / 2.0);
+    EULER.splits(PlanarSplitting, &[2.193e-3, 5.492e-4, 1.373e-4], &[(&energy, None), (&momentum, Some(5.2e-4))]);
+    EULER.splits(
+        Suzuki4.of(PlanarSplitting),
+        &[5.214e-8, 3.260e-9, 2.038e-10],
+        &[(&energy, None), (&momentum, Some(8.6e-8))],
+    );
+}
+
+#[test]
+fn species_by_planes() {
+    let wealth = PREDATORS.energy();
+    PREDATORS.splits(PlanarSplitting, &[7.339e-3, 1.838e-3, 4.597e-4], &[(&wealth, None)]);
+    let sum = VOLTERRA.energy();
+    VOLTERRA.splits(PlanarSplitting, &[9.265e-4, 2.317e-4, 5.793e-5], &[(&sum, None), (&odd, Some(3.6e-4))]);
+    VOLTERRA.splits(
+        Suzuki4.of(PlanarSplitting),
+        &[3.544e-8, 2.212e-9, 1.382e-10],
+        &[(&sum, None), (&odd, Some(5.1e-8))],
+    );
+    let (sum, product) = (RING.energy(), |x: &[f64; 3]| x[0] * x[1] * x[2]);
+    RING.splits(PlanarSplitting, &[5.310e-4, 1.324e-4, 3.309e-5], &[(&sum, None), (&product, Some(3.5e-4))]);
+    RING.splits(
+        Suzuki4.of(PlanarSplitting),
+        &[1.185e-7, 7.414e-9, 4.634e-10],
+        &[(&sum, None), (&product, Some(4.5e-8))],
+    );
+}
+
+/// Two planes are solved for, and one turns; that one dominates the error where it is solved for as well.
+#[test]
+fn lorenz_by_planes() {
+    let energy = LORENZ.energy();
+    LORENZ.splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&energy, None)]);
+}
+
+/// Four sites, none of whose planes has a flow in closed form.
+#[test]
+fn sites_by_planes() {
+    let (energy, norm) =
+        (WAVES.energy(), |x: &[f64; 8]| (0..4).map(|i| (1.0 + x[i] * x[i] + x[4 + i] * x[4 + i]).ln()).sum::<f64>());
+    WAVES.splits(PlanarSplitting, &[5.108e-4, 1.278e-4, 3.196e-5], &[(&energy, None), (&norm, Some(1.2e-4))]);
+}
+
+/// Of the planes of a charge one is solved for; three turn, and so do all nine of heavy tops, or they are parabolas.
+#[test]
+fn more_than_three_coordinates_by_planes() {
+    let energy = CHARGE.energy();
+    CHARGE.splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&energy, None)]);
+    let length = |x: &[f64; 6]| x[3] * x[3] + x[4] * x[4] + x[5] * x[5];
+    let rows: [(&Motion<HeavyTop, 6>, &[f64], f64); 3] = [
+        (&LAGRANGE, &[2.251e-2, 5.634e-3, 1.409e-3], 6.12e-3),
+        (&KOVALEVSKAYA, &[3.461e-3, 8.677e-4, 2.171e-4], 2.16e-3),
+        (&GORYACHEV, &[3.419e-3, 8.550e-4, 2.138e-4], 3.08e-3),
+    ];
+    for (top, row, moves) in rows {
+        let energy = top.energy();
+        top.splits(PlanarSplitting, row, &[(&energy, None), (&length, Some(moves))]);
+    }
+}
+
+/// S is searched for: that of predators and of Volterra's lattice is the one that their energies have.
+#[test]
+fn fields_by_planes() {
+    /// The same motion of a field.
+    fn of<S, const N: usize>(motion: &Motion<impl Copy, N>, system: S) -> Motion<S, N> {
+        let Motion { name, start, time, end, steps, .. } = *motion;
+        Motion { name, system, start, time, end, steps }
+    }
+    let predators = of(&PREDATORS, Predators { a: 2.0, b: 1.0, c: 1.0 });
+    let wealth = PREDATORS.energy();
+    predators.splits(PlanarSplitting, &[7.339e-3, 1.838e-3, 4.597e-4], &[(&wealth, None)]);
+    predators.splits(PoissonSplitting, &[3.565e-3, 8.839e-4, 2.205e-4], &[(&wealth, Some(9.1e-3))]);
+    let sum = VOLTERRA.energy();
+    let volterra = of(&VOLTERRA, VolterraField);
+    volterra.splits(PlanarSplitting, &[9.265e-4, 2.317e-4, 5.793e-5], &[(&sum, None), (&odd, Some(3.6e-4))]);
+    volterra.splits(
+        Suzuki4.of(PlanarSplitting),
+        &[3.544e-8, 2.212e-9, 1.382e-10],
+        &[(&sum, None), (&odd, Some(5.1e-8))],
+    );
+    let charge = CHARGE.energy();
+    of(&CHARGE, ChargeField).splits(PlanarSplitting, &[2.227e-3, 5.561e-4, 1.390e-4], &[(&charge, None)]);
+    // Of many S, one with fewer planes.
+    let (euler, lorenz) = (EULER.energy(), LORENZ.energy());
+    let top = of(&EULER, EulerTop { a: 1.0, b: 2.0, c: 3.0 });
+    top.splits(PlanarSplitting, &[2.982e-4, 7.454e-5, 1.863e-5], &[(&euler, None)]);
+    of(&LORENZ, LorenzField { b: 4.0 }).splits(PlanarSplitting, &[1.201e-4, 3.004e-5, 7.509e-6], &[(&lorenz, None)]);
+}
+
+/// Volterra's lattice with thirteen planes: more than there are traits of tuples for.
+#[hamiltonian(structure = |i, j| if j == i + 1 { x[i] * x[j] } else { 0.0 })]
+fn long_lattice(x: [f64; 14]) -> f64 {
+    x.iter().sum()
+}
+
+#[test]
+fn there_may_be_any_number_of_planes() {
+    let start = FlowState::new(std::array::from_fn(|i| 0.3 + 0.1 * (i as f64).sin()));
+    let mut sim = LongLattice.integrator(Suzuki4.of(PlanarSplitting), 0.1, start);
+    sim.advance(20).unwrap_or_else(|error| panic!("{error}"));
+    let mut exact = LongLattice.integrator(RK4, 1e-3, start);
+    exact.advance(2000).unwrap_or_else(|error| panic!("{error}"));
+    let [x, y] = [sim.state().x, exact.state().x];
+    assert!(x.iter().zip(y).all(|(x, y)| (x - y).abs() < 1e-7), "{x:?} {y:?}");
+    assert!((sim.energy() - LongLattice.energy(&start)).abs() < 1e-14);
+}
