@@ -158,7 +158,8 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
 
     fn claims(&self) -> Claims {
         let map = self.map.claims();
-        Claims { order: self.composition.order, forces: map.forces.map(|forces| K as u32 * forces), ..map }
+        let order = self.composition.order.min(M::COMPOSES_TO);
+        Claims { order, forces: map.forces.map(|forces| K as u32 * forces), ..map }
     }
 
     fn name(&self) -> Name {

@@ -12,6 +12,8 @@ pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
     type Prepared: Clone;
     /// What a step hands on to the next one.
     type Memory: Clone + Record<R>;
+    /// See [`Method::COMPOSES_TO`](super::Method::COMPOSES_TO).
+    const COMPOSES_TO: u32 = u32::MAX;
 
     /// Coefficients for steps of length `h`.
     fn prepare(system: &S, h: R) -> Self::Prepared;

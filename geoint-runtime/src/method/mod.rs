@@ -105,6 +105,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     type Memory: Clone + Record<R>;
     /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
     const SCALES_STEPS: bool = false;
+    /// The highest order that compositions of this method have, whatever their table is.
+    const COMPOSES_TO: u32 = u32::MAX;
 
     /// Whether memory saves work and nothing else: after a refused step it begins anew, and is not copied before each one.
     const FORGETFUL: bool = false;

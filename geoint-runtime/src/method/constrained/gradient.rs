@@ -28,6 +28,8 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> Record<R> for Memory<S, R
 impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByConstraint {
     type Prepared = Prepared<S::Constants, R>;
     type Memory = Memory<S, R>;
+    /// Momenta carry along what leads away from the constraints, of order h²: made tangent in the end, they change the energy by h⁴.
+    const COMPOSES_TO: u32 = 4;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
         Prepared::new(system, h)

@@ -20,9 +20,8 @@ const OPENING: &str = "# Verification\n\n\
     which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
     report has no row here. The continuous integration writes it anew: digits may move, words may not.\n";
 
-/// The state that solutions are compared with is the one on the constraints.
-const OPEN: &str = "Compositions of the discrete gradient with constraints claim the order of their table. Momenta carry along what leads away from \
-    the constraints, which is of order h², and made tangent they change the energy by h⁴: no composition is seen to have more than order 4.";
+const OPEN: &str = "With constraints, what a position is rounded by, divided by the length of a step, is seen in the momentum, and compositions have \
+    short steps: the discrete gradient is symmetric to that.";
 
 impl Page {
     pub(crate) fn new() -> Self {

@@ -30,6 +30,7 @@ where
     type Proof = <S as Graded<R>>::Proof;
     type Prepared = <S::Gradient as StepsOf<Self, S, R>>::Prepared;
     type Memory = <S::Gradient as StepsOf<Self, S, R>>::Memory;
+    const COMPOSES_TO: u32 = <S::Gradient as StepsOf<Self, S, R>>::COMPOSES_TO;
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }
