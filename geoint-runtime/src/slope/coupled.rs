@@ -17,7 +17,7 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
     }
     let norm = columns.into_iter().fold(0.0, f64::max);
     // Too large, or no number.
-    if !(norm < f64::MAX.sqrt()) {
+    if norm.is_nan() || norm >= f64::MAX.sqrt() {
         return [[R::from_f64(f64::NAN); N]; N];
     }
     // The next term of the series is lost: z¹⁷/17! < ε z.

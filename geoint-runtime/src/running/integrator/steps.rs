@@ -4,7 +4,7 @@ use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::StepError;
 use crate::running::watch::{Found, Watch};
 use crate::scalar::{Real, signed};
-use crate::space::{Point, Summation, normalisation, wrong_length};
+use crate::space::{Array, Point, Summation, normalisation, wrong_length};
 use crate::system::{PhaseSpace, Unmet, has_attitudes, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
@@ -183,7 +183,13 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        x.is_finite() && (M::shows(&self.prepared) || self.is_defined(steps, x))
+        x.is_finite() && self.is_seen(steps, x) && (M::shows(&self.prepared) || self.is_defined(steps, x))
+    }
+
+    /// Whether the way out of the method's coordinates leads to a finite point.
+    #[inline(always)]
+    fn is_seen(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
+        !M::INNER || Array::is_finite(&self.seen_as(x, self.end(steps, x)))
     }
 
     #[inline(always)]

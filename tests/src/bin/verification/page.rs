@@ -18,7 +18,7 @@ const OPENING: &str = "# Verification\n\n\
     What is claimed, and what is measured of it. This page is written by\n\n\
     ```sh\ncargo run --release -p geoint-tests --bin verification\n```\n\n\
     which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
-    report has no row here. The continuous integration writes it anew: digits may move, words may not.\n";
+    report has no row here. `.ci/verification` writes it anew: digits may move, words may not.\n";
 
 const OPEN: &str = "With constraints, what a position is rounded by, divided by the length of a step, is seen in the momentum, and compositions have \
     short steps: the discrete gradient is symmetric to that.";
