@@ -43,8 +43,11 @@ fn orbits<M: Method<Kepler>>(method: M, h: f64, starts: u32) -> Vec<Integrator<K
     (0..starts).map(|i| Kepler::system::<f64>().integrator(method, h, start(i))).collect()
 }
 
+/// Numbers of steps, and the errors after them.
+type Growth = Vec<(f64, f64)>;
+
 /// Methods whose energy error is rounding alone, plain and with compensated sums.
-fn brouwer(most: u32, starts: u32) -> Vec<(String, [Vec<(f64, f64)>; 2])> {
+fn brouwer(most: u32, starts: u32) -> Vec<(String, [Growth; 2])> {
     let mut rows = vec![];
     macro_rules! rows {
         ($($system:literal, $starts:ident: $($method:expr, $h:literal),+;)*) => { $($(

@@ -34,10 +34,12 @@ where
     other.resume(&written(&sim.saved())).unwrap_or_else(|error| panic!("{name}: {error}"));
     assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()), "{name}");
     for _ in 0..3 {
-        (sim.step().expect("a step"), other.step().expect("a step"));
+        sim.step().expect("a step");
+        other.step().expect("a step");
         assert_eq!(bits(&sim.state()), bits(&other.state()), "{name}: a step");
     }
-    (sim.advance(20).expect("steps"), other.advance(20).expect("steps"));
+    sim.advance(20).expect("steps");
+    other.advance(20).expect("steps");
     assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()), "{name}: steps");
     assert_eq!(sim.saved(), other.saved(), "{name}");
 }
@@ -86,7 +88,8 @@ fn without_an_action() {
     let (mut sim, mut other) = (run(0.05), run(0.07));
     sim.advance(10).expect("steps");
     other.resume(&written(&sim.saved())).expect("the same kind");
-    (sim.advance(10).expect("steps"), other.advance(10).expect("steps"));
+    sim.advance(10).expect("steps");
+    other.advance(10).expect("steps");
     assert_eq!(bits(&sim.state())[..4], bits(&other.state())[..4]);
 }
 
@@ -96,7 +99,8 @@ fn single_precision() {
     let (mut sim, mut other) = (run(0.05), run(0.02));
     sim.advance(30).expect("steps");
     other.resume(&written(&sim.saved())).expect("the same kind");
-    (sim.advance(30).expect("steps"), other.advance(30).expect("steps"));
+    sim.advance(30).expect("steps");
+    other.advance(30).expect("steps");
     assert_eq!(sim.state(), other.state());
     let long = Pendulum::system::<f64>().integrator(DiscreteGradient, 0.05, State::new(0.8, 0.1));
     assert_eq!(run(0.02).resume(&long.saved()), Err(ResumeError::Scalar(64)));
@@ -111,7 +115,8 @@ fn steps_that_adapt() {
         other.advance_to(1.0).expect("steps");
         sim.advance_to(3.0).expect("steps");
         other.resume(&written(&sim.saved())).expect("the same kind");
-        (sim.advance_to(5.0).expect("steps"), other.advance_to(5.0).expect("steps"));
+        sim.advance_to(5.0).expect("steps");
+        other.advance_to(5.0).expect("steps");
         assert_eq!(bits(&sim.state()), bits(&other.state()), "{}", method.name());
         assert_eq!((sim.steps(), sim.rejections()), (other.steps(), other.rejections()));
         assert_eq!(sim.saved(), other.saved());
@@ -128,7 +133,8 @@ fn taylor_series() {
     let (mut sim, mut other) = (run(), run());
     sim.advance(17).expect("steps");
     other.resume(&written(&sim.saved())).expect("the same kind");
-    (sim.advance(17).expect("steps"), other.advance(17).expect("steps"));
+    sim.advance(17).expect("steps");
+    other.advance(17).expect("steps");
     assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()));
 }
 
