@@ -129,12 +129,6 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     #[inline(always)]
     fn leave(_prepared: &Self::Prepared, _system: &S, _t: R, _z: &mut S::Phase) {}
 
-    /// To a point near that of the state, where the energy is evaluated: what it takes to see whether it is defined there.
-    #[inline(always)]
-    fn near(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
-        Self::leave(prepared, system, t, z);
-    }
-
     /// Coefficients for steps of length `h`.
     fn prepare(&self, system: &S, h: R) -> Self::Prepared;
 

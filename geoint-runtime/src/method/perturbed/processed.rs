@@ -137,11 +137,6 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
     }
 
     #[inline(always)]
-    fn near(_: &Self::Prepared, system: &S, _: R, z: &mut S::Phase) {
-        system.leave(z);
-    }
-
-    #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,

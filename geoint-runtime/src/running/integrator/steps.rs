@@ -183,22 +183,15 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Whether a state is finite, and the energy defined there.
     #[inline(always)]
     fn is_good(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        x.is_finite() && self.is_seen(steps, x) && (M::shows(&self.prepared) || self.is_defined(steps, x))
+        x.is_finite() && ((!M::INNER && M::shows(&self.prepared)) || self.is_defined(steps, x))
     }
 
-    /// Whether the way out of the method's coordinates leads to a finite point.
-    #[inline(always)]
-    fn is_seen(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        !M::INNER || Array::is_finite(&self.seen_as(x, self.end(steps, x)))
-    }
-
+    /// The same of what the user sees: the way out of the method's coordinates may lead to no finite point.
     #[inline(always)]
     fn is_defined(&self, steps: u64, x: &Point<S::Phase, C, S::Action>) -> bool {
-        let (t, mut z) = (self.end(steps, x), x.z);
-        if M::INNER {
-            M::near(&self.prepared, &self.system, t, &mut z);
-        }
-        self.system.outside_domain(t, &z, &x.s).is_none()
+        let t = self.end(steps, x);
+        let z = self.seen_as(x, t);
+        (!M::INNER || Array::is_finite(&z)) && self.system.outside_domain(t, &z, &x.s).is_none()
     }
 
     /// From the point of a state to the one that the method moves, if it is not there yet.
