@@ -1,5 +1,6 @@
 //! The polynomial of a step.
 
+use super::roots::MOST;
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate};
 
@@ -44,4 +45,15 @@ fn times_and_add<Z: Array, S: Action<Z::Real>>(y: &mut PerCoordinate<Z, S>, w: Z
     for (y, x) in y.s.numbers_mut().iter_mut().zip(x.s.numbers()) {
         *y = w.multiply_add(*y, *x);
     }
+}
+
+/// Coefficients c₀, c₁, … of powers of time as those of powers of a part of a step: cₖ hᵏ. What is zero stays so, however long the step is.
+#[inline(always)]
+pub(crate) fn in_parts(coefficients: impl Iterator<Item = f64>, h: f64) -> [f64; MOST] {
+    let (mut parts, mut power) = ([0.0; MOST], 1.0);
+    for (part, c) in parts.iter_mut().zip(coefficients) {
+        *part = if c == 0.0 { 0.0 } else { power * c };
+        power *= h;
+    }
+    parts
 }

@@ -117,13 +117,8 @@ where
     /// The parts of the last step at which a function is zero, with the sign that it has in the beginning; and its sign at the end.
     fn zeros_of(&self, values: &G, i: usize) -> (Zeros, f64) {
         let (expansion, _, h) = self.run.steps.last_expansion();
-        let part = h / expansion.unit;
-        let (mut g, mut power) = ([0.0; taylor::MOST], 1.0);
         let coefficients = M::coefficients(&values.as_slice()[i]);
-        for (g, coefficient) in g.iter_mut().zip(coefficients) {
-            *g = power * signed(*coefficient);
-            power *= part;
-        }
+        let g = taylor::in_parts(coefficients.iter().map(|c| signed(*c)), h / expansion.unit);
         let inner = taylor::roots(&g[..coefficients.len().min(taylor::MOST)]);
         let side = signed(M::coefficients(&self.sides.as_slice()[i])[0]);
         // A change of sign in the joint of two steps.

@@ -293,12 +293,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         let h = self.in_units(h);
         let mut first: Option<Switch> = None;
         for place in 0..S::Switches::LEN {
-            let (mut g, mut power) = ([0.0; taylor::MOST], 1.0);
-            for (g, switch) in g.iter_mut().zip(switches) {
-                let switch = signed(switch.as_slice()[place]);
-                *g = if switch == 0.0 { 0.0 } else { power * switch };
-                power *= h;
-            }
+            let g = taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), h);
             let roots = taylor::roots(&g[..self.order.min(taylor::MOST)]);
             let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
             let at = match roots.as_slice() {
