@@ -8,13 +8,13 @@ use std::marker::PhantomData;
 
 /// Powers of two: what was 1 in the units of before is 2ᵏ in these.
 #[derive(Clone, Copy, Debug)]
-struct Units {
-    q: i32,
-    p: i32,
-    t: i32,
+pub(super) struct Units {
+    pub(super) q: i32,
+    pub(super) p: i32,
+    pub(super) t: i32,
 }
 
-const PLAIN: Units = Units { q: 0, p: 0, t: 0 };
+pub(super) const PLAIN: Units = Units { q: 0, p: 0, t: 0 };
 const UNITS: [Units; 5] = [
     Units { q: 3, p: -5, t: 1 },
     Units { q: 37, p: 97, t: 23 },
@@ -24,7 +24,7 @@ const UNITS: [Units; 5] = [
 ];
 
 /// 2ᵏ.
-fn power(k: i32) -> f64 {
+pub(super) fn power(k: i32) -> f64 {
     2.0_f64.powi(k)
 }
 

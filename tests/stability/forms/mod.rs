@@ -2,6 +2,7 @@
 
 mod systems;
 
+use super::units::{PLAIN, Units, power};
 use geoint_runtime::method::{Visitor, catalogue};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Action, Array, Snapshot};
@@ -10,15 +11,6 @@ use geoint_runtime::{Method, PhaseSpace, Real, TaylorIntegrator};
 use std::marker::PhantomData;
 use systems::{Over, double, single};
 
-/// Powers of two: what was 1 in the units of before is 2ᵏ in these.
-#[derive(Clone, Copy, Debug)]
-struct Units {
-    q: i32,
-    p: i32,
-    t: i32,
-}
-
-const PLAIN: Units = Units { q: 0, p: 0, t: 0 };
 const UNITS: [Units; 4] = [
     Units { q: 3, p: -5, t: 1 },
     Units { q: 37, p: 97, t: 23 },
@@ -28,7 +20,7 @@ const UNITS: [Units; 4] = [
 
 /// x·2ᵏ.
 fn times(x: f64, k: i32) -> f64 {
-    x * 2.0_f64.powi(k)
+    x * power(k)
 }
 
 /// A system in either scalar.
