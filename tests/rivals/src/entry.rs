@@ -21,9 +21,12 @@ pub struct Entry {
     pub name: String,
     /// From the least to the largest: numbers of steps, or tolerances.
     pub efforts: Vec<f64>,
-    /// The state at the end, or nothing where the method refuses.
-    pub run: Box<dyn Fn(f64) -> Option<Vec<f64>>>,
+    /// The states at the times of the problem, one after the other, or nothing where the method refuses.
+    pub run: Run,
 }
+
+/// From an effort to states.
+pub type Run = Box<dyn Fn(f64) -> Option<Vec<f64>>>;
 
 impl Entry {
     /// An entry with a number of steps for an effort: `first` and on, by factors of √2.
@@ -55,7 +58,7 @@ impl Entry {
 pub struct Point {
     /// Steps or tolerance.
     pub effort: f64,
-    /// The error at the end, relative.
+    /// The error, relative.
     pub error: f64,
     /// How long runs took, round by round.
     pub seconds: Vec<f64>,
@@ -69,8 +72,12 @@ impl Point {
 
     /// The run in the middle.
     pub fn median(&self) -> f64 {
-        let mut sorted = self.seconds.clone();
-        sorted.sort_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+        median(self.seconds.clone())
     }
+}
+
+/// The number in the middle; NaN of none.
+pub fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -1,9 +1,9 @@
-//! Other crates, each called as its documentation shows.
+//! Other crates, each called as its documentation shows. All take the same field, whose momenta come after positions.
 
 use crate::entry::{Entry, Whose};
-use crate::problems::Field;
+use crate::field::Field;
 use differential_equations::methods::SymplecticIntegrator;
-use differential_equations::prelude::{ExplicitRungeKutta, Hamiltonian, IVP, ODE};
+use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod};
 use nalgebra_of_ode_solvers::SVector;
 use ode_solvers::dop853::Dop853;
@@ -25,20 +25,40 @@ impl<F: Field<N>, const N: usize> ODE<f64, [f64; N]> for Of<F> {
     }
 }
 
+/// How much of a run is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The end.
+    End,
+    /// All states that the crate gives back, which are those at the ends of its steps where it gives these.
+    Steps,
+}
+
+impl Seen {
+    fn of<const N: usize>(self, states: &[[f64; N]]) -> Option<Vec<f64>> {
+        match self {
+            Seen::End => states.last().map(|y| y.to_vec()),
+            Seen::Steps => Some(states.as_flattened().to_vec()),
+        }
+    }
+}
+
 /// Rivals that take a field.
-pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Entry> {
+pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64, seen: Seen) -> Vec<Entry> {
     let start = field.start();
     vec![
         Entry::tolerances(Whose::Rival, "ode_solvers", "ode_solvers Dop853", move |tolerance| {
             let y = SVector::<f64, N>::from(black_box(start));
-            let mut stepper = Dop853::new(Of(field), 0.0, duration, duration, y, tolerance, tolerance);
+            let between = if seen == Seen::End { duration } else { duration / 16.0 };
+            let mut stepper = Dop853::new(Of(field), 0.0, duration, between, y, tolerance, tolerance);
             stepper.integrate().ok()?;
-            stepper.y_out().last().map(|y| y.as_slice().to_vec())
+            let states: Vec<[f64; N]> = stepper.y_out().iter().map(|y| y.data.0[0]).collect();
+            seen.of(&states)
         }),
         Entry::tolerances(Whose::Rival, "differential-equations", "differential-equations dop853", move |tolerance| {
             let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
             let solution = IVP::ode(&Of(field), 0.0, duration, black_box(start)).method(method).solve().ok()?;
-            solution.y.last().map(|y| y.to_vec())
+            seen.of(&solution.y)
         }),
         Entry::tolerances(Whose::Rival, "diffsol", "diffsol tsit45", move |tolerance| {
             let problem = OdeBuilder::<NalgebraMat<f64>>::new()
@@ -55,7 +75,8 @@ pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Ent
                 .ok()?;
             let mut solver = problem.tsit45().ok()?;
             let (states, times, _) = solver.solve(duration).ok()?;
-            Some((0..N).map(|i| states[(i, times.len() - 1)]).collect())
+            let first = if seen == Seen::End { times.len() - 1 } else { 0 };
+            Some((first..times.len()).flat_map(|n| (0..N).map(move |i| (i, n))).map(|place| states[place]).collect())
         }),
         Entry::tolerances(Whose::Rival, "scirs2-integrate", "scirs2-integrate DOP853", move |tolerance| {
             let options = ODEOptions {
@@ -73,33 +94,16 @@ pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Ent
             };
             let start = ndarray::Array1::from(black_box(start).to_vec());
             let solution = solve_ivp(rate, [0.0, duration], start, Some(options)).ok()?;
-            solution.y.last().map(|y| y.to_vec())
+            match seen {
+                Seen::End => solution.y.last().map(|y| y.to_vec()),
+                Seen::Steps => Some(solution.y.iter().flatten().copied().collect()),
+            }
         }),
     ]
 }
 
-/// Positions first, then momenta, q' a function of momenta and p' of positions.
-struct Halves<F, const N: usize>(F);
-
-impl<F: Field<N>, const N: usize> Hamiltonian<f64, Vec<f64>> for Halves<F, N> {
-    fn velocity(&self, t: f64, q: &Vec<f64>, p: &Vec<f64>, dq: &mut Vec<f64>) {
-        halves(&self.0, t, q, p, dq, 0);
-    }
-    fn force(&self, t: f64, q: &Vec<f64>, p: &Vec<f64>, dp: &mut Vec<f64>) {
-        halves(&self.0, t, q, p, dp, N / 2);
-    }
-}
-
-fn halves<F: Field<N>, const N: usize>(field: &F, t: f64, q: &[f64], p: &[f64], to: &mut [f64], from: usize) {
-    let (mut now, mut rate) = ([0.0; N], [0.0; N]);
-    now[..N / 2].copy_from_slice(q);
-    now[N / 2..].copy_from_slice(p);
-    field.rate(t, &now, &mut rate);
-    to.copy_from_slice(&rate[from..from + N / 2]);
-}
-
 /// Rivals for H = T(p) + V(q).
-pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first: u64) -> Vec<Entry> {
+pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first: u64, seen: Seen) -> Vec<Entry> {
     let start = field.start();
     macro_rules! entry {
         ($name:literal, $method:ident) => {
@@ -110,10 +114,8 @@ pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first:
                 first,
                 move |n| {
                     let method = SymplecticIntegrator::$method(duration / n as f64).max_steps(100_000_000);
-                    let system = Halves::<F, N>(field);
-                    let start = black_box(start).to_vec();
-                    let solution = IVP::hamiltonian(&system, 0.0, duration, start).method(method).solve().ok()?;
-                    solution.y.last().cloned()
+                    let solution = IVP::ode(&Of(field), 0.0, duration, black_box(start)).method(method).solve().ok()?;
+                    seen.of(&solution.y)
                 },
             )
         };
