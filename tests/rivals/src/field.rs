@@ -7,5 +7,5 @@ pub trait Field<const N: usize>: Copy + Send + Sync + 'static {
     /// Where it starts.
     fn start(&self) -> [f64; N];
     /// y'.
-    fn rate<R: Scalar>(&self, t: R, y: &[R; N], dy: &mut [R; N]);
+    fn rate<R: Scalar>(t: R, y: &[R; N], dy: &mut [R; N]);
 }

@@ -4,7 +4,7 @@
 //! which would take too long, are spread over all processors and not timed.
 
 use crate::field::Field;
-use crate::problems::galaxy::{REGULAR, energy, energy_error};
+use crate::problems::galaxy::{Galaxy, REGULAR, energy, energy_error};
 use crate::systems::HenonHeiles;
 use differential_equations::methods::SymplecticIntegrator;
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
@@ -176,13 +176,13 @@ struct Of;
 
 impl ODE<f64, [f64; 4]> for Of {
     fn diff(&self, t: f64, y: &[f64; 4], dy: &mut [f64; 4]) {
-        REGULAR.rate(t, y, dy);
+        Galaxy::rate(t, y, dy);
     }
 }
 
 impl ode_solvers::System<f64, SVector<f64, 4>> for Of {
     fn system(&self, t: f64, y: &SVector<f64, 4>, dy: &mut SVector<f64, 4>) {
-        REGULAR.rate(t, &y.data.0[0], &mut dy.data.0[0]);
+        Galaxy::rate(t, &y.data.0[0], &mut dy.data.0[0]);
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! cargo run --release --manifest-path tests/rivals/Cargo.toml             # everything: at most ten minutes
-//! cargo run --release --manifest-path tests/rivals/Cargo.toml -- kepler   # problems whose names contain the word
+//! cargo run --release --manifest-path tests/rivals/Cargo.toml -- kepler   # one, or those whose names contain the word
 //! cargo run --release --manifest-path tests/rivals/Cargo.toml -- long     # energies over long times
 //! … -- --commit                                                           # copies figures and tables to tests/benches
 //! ```
@@ -34,7 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let commit = arguments.iter().any(|argument| argument == "--commit");
     let words: Vec<&String> = arguments.iter().filter(|word| !word.starts_with("--")).collect();
-    let wanted = |name: &str| words.iter().all(|word| name.contains(word.as_str()));
+    let is_name = |word: &str| word == "long" || problems::ALL.iter().any(|(name, _)| *name == word);
+    let fits = |name: &str, word: &str| if is_name(word) { name == word } else { name.contains(word) };
+    let wanted = |name: &str| words.is_empty() || words.iter().any(|word| fits(name, word));
     let chosen: Vec<_> = problems::ALL.into_iter().filter(|(name, _)| wanted(name)).collect();
     let bar = ProgressBar::new(chosen.len() as u64 * (measure::ROUNDS as u64 + 1) + if wanted("long") { 2 } else { 0 });
     bar.set_style(ProgressStyle::with_template("{prefix} {bar:30} {pos}/{len} {elapsed} {msg}")?);

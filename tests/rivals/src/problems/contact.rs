@@ -64,7 +64,7 @@ impl Field<2> for Fading {
     fn start(&self) -> [f64; 2] {
         [1.0, 0.5]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         *dy = [y[1], -y[0] - R::from_f64(0.1) * y[1]];
     }
 }
@@ -100,7 +100,7 @@ impl Field<4> for Braked {
     fn start(&self) -> [f64; 4] {
         [0.6, 0.0, 0.0, 1.5]
     }
-    fn rate<R: Scalar>(&self, t: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(t: R, y: &[R; 4], dy: &mut [R; 4]) {
         let square = y[0] * y[0] + y[1] * y[1];
         let factor = R::from_f64(-1.0) / (square * Real::sqrt(square));
         let friction = R::from_f64(-0.07) * (R::from_f64(FREQUENCY) * t).sin();
@@ -158,7 +158,7 @@ impl Field<2> for Relaxation {
     fn start(&self) -> [f64; 2] {
         [2.0, 0.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         let [q, s] = *y;
         *dy = [s, R::from_f64(EPSILON) * (R::from_f64(1.0) - q * q) * s - q];
     }

@@ -18,7 +18,7 @@ impl Field<3> for Top {
     fn start(&self) -> [f64; 3] {
         [0.5, 1.6, -1.2]
     }
-    fn rate<R: Scalar>(&self, _: R, m: &[R; 3], dm: &mut [R; 3]) {
+    fn rate<R: Scalar>(_: R, m: &[R; 3], dm: &mut [R; 3]) {
         let w: [R; 3] = std::array::from_fn(|i| m[i] / R::from_f64(INERTIA[i]));
         *dm = [m[1] * w[2] - m[2] * w[1], m[2] * w[0] - m[0] * w[2], m[0] * w[1] - m[1] * w[0]];
     }

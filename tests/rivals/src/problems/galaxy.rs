@@ -23,7 +23,7 @@ impl Field<4> for Galaxy {
     fn start(&self) -> [f64; 4] {
         self.0
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 4], dy: &mut [R; 4]) {
         let [a, b, ..] = *y;
         *dy = [y[2], y[3], -a - R::from_f64(2.0) * a * b, -b - a * a + b * b];
     }

@@ -35,7 +35,7 @@ impl Field<128> for Springs {
         let mode = |i: usize| (std::f64::consts::PI * (i + 1) as f64 / (N + 1) as f64).sin();
         std::array::from_fn(|i| if i < N { mode(i) } else { 0.0 })
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 128], dy: &mut [R; 128]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 128], dy: &mut [R; 128]) {
         let pull = |d: R| d + R::from_f64(ALPHA) * d * d;
         let mut before = pull(y[0]);
         for i in 0..N {

@@ -18,7 +18,7 @@ impl Field<2> for Swing {
     fn start(&self) -> [f64; 2] {
         [1.5, 0.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         *dy = [y[1], -y[0].sin()];
     }
 }
@@ -26,7 +26,7 @@ impl Field<2> for Swing {
 /// q'' = −sin q.
 pub(super) fn pendulum() -> Problem {
     let (duration, system) = (1000.0, Pendulum { m: 1.0, l: 1.0, g: 1.0 });
-    let (judge, reference) = reference(Swing, duration, 3.0);
+    let (judge, reference) = reference(Swing, duration, 1.5);
     let way = Way::new(State::new(1.5, 0.0), duration);
     let mut entries = vec![];
     ours! { entries, system, way;
@@ -64,7 +64,7 @@ impl Field<4> for Orbit {
     fn start(&self) -> [f64; 4] {
         [0.4, 0.0, 0.0, 2.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 4], dy: &mut [R; 4]) {
         let square = y[0] * y[0] + y[1] * y[1];
         let factor = R::from_f64(-1.0) / (square * Real::sqrt(square));
         *dy = [y[2], y[3], factor * y[0], factor * y[1]];
@@ -113,7 +113,7 @@ impl Field<4> for Rods {
         [0.9, -0.4, 0.3, 0.2]
     }
     /// Unit masses and lengths: H = (p₀² + 2p₁² − 2p₀p₁ cos δ)/(2(1 + sin² δ)) − 2g cos q₀ − g cos q₁.
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 4], dy: &mut [R; 4]) {
         let [a, b, u, v] = *y;
         let (two, g) = (R::from_f64(2.0), R::from_f64(9.81));
         let (sin, cos) = ((a - b).sin(), (a - b).cos());

@@ -22,7 +22,7 @@ impl Field<36> for Planets {
         all.copy_from_slice(&flat(&start()));
         all
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 36], dy: &mut [R; 36]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 36], dy: &mut [R; 36]) {
         for i in 0..6 {
             for k in 0..3 {
                 dy[3 * i + k] = y[18 + 3 * i + k] / R::from_f64(MASSES[i]);
