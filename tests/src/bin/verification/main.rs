@@ -18,6 +18,8 @@ mod page;
 mod reports;
 #[cfg(not(debug_assertions))]
 mod sources;
+#[cfg(not(debug_assertions))]
+mod taylor;
 
 #[cfg(not(debug_assertions))]
 #[global_allocator]
@@ -27,6 +29,7 @@ static ALLOCATOR: geoint_tests::counting::Counting = geoint_tests::counting::Cou
 fn main() -> std::process::ExitCode {
     let mut page = page::Page::new();
     methods::section(&mut page);
+    taylor::section(&mut page);
     language::section(&mut page);
     examples::section(&mut page);
     reports::section(&mut page);
