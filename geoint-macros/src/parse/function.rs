@@ -64,7 +64,7 @@ pub(crate) struct Function {
 pub(crate) fn function_options(args: TokenStream) -> Result<FunctionOptions> {
     let options = (|input: ParseStream<'_>| Options::parse(None, input)).parse2(args)?;
     let Options { runtime, with, outside, .. } = options;
-    Ok(FunctionOptions { runtime: super::runtime::path_or(runtime), with, outside: Rc::new(outside) })
+    Ok(FunctionOptions { runtime: super::runtime::path_or(runtime), with, outside })
 }
 
 /// Refuses what is no plain function. (The rest is looked at where it is used.)

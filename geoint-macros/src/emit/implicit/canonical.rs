@@ -2,7 +2,7 @@
 
 use super::square;
 use crate::emit::kernel::{Context, write};
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

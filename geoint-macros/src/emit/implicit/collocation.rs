@@ -3,7 +3,7 @@
 use super::write_field;
 use crate::derive::FieldKernels;
 use crate::emit::kernel::{Context, element, write};
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

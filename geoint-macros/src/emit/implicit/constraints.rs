@@ -3,7 +3,8 @@
 use super::{square, write_field};
 use crate::derive::{ConstraintKernels, StepKernel};
 use crate::emit::kernel::{Context, write};
-use crate::emit::system::{cotangent, self_type};
+use crate::emit::structure::self_type;
+use crate::emit::system::cotangent;
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

@@ -3,7 +3,7 @@
 use super::{square, write_field};
 use crate::derive::{StageKernel, StepKernel};
 use crate::emit::kernel::{Context, write};
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

@@ -5,7 +5,7 @@ use crate::analyze::MeanValue;
 use crate::derive::{FieldKernels, Missing};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};

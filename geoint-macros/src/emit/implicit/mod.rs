@@ -10,7 +10,7 @@ mod herglotz;
 mod velocities;
 
 use super::kernel::{Context, write};
-use super::system::self_type;
+use super::structure::self_type;
 use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
