@@ -243,11 +243,15 @@ fn henon_heiles() -> Vec<Pair> {
         ),
         blanes_moan_4(
             "Hénon–Heiles, BlanesMoan4",
-            Box::new(move |n| hand().kicks_first::<false, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()),
+            Box::new(move |n| {
+                hand().kicks_first::<false, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()
+            }),
         ),
         blanes_moan_4(
             "Hénon–Heiles, BlanesMoan4, by terms",
-            Box::new(move |n| hand().kicks_first::<true, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()),
+            Box::new(move |n| {
+                hand().kicks_first::<true, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()
+            }),
         ),
         Pair {
             name: "Hénon–Heiles, DiscreteGradient".into(),
@@ -281,7 +285,9 @@ fn outer_solar_system() -> Vec<Pair> {
         Pair {
             name: "outer solar system, BlanesMoanSrkn14a".into(),
             subject: generated(system(), BlanesMoanSrkn14a, h, start),
-            unit: Box::new(move |n| flat(hand().drifts_first(Stages::of(BlanesMoanSrkn14a.table()), black_box(h), n, (q, p)))),
+            unit: Box::new(move |n| {
+                flat(hand().drifts_first(Stages::of(BlanesMoanSrkn14a.table()), black_box(h), n, (q, p)))
+            }),
         },
     ]
 }

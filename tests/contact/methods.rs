@@ -50,7 +50,7 @@ where
     P::Over<Double>: QuadraticKinetic<Double>,
     P::Over<Dual>: QuadraticKinetic<Dual>,
 {
-    visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+    visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8);
 }
 
 /// Methods for that, with force gradients.
@@ -61,7 +61,7 @@ where
     P::Over<Dual>: ForceGradient<Dual>,
 {
     visit!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
-    visit!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
+    visit!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP);
 }
 
 /// Orders, symmetry, the form.

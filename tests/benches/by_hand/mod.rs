@@ -56,10 +56,6 @@ impl<const K: usize> Stages<K> {
 
     #[inline(always)]
     fn times(self, outer: f64, inner: f64) -> Self {
-        Stages {
-            first: self.first * outer,
-            inner: self.inner.map(|y| y * inner),
-            outer: self.outer.map(|x| x * outer),
-        }
+        Stages { first: self.first * outer, inner: self.inner.map(|y| y * inner), outer: self.outer.map(|x| x * outer) }
     }
 }

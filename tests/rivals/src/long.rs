@@ -246,10 +246,14 @@ fn candidates() -> Vec<Candidate> {
         }));
     }
     for tolerance in [1e-6, 1e-12] {
-        all.push(rival("differential-equations dop853", format!("tolerance {tolerance:.0e}"), move |start, periods| {
-            let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(usize::MAX);
-            Some(IVP::ode(&Of, 0.0, TAU * periods as f64, start).method(method).solve().ok()?.y)
-        }));
+        all.push(rival(
+            "differential-equations dop853",
+            format!("tolerance {tolerance:.0e}"),
+            move |start, periods| {
+                let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(usize::MAX);
+                Some(IVP::ode(&Of, 0.0, TAU * periods as f64, start).method(method).solve().ok()?.y)
+            },
+        ));
         all.push(rival("ode_solvers Dop853", format!("tolerance {tolerance:.0e}"), move |start, periods| {
             let end = TAU * periods as f64;
             let between = if periods > 1 { end } else { TAU / 8.0 };

@@ -56,9 +56,7 @@ pub fn write(all: &[Measured], long: &[Long], commit: bool) -> Result<(), Box<dy
 fn places<'a>(measured: &'a Measured, chosen: impl Fn(&Entry) -> bool + 'a) -> impl Iterator<Item = (f64, f64)> + 'a {
     let Measured { problem, points } = measured;
     let chosen = problem.entries.iter().zip(points).filter(move |(entry, _)| chosen(entry));
-    chosen
-        .flat_map(|(_, points)| points)
-        .map(|point| (1e6 * point.least() / problem.duration, point.error.max(1e-17)))
+    chosen.flat_map(|(_, points)| points).map(|point| (1e6 * point.least() / problem.duration, point.error.max(1e-17)))
 }
 
 /// The lower envelope of a family.

@@ -58,7 +58,8 @@ pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64, seen: Seen
         }),
         Entry::tolerances(Whose::Rival, "differential-equations", "differential-equations dop853", move |tolerance| {
             let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
-            let solution = IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
+            let solution =
+                IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
             seen.of(&solution.y)
         }),
         diffsol(slices::<F, N>, start.to_vec(), duration, seen),
@@ -129,7 +130,8 @@ pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first:
                 first,
                 move |n| {
                     let method = SymplecticIntegrator::$method(duration / n as f64).max_steps(100_000_000);
-                    let solution = IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
+                    let solution =
+                        IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
                     seen.of(&solution.y)
                 },
             )

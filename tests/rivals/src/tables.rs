@@ -37,9 +37,8 @@ impl Table {
     pub fn html(&self) -> String {
         let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
         let heading = |heading: &&str| format!("<th>{}", escaped(heading));
-        let shown = |cell: &Cell| {
-            format!("<td{}>{}", if cell.marked { " class=\"slow\"" } else { "" }, escaped(&cell.text))
-        };
+        let shown =
+            |cell: &Cell| format!("<td{}>{}", if cell.marked { " class=\"slow\"" } else { "" }, escaped(&cell.text));
         let mut text = String::from("<div class=\"wide\"><table>\n<tr>");
         text.extend(self.headings.iter().map(heading));
         for row in &self.rows {
@@ -78,7 +77,13 @@ pub fn twins<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
     for measured in all {
         for (name, [generated, by_hand], ratio) in winners::twins(measured) {
             let ratio = Cell { text: format!("{ratio:.2}"), marked: ratio > SAME };
-            rows.push(vec![cell(measured.problem.title), cell(name), cell(short(generated)), cell(short(by_hand)), ratio]);
+            rows.push(vec![
+                cell(measured.problem.title),
+                cell(name),
+                cell(short(generated)),
+                cell(short(by_hand)),
+                ratio,
+            ]);
         }
     }
     Table { headings: vec!["problem", "method", "generated, ns a step", "by hand", "ratio"], rows }

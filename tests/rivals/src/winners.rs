@@ -116,6 +116,7 @@ pub fn short(x: f64) -> String {
         x if x >= 100.0 => format!("{x:.0}"),
         x if x >= 10.0 => format!("{x:.1}"),
         x if x >= 1.0 => format!("{x:.2}"),
-        x => format!("{x:.3}"),
+        x if x >= 0.1 => format!("{x:.3}"),
+        x => format!("{x:.2e}"),
     }
 }

@@ -88,7 +88,16 @@ pub(super) fn damped_oscillator() -> Problem {
     entries.push(by_hand("ContactSplitting", 50, from, list, move |h, n, z| by().steps(h, n, z)));
     entries.extend(of_field(Fading, duration, Seen::End));
     let note = "γ = 0.1, q = 1, p = 0.5, T = 50".into();
-    Problem { name: "damped_oscillator", title: "Damped oscillator", note, duration, measured: AT_THE_END, reference, entries, judge }
+    Problem {
+        name: "damped_oscillator",
+        title: "Damped oscillator",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -190,5 +199,14 @@ pub(super) fn van_der_pol() -> Problem {
     entries.push(super::taylor(field, way));
     entries.extend(of_field(Relaxation, duration, Seen::End));
     let note = "ε = 5, q = 2, q' = 0, T = 50".into();
-    Problem { name: "van_der_pol", title: "Van der Pol", note, duration, measured: AT_THE_END, reference, entries, judge }
+    Problem {
+        name: "van_der_pol",
+        title: "Van der Pol",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

@@ -54,8 +54,8 @@ fn entries(galaxy: Galaxy, times: u64) -> Vec<Entry> {
         "Verlet" from 2000: StormerVerlet;
         "splitting" from 1000: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet),
             SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "exact oscillators" from 500: Rnia10_8_6, Aba8_6_4, Perturbation(BlanesMoanSrkn14a);
         "Gauss" from 500: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
         "Runge–Kutta" from 500: DOP853;
@@ -116,7 +116,9 @@ pub(super) fn chaotic() -> Problem {
     Problem {
         name: "henon_heiles_chaotic",
         title: "Hénon–Heiles, a chaotic orbit",
-        note: format!("q = (0, 0.1), p = (0.55, 0), energy {start:.3}, T = 1000; methods that keep the energy are left out"),
+        note: format!(
+            "q = (0, 0.1), p = (0.55, 0), energy {start:.3}, T = 1000; methods that keep the energy are left out"
+        ),
         duration: DURATION,
         measured: "the largest |H/H₀ − 1| of 16 times or more, since no method follows the orbit",
         reference: "H at the start".into(),

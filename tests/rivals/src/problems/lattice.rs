@@ -58,8 +58,8 @@ pub(super) fn fput() -> Problem {
     ours! { entries, system, way;
         "Verlet" from 300: StormerVerlet;
         "splitting" from 150: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet);
-        "Nyström" from 100: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 100: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "Nyström" from 100: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 100: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Runge–Kutta" from 100: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
@@ -77,5 +77,14 @@ pub(super) fn fput() -> Problem {
     entries.extend(of_field(Springs, duration, Seen::End));
     entries.extend(of_separable(Springs, duration, 300, Seen::End));
     let note = "64 masses, α = 0.25, the first mode with amplitude 1, T = 300".into();
-    Problem { name: "fput", title: "Fermi, Pasta, Ulam, Tsingou", note, duration, measured: AT_THE_END, reference, entries, judge }
+    Problem {
+        name: "fput",
+        title: "Fermi, Pasta, Ulam, Tsingou",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

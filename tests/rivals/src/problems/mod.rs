@@ -78,7 +78,9 @@ fn reference<F: Field<N>, const N: usize>(field: F, duration: f64, parts: f64) -
         let gap = distance(&coarse, &end);
         if gap < GOOD {
             let gap = if gap == 0.0 { "all digits are the same".into() } else { format!("it is {gap:.0e} away") };
-            let said = format!("extrapolation to order 24 in double-double arithmetic, {parts} parts; with half of them {gap}");
+            let said = format!(
+                "extrapolation to order 24 in double-double arithmetic, {parts} parts; with half of them {gap}"
+            );
             return (Box::new(move |x| distance(&x[x.len() - end.len()..], &end)), said);
         }
         coarse = end;

@@ -32,8 +32,8 @@ pub(super) fn pendulum() -> Problem {
     ours! { entries, system, way;
         "Verlet" from 2000: StormerVerlet;
         "splitting" from 1000: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Gauss" from 500: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
         "energy kept" from 1000: DiscreteGradient, FourthOrder(DiscreteGradient), Suzuki4.of(DiscreteGradient);
         "Runge–Kutta" from 500: DOP853;
@@ -80,8 +80,8 @@ pub(super) fn kepler() -> Problem {
     ours! { entries, system, way;
         "Verlet" from 10_000: StormerVerlet;
         "splitting" from 4000: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 3000: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 3000: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "Nyström" from 3000: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 3000: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Gauss" from 2000: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
         "energy kept" from 5000: DiscreteGradient, FourthOrder(DiscreteGradient);
         "Runge–Kutta" from 2000: DOP853;
@@ -150,5 +150,14 @@ pub(super) fn double_pendulum() -> Problem {
     ]);
     entries.extend(of_field(Rods, duration, Seen::End));
     let note = "unit rods, angles 0.9 and −0.4, momenta 0.3 and 0.2, T = 50".into();
-    Problem { name: "double_pendulum", title: "Double pendulum", note, duration, measured: AT_THE_END, reference, entries, judge }
+    Problem {
+        name: "double_pendulum",
+        title: "Double pendulum",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

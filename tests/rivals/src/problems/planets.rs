@@ -53,8 +53,8 @@ pub(super) fn outer_solar_system() -> Problem {
     ours! { entries, system, way;
         "Verlet" from 500: StormerVerlet;
         "splitting" from 200: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet);
-        "Nyström" from 100: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 100: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "Nyström" from 100: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 100: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Kepler's motion exact" from 100: WisdomHolman, WisdomHolmanProcessed, WisdomHolmanGradient, Aba10_6_4;
         "Runge–Kutta" from 200: DOP853;
     }
@@ -77,5 +77,14 @@ pub(super) fn outer_solar_system() -> Problem {
     entries.extend(of_field(Planets, duration, Seen::End));
     entries.extend(of_separable(Planets, duration, 500, Seen::End));
     let note = "200 000 days, from ephemerides of 1994".into();
-    Problem { name: "outer_solar_system", title: "Outer solar system", note, duration, measured: AT_THE_END, reference, entries, judge }
+    Problem {
+        name: "outer_solar_system",
+        title: "Outer solar system",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

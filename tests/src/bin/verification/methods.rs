@@ -234,8 +234,8 @@ fn complete(page: &mut Page, lists: &[List]) {
     let functions = catalogue.lines().filter_map(|line| line.strip_prefix("pub fn ")?.split_once('<'));
     for (function, _) in functions {
         // Two lists are made of others.
-        let shown =
-            ["conservative", "autonomous"].contains(&function) || lists.iter().any(|list| list.name == format!("`catalogue::{function}`"));
+        let shown = ["conservative", "autonomous"].contains(&function)
+            || lists.iter().any(|list| list.name == format!("`catalogue::{function}`"));
         page.claim(shown, format_args!("catalogue::{function} has no table"));
     }
     let words: Vec<&str> = lists.iter().flat_map(|list| &list.rows).flat_map(|row| row.name.split(" of ")).collect();

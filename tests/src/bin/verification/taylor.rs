@@ -77,8 +77,7 @@ pub(crate) fn section(page: &mut Page) {
          double_pendulum in double-double arithmetic, then steps that follow from a tolerance, in f64: the error at the end of the same ways, \
          relative to the state, and the number of steps.",
     );
-    let [first, second] =
-        [solutions::<HenonHeiles>(DURATIONS[0], 16), solutions::<DoublePendulum>(DURATIONS[1], 16)];
+    let [first, second] = [solutions::<HenonHeiles>(DURATIONS[0], 16), solutions::<DoublePendulum>(DURATIONS[1], 16)];
     macro_rules! orders {
         ($($order:literal)*) => {
             [$( ($order, [order::<HenonHeiles, $order>(DURATIONS[0], &first), order::<DoublePendulum, $order>(DURATIONS[1], &second)]) ),*]
@@ -88,8 +87,11 @@ pub(crate) fn section(page: &mut Page) {
     page.table(
         ["method", "order", "observed", "constants"],
         orders.iter().map(|(order, seen)| {
-            let constants: Vec<String> =
-                seen.iter().zip(DURATIONS).map(|(seen, duration)| short(seen.constant(duration, *order as u32))).collect();
+            let constants: Vec<String> = seen
+                .iter()
+                .zip(DURATIONS)
+                .map(|(seen, duration)| short(seen.constant(duration, *order as u32)))
+                .collect();
             let seen: Vec<String> = seen.iter().map(|seen| short(seen.order)).collect();
             [format!("`TaylorFixed<{order}>`"), order.to_string(), seen.join(", "), constants.join(", ")]
         }),
