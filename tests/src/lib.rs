@@ -9,3 +9,4 @@ pub mod bare;
 pub mod measure;
 pub mod counting;
 pub mod outer_planets;
+pub mod jets;
