@@ -10,3 +10,4 @@ pub mod measure;
 pub mod claims;
 pub mod counting;
 pub mod outer_planets;
+pub mod jets;

@@ -1,5 +1,6 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
+mod guess;
 mod iteration;
 mod predictor;
 
@@ -65,6 +66,18 @@ impl<A: Array> Newton<A> {
         Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
     }
 
+    /// The next equation is that of a substep, and these are those of the two substeps before it, with the weights by which unknowns of
+    /// both are extrapolated to it. What few increments miss is smooth along substeps as well.
+    #[inline(always)]
+    pub(crate) fn follow(&mut self, before: [(A::Real, &Self); 2]) {
+        let knows = |(_, other): &(_, &Self)| other.iteration.guesses.knows_difference();
+        if !self.iteration.guesses.sure() && before.iter().all(knows) {
+            self.predictor.expect(before.map(|(weight, other)| (weight, &other.predictor)));
+        } else {
+            self.predictor.expect_nothing();
+        }
+    }
+
     /// Solves an equation to rounding, from the increments before or from its explicit guess.
     ///
     /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
@@ -83,15 +96,17 @@ impl<A: Array> Newton<A> {
 
     #[inline(always)]
     fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
-        let extrapolates = !self.iteration.is_rough();
+        let guesses = self.iteration.guesses;
         if A::LEN > MOST_UNKNOWNS {
-            let guess = extrapolates.then(|| self.predictor.predict());
-            return self.iteration.of_many((guess, None), equation, watch);
+            let guess = guesses.extrapolated(&self.predictor);
+            let found = self.iteration.of_many((guess, None), equation, watch);
+            self.choose(equation.origin(), found.x);
+            return found;
         }
         // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
         let start = 'start: {
-            if E::STANDSTILL.is_some() || !extrapolates {
-                break 'start (extrapolates.then(|| self.predictor.predict()), None);
+            if E::STANDSTILL.is_some() || !guesses.all() {
+                break 'start (guesses.extrapolated(&self.predictor), None);
             }
             let guess = self.predictor.predict();
             let mut matrix = A::fill(A::zero());
@@ -108,7 +123,16 @@ impl<A: Array> Newton<A> {
         };
         let found;
         (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        self.choose(equation.origin(), found.x);
         found
+    }
+
+    /// What the next guess is made of, if another one than this time may be better.
+    #[inline(always)]
+    fn choose(&mut self, origin: A, x: A) {
+        if self.iteration.guesses.due() {
+            self.iteration.guesses = self.iteration.choose(&self.predictor, origin, x);
+        }
     }
 }
 
