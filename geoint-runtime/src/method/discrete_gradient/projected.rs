@@ -54,7 +54,7 @@ impl<S: FourthOrderField<R>, R: Real> Copy for Equation<'_, S, R> {}
 impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, R>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {

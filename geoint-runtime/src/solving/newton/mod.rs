@@ -60,6 +60,8 @@ impl<A: Array> Record<A::Real> for Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
+    const MANY: bool = A::LEN > MOST_UNKNOWNS;
+
     /// Unknowns come in `kinds` of `n` that have one unit.
     pub(crate) fn new(n: usize, kinds: usize) -> Self {
         Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
@@ -73,7 +75,7 @@ impl<A: Array> Newton<A> {
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
-    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    pub(crate) fn solve<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let found = self.solution(equation, watch);
         // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
         self.predictor.push(&found.x);
@@ -82,16 +84,20 @@ impl<A: Array> Newton<A> {
     }
 
     #[inline(always)]
-    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    fn solution<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let extrapolates = !self.iteration.is_rough();
-        if A::LEN > MOST_UNKNOWNS {
+        if E::PATIENT {
+            let guess = extrapolates.then(|| self.predictor.predict());
+            return self.iteration.patient(guess, *equation, watch);
+        }
+        if Self::MANY {
             let guess = extrapolates.then(|| self.predictor.predict());
             return self.iteration.of_many((guess, None), equation, watch);
         }
         // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
         let start = 'start: {
-            if E::STANDSTILL.is_some() || !extrapolates {
-                break 'start (extrapolates.then(|| self.predictor.predict()), None);
+            if !extrapolates {
+                break 'start (None, None);
             }
             let guess = self.predictor.predict();
             let mut matrix = A::fill(A::zero());

@@ -145,12 +145,12 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
 impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, R>
 {
+    const PATIENT: bool = P::PATIENT;
+
     /// −2p as an impulse turns p round, and the mean of p is 0.
-    const STANDSTILL: Option<f64> = match (P::PATIENT, S::DERIVATIVE) {
-        (false, _) => None,
-        (true, 1) => Some(0.0),
-        _ => Some(-2.0),
-    };
+    fn standstill(&self) -> f64 {
+        if S::DERIVATIVE == 1 { 0.0 } else { -2.0 }
+    }
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {
