@@ -172,7 +172,7 @@ impl<R: Real> Memory<'_, R> {
 }
 
 /// The addresses of what is compiled once for a scalar.
-pub(super) fn compiled<R: Real>() -> [*const (); 2] {
+pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
     [Memory::<R>::measure as *const (), along::<R> as *const ()]
 }
 

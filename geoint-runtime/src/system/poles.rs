@@ -138,9 +138,7 @@ impl<'a, S: PhaseSpace<R>, R: Real> Way<'a, S, R> {
     fn between(system: &'a S, t: [R; 2], z: &[S::Phase; 2], s: [S::Action; 2]) -> Self {
         let mut way = Self::anywhere(system, line(t));
         way.s = line(s.map(|s| s.scalar().unwrap_or(R::from_f64(0.0))));
-        for (j, z_j) in S::Phase::entries(&mut way.z).iter_mut().enumerate() {
-            *z_j = line([z[0].as_slice()[j], z[1].as_slice()[j]]);
-        }
+        lines(z[0].as_slice(), z[1].as_slice(), S::Phase::entries(&mut way.z));
         way
     }
 
@@ -171,6 +169,19 @@ impl<'a, S: PhaseSpace<R>, R: Real> Way<'a, S, R> {
 #[inline(never)]
 fn line<R: Real>(ends: [R; 2]) -> Line {
     Line::new(ends.map(bounds))
+}
+
+/// The same for all coordinates.
+#[inline(never)]
+fn lines<R: Real>(start: &[R], end: &[R], lines: &mut [Line]) {
+    for (way, (start, end)) in lines.iter_mut().zip(start.iter().zip(end)) {
+        *way = line([*start, *end]);
+    }
+}
+
+/// The addresses of what is compiled once for a scalar.
+pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
+    [line::<R> as *const (), lines::<R> as *const ()]
 }
 
 /// What is known of the poles of a system at compile time.

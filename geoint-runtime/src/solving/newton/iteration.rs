@@ -294,6 +294,11 @@ impl<A: Array> Iteration<A> {
     }
 }
 
+/// The addresses of what is compiled once for a shape of unknowns.
+pub(crate) fn compiled<A: Array>() -> *const () {
+    Iteration::<A>::search::<Evaluate<'_, A>, Distant<'_, A>> as *const ()
+}
+
 /// Where an iteration starts.
 enum Attempt<A> {
     Extrapolated(A),

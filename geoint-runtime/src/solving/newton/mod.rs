@@ -9,6 +9,7 @@ use crate::solving::linear;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 use iteration::Iteration;
+pub(crate) use iteration::compiled;
 use predictor::Predictor;
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
