@@ -41,7 +41,7 @@ impl<S: ImplicitStep<M, R>, M, R: Real> Clone for Equation<'_, S, M, R> {
 impl<S: ImplicitStep<M, R>, M, R: Real> Copy for Equation<'_, S, M, R> {}
 
 impl<S: ImplicitStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, P> for Equation<'_, S, M, R> {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {

@@ -174,7 +174,7 @@ struct Seen<'a, P, D: Array> {
 impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Seen<'_, P, S::Unknown>>
     for Equation<'_, S, R>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {

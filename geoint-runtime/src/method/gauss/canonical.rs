@@ -130,7 +130,7 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
 impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Phase; S], P>
     for StagePoints<'_, Y, R, S>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> [Y::Phase; S] {

@@ -171,7 +171,7 @@ struct Seen<'a, P, A: Array, const S: usize> {
 impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], Seen<'_, P, Y::Array, S>>
     for StageVelocities<'_, Y, R, S>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     /// The accuracy of a velocity that can be seen in the position which h times it is added to.
     #[inline(always)]

@@ -2,11 +2,11 @@
 
 use super::guess::Guesses;
 use super::predictor::Predictor;
-use super::{Found, MOST_UNKNOWNS, subtract};
+use super::{Found, MOST_UNKNOWNS, Newton, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Distant, Evaluate, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
@@ -103,7 +103,7 @@ impl<A: Array> Iteration<A> {
 
     /// Solves an equation for many unknowns: by the fixed point if that attracts.
     #[inline(always)]
-    pub(super) fn of_many<W, E: StepEquation<A, W>>(
+    pub(super) fn of_many<W: ?Sized, E: StepEquation<A, W>>(
         &mut self,
         start: Start<A>,
         equation: &E,
@@ -123,9 +123,29 @@ impl<A: Array> Iteration<A> {
         found
     }
 
+    /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn patient<W: ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        guess: Option<A>,
+        equation: E,
+        watch: &mut W,
+    ) -> Found<A> {
+        let distant =
+            Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
+        let evaluate: &mut Evaluate<'_, A> = &mut |x, matrix| equation.evaluate(watch, x, matrix);
+        if Newton::<A>::MANY {
+            return self.of_many((guess, None), &distant, evaluate);
+        }
+        let found;
+        (*self, found) = self.search((guess, None), distant, evaluate);
+        found
+    }
+
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
     #[inline(never)]
-    pub(super) fn search<W, E: StepEquation<A, W>>(
+    pub(super) fn search<W: ?Sized, E: StepEquation<A, W>>(
         mut self,
         (extrapolated, mut first): Start<A>,
         equation: E,
@@ -137,12 +157,13 @@ impl<A: Array> Iteration<A> {
             let mut scale = self.sizes;
             let guess = match &attempt {
                 Attempt::Extrapolated(guess) => *guess,
-                Attempt::Explicit => {
+                // The constant here: nothing of that is compiled for steps that never take it.
+                Attempt::Damped if E::PATIENT => damped::approach_solution(&self.sizes, equation, watch),
+                Attempt::Explicit | Attempt::Damped => {
                     let guess = explicit(equation);
                     scale.include(&equation.origin(), &guess);
                     guess
                 }
-                Attempt::Damped(still) => damped::approach_solution(*still, &self.sizes, equation, watch),
             };
             let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
             match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
@@ -152,11 +173,11 @@ impl<A: Array> Iteration<A> {
                     return (self, Found::solution(x, lost));
                 }
                 Err(refusal) => {
-                    attempt = match (attempt, E::STANDSTILL) {
+                    attempt = match attempt {
                         // Something may have happened that was not to be foreseen.
-                        (Attempt::Extrapolated(_), _) => Attempt::Explicit,
+                        Attempt::Extrapolated(_) => Attempt::Explicit,
                         // No guess leads to a solution.
-                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        Attempt::Explicit if E::PATIENT => Attempt::Damped,
                         _ => return (self, Found::none(refusal)),
                     }
                 }
@@ -177,7 +198,7 @@ impl<A: Array> Iteration<A> {
 
     /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
     #[inline(always)]
-    fn iterate<W, E: StepEquation<A, W>>(
+    fn iterate<W: ?Sized, E: StepEquation<A, W>>(
         &mut self,
         (guess, mut first, most): (A, Option<(A, bool)>, f64),
         scale: &Sizes<A>,
@@ -215,8 +236,9 @@ impl<A: Array> Iteration<A> {
                 self.see(correction, corrections.last());
             }
             let verdict = corrections.judge::<A::Real>(correction);
-            let mut noise =
-                || E::STANDSTILL.is_some() && self.is_noise((x, corrections.neighbourhood()), *equation, watch);
+            let mut noise = || {
+                if E::PATIENT { self.is_noise((x, corrections.neighbourhood()), *equation, watch) } else { false }
+            };
             if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
                 self.sizes.include(&origin, &x);
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
@@ -234,20 +256,19 @@ impl<A: Array> Iteration<A> {
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
     #[inline(never)]
-    fn is_noise<W, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
+    fn is_noise<W: ?Sized, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
         let mut unused = A::fill(A::zero());
         let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin(), &x);
-        let [n, kinds] = self.kinds;
-        let noise = noise::measure(&sizes, (&x, nearest), |i| i / n % kinds, |x| Some(residual(x)));
+        let noise = noise::measure(&sizes, (&x, nearest), self.kinds, |x| Some(residual(x)));
         // Here last: who watches has seen the solution last.
         noise::explains(&noise, &residual(&x), &sizes)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
     #[inline(always)]
-    fn fixed_point<W, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
+    fn fixed_point<W: ?Sized, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
         let (origin, mut x) = (equation.origin(), guess);
         let mut corrections = Corrections::of_order(1);
         loop {
@@ -279,18 +300,23 @@ impl<A: Array> Iteration<A> {
     }
 }
 
+/// The addresses of what is compiled once for a shape of unknowns.
+pub(crate) fn compiled<A: Array>() -> *const () {
+    Iteration::<A>::search::<Evaluate<'_, A>, Distant<'_, A>> as *const ()
+}
+
 /// Where an iteration starts.
 enum Attempt<A> {
     Extrapolated(A),
     Explicit,
-    /// From afar, with this multiple of the origin for what stands still.
-    Damped(f64),
+    /// From afar.
+    Damped,
 }
 
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-fn explicit<A: Array, W>(equation: impl StepEquation<A, W>) -> A {
+fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }

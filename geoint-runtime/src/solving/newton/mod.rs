@@ -10,6 +10,7 @@ use crate::solving::linear;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 use iteration::Iteration;
+pub(crate) use iteration::compiled;
 use predictor::Predictor;
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
@@ -61,6 +62,8 @@ impl<A: Array> Record<A::Real> for Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
+    const MANY: bool = A::LEN > MOST_UNKNOWNS;
+
     /// Unknowns come in `kinds` of `n` that have one unit.
     pub(crate) fn new(n: usize, kinds: usize) -> Self {
         Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
@@ -86,7 +89,7 @@ impl<A: Array> Newton<A> {
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
-    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    pub(crate) fn solve<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let found = self.solution(equation, watch);
         // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
         self.predictor.push(&found.x);
@@ -95,17 +98,21 @@ impl<A: Array> Newton<A> {
     }
 
     #[inline(always)]
-    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    fn solution<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let guesses = self.iteration.guesses;
-        if A::LEN > MOST_UNKNOWNS {
+        if E::PATIENT || Self::MANY {
             let guess = guesses.extrapolated(&self.predictor);
-            let found = self.iteration.of_many((guess, None), equation, watch);
+            let found = if E::PATIENT {
+                self.iteration.patient(guess, *equation, watch)
+            } else {
+                self.iteration.of_many((guess, None), equation, watch)
+            };
             self.choose(equation.origin(), found.x);
             return found;
         }
         // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
         let start = 'start: {
-            if E::STANDSTILL.is_some() || !guesses.all() {
+            if !guesses.all() {
                 break 'start (guesses.extrapolated(&self.predictor), None);
             }
             let guess = self.predictor.predict();

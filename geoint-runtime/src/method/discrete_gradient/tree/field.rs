@@ -59,7 +59,7 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
-        let equation = Equation::of_step(system, coefficients, t, x);
+        let equation = Equation::of_step(system, coefficients, t, x, sums);
         let mut deciding = Deciding { probe, end: x.z };
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.

@@ -188,8 +188,12 @@ struct Seen<'a, P, Z, A: Array> {
 impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'_, P, S::Phase, S::Array>>
     for Equation<'_, S, R>
 {
+    const PATIENT: bool = P::PATIENT;
+
     /// −2v₀ turns v round: nothing moves.
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(-2.0) } else { None };
+    fn standstill(&self) -> f64 {
+        -2.0
+    }
 
     #[inline(always)]
     fn origin(&self) -> S::Array {
