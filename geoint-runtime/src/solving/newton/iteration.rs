@@ -20,7 +20,8 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// Corrections of which no more is asked than whether they are the last one. Where they are not after so many, something is else than before.
+/// Corrections of which in compositions no more is asked than whether they are the last one: their sizes cost a tenth of an iteration. Where
+/// they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
 /// The factor by which corrections of the fixed point must shrink.
@@ -114,7 +115,7 @@ impl<A: Array> Iteration<A> {
             let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
             if let Some(x) = found {
-                self.guesses.count(true);
+                self.guesses.count(0, start.0.is_some(), self.looks());
                 return Found::solution(x, A::zero());
             }
         }
@@ -169,7 +170,7 @@ impl<A: Array> Iteration<A> {
             match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
                 Ok((x, lost, iterations)) => {
                     let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
-                    self.guesses.count(!extrapolated || self.guesses.disappoint(iterations, self.looks()));
+                    self.guesses.count(iterations, extrapolated, self.looks());
                     return (self, Found::solution(x, lost));
                 }
                 Err(refusal) => {
@@ -225,10 +226,11 @@ impl<A: Array> Iteration<A> {
                 return Err(corrections.not_converged());
             }
             let lost = subtract(&mut x, &delta);
-            if self.is_last(&delta) {
+            let unjudged = self.guesses.told() && !self.looks();
+            if (iterations == 1 || unjudged) && self.is_last(&delta) {
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }
-            if iterations <= UNJUDGED && !self.looks() {
+            if iterations <= UNJUDGED && unjudged {
                 continue;
             }
             let correction = self.sizes.relative(&delta, &origin, &x);
