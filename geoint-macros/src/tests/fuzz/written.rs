@@ -55,7 +55,7 @@ const ALL: [Written; 6] = [
         coordinates: 3,
     },
     Written {
-        form: Form::Structured,
+        form: Form::Hamiltonian,
         attribute: "hamiltonian(structure = so3)",
         arguments: "x: [f64; 3]",
         returned: "f64",
