@@ -283,3 +283,25 @@ fn refusals() {
     leaves(ContactMidpoint);
     leaves(ContactDiscreteGradient);
 }
+
+/// V jumps where s is 1: no derivative by s says so, but positions and momenta do not move without it.
+#[contact_hamiltonian]
+fn slope_by_action(q: f64, p: f64, s: f64) -> f64 {
+    p * p / 2.6 + if s < 1.0 { q } else { 2.0 * q }
+}
+
+#[test]
+fn a_condition_that_reads_s_acts_back() {
+    fn falls<M: Method<SlopeByAction>>(method: M) {
+        for (s, slope) in [(-3.0, 1.0), (3.0, 2.0)] {
+            let mut sim = SlopeByAction.integrator(method, 0.05, ContactState::new(0.2, 0.3, s));
+            sim.advance(10).unwrap();
+            let error = sim.state().p - (0.3 - 0.5 * slope);
+            assert!(error.abs() < 1e-15, "{error:e}");
+        }
+    }
+    falls(ContactMidpoint);
+    falls(ContactDiscreteGradient);
+    falls(ContactGauss::<2>);
+    assert!(SlopeByAction::REPORT.contains("s acts back"));
+}
