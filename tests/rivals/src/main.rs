@@ -48,7 +48,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         let problem = problem();
         bar.inc(1);
         let points = measure::measure(&problem.entries, &*problem.judge, measure::ROUNDS, &bar);
-        all.push(Measured { problem, points });
+        let measured = Measured { problem, points };
+        bar.suspend(|| println!("{}", tables::winners([&measured]).markdown()));
+        all.push(measured);
     }
     bar.set_prefix("long");
     let long = if wanted("long") { long::measure(&bar) } else { vec![] };
