@@ -46,7 +46,9 @@ fn explored(entry: &Entry, judge: &dyn Fn(&[f64]) -> f64, bar: &ProgressBar) -> 
             worse = if points.last().is_some_and(|last| last.error <= error) { worse + 1 } else { 0 };
             points.push(Point { effort: *effort, error, seconds: vec![] });
         }
-        if seconds > LONGEST || error < ROUNDING || worse > 2 {
+        // Steps that are far too long may take long to be refused.
+        let most = if points.is_empty() { 10.0 * LONGEST } else { LONGEST };
+        if seconds > most || error < ROUNDING || worse > 2 {
             break;
         }
     }
