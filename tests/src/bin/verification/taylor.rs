@@ -17,7 +17,9 @@ const DURATIONS: [f64; 2] = [6.0, 1.5];
 const TOLERANCE: f64 = 0.15;
 /// From this order on errors reach rounding before the leading term is alone, and may fall faster than it, or by so much less.
 const HIGH: usize = 8;
-const ROUNDED: f64 = 0.75;
+const ROUNDED: f64 = 1.0;
+/// Recurrences divide by whole numbers as `f64` has their reciprocals: errors below this are of that.
+const RECIPROCALS: f64 = 4e-18;
 /// Errors at the end of the ways above, in units of the tolerance, or of rounding.
 const WORST: f64 = 64.0;
 
@@ -51,7 +53,7 @@ fn order<P: Scene, const N: usize>(duration: f64, solutions: &[Vec<Double>]) -> 
 where
     P::Over<Double>: Jets<Double>,
 {
-    observed(|n| error::<P, _>(TaylorFixed::<N> { h: duration / n as f64 }, duration, solutions))
+    observed(|n| error::<P, _>(TaylorFixed::<N> { h: duration / n as f64 }, duration, solutions).max(RECIPROCALS))
 }
 
 /// The error at the end in `f64` relative to the size of the state, steps, and allocations.
