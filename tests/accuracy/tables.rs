@@ -51,7 +51,7 @@ fn the_list_of_methods_is_complete() {
             assert!(names.0.contains(method.as_str()), "{method} is not in the list of methods");
         }
     }
-    assert_eq!(tables, 36, "tables found in the source of the runtime");
+    assert_eq!(tables, 38, "tables found in the source of the runtime");
     for stages in 1..=6 {
         assert!(names.0.contains(format!("Gauss<{stages}>").as_str()));
     }

@@ -4,7 +4,7 @@ use crate::method::Probe;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::space::Point;
-use crate::system::{PhaseSpace, Poles};
+use crate::system::{Known, PhaseSpace, Poles};
 
 /// Remembers the first point outside the domain of the energy, or beyond a pole as seen from the start of the step; or the first flow
 /// that ended before it was through.
@@ -33,6 +33,24 @@ impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     }
 }
 
+impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
+    #[inline(always)]
+    fn examine(&mut self, t: R, z: &S::Phase, s: &S::Action) {
+        if self.found.is_none() {
+            let (t0, z0, s0) = &self.start;
+            let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
+            self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
+        }
+    }
+
+    /// The same, here once: a step evaluates the energy in many places, and what is asked of poles is long.
+    #[cold]
+    #[inline(never)]
+    fn examine_apart(&mut self, t: R, z: &S::Phase, s: &S::Action) {
+        self.examine(t, z, s);
+    }
+}
+
 impl<S, X> Watch<'_, S, X> {
     /// What explains best why a step was refused.
     pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
@@ -45,11 +63,7 @@ impl<S, X> Watch<'_, S, X> {
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action) {
-        if self.found.is_none() {
-            let (t0, z0, s0) = &self.start;
-            let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
-            self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
-        }
+        if Known::<S, R>::NONE { self.examine(t, z, s) } else { self.examine_apart(t, z, s) }
     }
 
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {

@@ -19,25 +19,22 @@ const SHORTEST: f64 = 1e-6;
 
 const MAX_ITERATIONS: u32 = 100;
 
-/// Something near a solution of `residual(x) = 0` for an increment of `origin`, if there is one on the way down from
-/// `still` times `origin`.
-///
-/// At that increment nothing moves, so that the energy is defined there if it is at the start of the step.
+/// Something near a solution of an equation, if there is one on the way down from where nothing moves: there the energy is defined if it is
+/// at the start of the step.
 #[cold]
 #[inline(never)]
-pub(crate) fn approach_solution<A: Array, W>(
-    still: f64,
+pub(crate) fn approach_solution<A: Array, W: ?Sized>(
     sizes: &Sizes<A>,
     equation: impl StepEquation<A, W>,
     watch: &mut W,
 ) -> A {
-    approach(&equation.origin(), still, sizes, |x, residual, matrix| {
+    approach(&equation.origin(), equation.standstill(), sizes, |x, residual, matrix| {
         *residual = equation.residual(watch, x, matrix);
         Ok(())
     })
 }
 
-/// The same for any residual.
+/// The same for any residual of an increment of `origin`, on the way down from `still` times `origin`.
 #[cold]
 #[inline(never)]
 pub(crate) fn approach<A: Array>(

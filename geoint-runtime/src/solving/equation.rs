@@ -7,9 +7,14 @@ use crate::space::{Array, Square};
 ///
 /// `Copy`, because what is done seldom is done with a copy: what is pointed at from elsewhere is not kept in registers. The functions are
 /// to be inlined in the iteration, which has one place where it evaluates.
-pub(crate) trait StepEquation<A: Array, W>: Copy {
-    /// At this multiple of the origin, if that is asked for, nothing moves: the energy is defined there if it is at the start of the step.
-    const STANDSTILL: Option<f64>;
+pub(crate) trait StepEquation<A: Array, W: ?Sized>: Copy {
+    /// Whether all is done to find a solution: a search from afar, and a measure of what is rounding.
+    const PATIENT: bool;
+
+    /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
+    fn standstill(&self) -> f64 {
+        0.0
+    }
 
     /// What x is added to.
     fn origin(&self) -> A;
@@ -28,5 +33,36 @@ pub(crate) trait StepEquation<A: Array, W>: Copy {
     #[inline(always)]
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A {
         difference(x, &self.evaluate(watch, x, matrix))
+    }
+}
+
+/// An equation behind pointers, for what is done seldom: it is compiled once for all equations of so many unknowns.
+#[derive(Clone, Copy)]
+pub(crate) struct Distant<'a, A> {
+    pub(crate) origin: A,
+    pub(crate) standstill: f64,
+    pub(crate) explicit: &'a dyn Fn() -> A,
+}
+
+/// g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated.
+pub(crate) type Evaluate<'a, A> = dyn FnMut(&A, &mut Square<A>) -> A + 'a;
+
+impl<A: Array> StepEquation<A, Evaluate<'_, A>> for Distant<'_, A> {
+    const PATIENT: bool = true;
+
+    fn standstill(&self) -> f64 {
+        self.standstill
+    }
+
+    fn origin(&self) -> A {
+        self.origin
+    }
+
+    fn explicit(&self) -> A {
+        (self.explicit)()
+    }
+
+    fn evaluate(&self, evaluate: &mut Evaluate<'_, A>, x: &A, matrix: &mut Square<A>) -> A {
+        evaluate(x, matrix)
     }
 }

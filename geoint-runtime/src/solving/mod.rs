@@ -5,7 +5,7 @@ pub(crate) mod equation;
 mod inverse;
 pub(crate) mod linear;
 pub(crate) mod newton;
-mod noise;
+pub(crate) mod noise;
 mod planar;
 pub(crate) mod quasi_newton;
 mod refusal;

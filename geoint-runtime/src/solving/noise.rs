@@ -12,6 +12,9 @@ use crate::space::Array;
 /// Points on a line at which the residual is evaluated.
 const POINTS: usize = 16;
 
+/// Places for a spread and for differences of lower orders.
+const SPARE: usize = 1 + LOWER_DEVIATIONS.len();
+
 /// The order of the differences, and the standard deviation of one for noise of 1: (8 choose 4)½.
 const ORDER: usize = 4;
 const DEVIATION: f64 = 8.366_600_265_340_756;
@@ -53,73 +56,124 @@ const REACH: i32 = 2;
 ///
 /// Nearer than `nearest`, relative to `sizes`, all points may have terms that are rounded alike, and the residual is as smooth as x.
 ///
-/// Unknowns of the same `kind` have one unit: they are moved by as much as the largest of them. The residual is `None` where there is none.
+/// Unknowns come in `kinds` of so many that have one unit: they are moved by as much as the largest of them. The residual is `None` where
+/// there is none.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
     sizes: &Sizes<A>,
     (x, nearest): (&A, f64),
-    kind: impl Fn(usize) -> usize,
+    kinds: [usize; 2],
     mut residual: impl FnMut(&A) -> Option<A>,
 ) -> A {
-    let mut direction = A::zero();
-    for (i, d) in direction.as_mut_slice().iter_mut().enumerate() {
-        let unit = (0..A::LEN).filter(|j| kind(*j) == kind(i)).map(|j| sizes.of(j)).fold(0.0, f64::max);
+    let (mut direction, mut noise) = (A::zero(), A::zero());
+    along(sizes.as_slice(), kinds, direction.as_mut_slice());
+    let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
+    let [smooth, resolved] = &mut marks;
+    let memory = Memory {
+        values: A::flatten_mut(&mut memory),
+        smooth: A::entries(smooth),
+        resolved: A::entries(resolved),
+        noise: noise.as_mut_slice(),
+    };
+    memory.measure(nearest, &mut |distance, value| {
+        let mut moved = *x;
+        moved.add_scaled(distance, &direction);
+        match residual(&moved) {
+            Some(r) if r.is_finite() => {
+                value.copy_from_slice(r.as_slice());
+                true
+            }
+            _ => false,
+        }
+    });
+    noise
+}
+
+/// The direction in which unknowns are moved.
+#[inline(never)]
+fn along<R: Real>(sizes: &[R], [n, kinds]: [usize; 2], direction: &mut [R]) {
+    let kind = |i: usize| i / n % kinds;
+    for (i, d) in direction.iter_mut().enumerate() {
+        let alike = sizes.iter().enumerate().filter(|(j, _)| kind(*j) == kind(i));
+        let unit = alike.map(|(_, size)| size.magnitude()).fold(0.0, f64::max);
         // By different parts of that, so that differences of neighbours change, and each by something else.
         let golden = 0.618_033_988_749_894_9 * ((i + 1) * (i + 1)) as f64;
-        *d = A::Real::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
+        *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
     }
-    let growth = libm::pow(A::Real::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-    let (mut noise, mut smooth, mut resolved) = (A::zero(), A::fill(false), A::fill(false));
-    let mut distance = if nearest <= MOST_NEAR { nearest.max(A::Real::epsilon()) } else { A::Real::epsilon() };
-    let (smooth, resolved) = (A::entries(&mut smooth), A::entries(&mut resolved));
-    'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
-        let mut differences = [A::zero(); POINTS];
-        for (j, value) in differences.iter_mut().enumerate() {
-            let mut moved = *x;
-            moved.add_scaled(A::Real::from_f64(distance * j as f64), &direction);
-            match residual(&moved) {
-                Some(r) if r.is_finite() => *value = r,
-                _ => break 'distances,
+}
+
+/// A residual at so much of a direction; whether there is one.
+type Residual<'a, R> = dyn FnMut(R, &mut [R]) -> bool + 'a;
+
+/// What is remembered while rounding is measured. No shape of unknowns is known here: it is compiled once for all of them.
+struct Memory<'a, R> {
+    /// The residuals at all points, and in spare places how they spread, and their differences of lower orders.
+    values: &'a mut [R],
+    /// Entries that have been smooth, and those of which the rounding was seen.
+    smooth: &'a mut [bool],
+    resolved: &'a mut [bool],
+    noise: &'a mut [R],
+}
+
+impl<R: Real> Memory<'_, R> {
+    #[cold]
+    #[inline(never)]
+    fn measure(self, nearest: f64, residual: &mut Residual<'_, R>) {
+        let Memory { values, smooth, resolved, noise } = self;
+        let n = noise.len();
+        let (differences, spare) = values.split_at_mut(POINTS * n);
+        let (spread, lower) = spare.split_at_mut(n);
+        let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
+        let mut distance = if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() };
+        'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
+            for (j, value) in differences.chunks_exact_mut(n).enumerate() {
+                if !residual(R::from_f64(distance * j as f64), value) {
+                    break 'distances;
+                }
+            }
+            for (i, spread) in spread.iter_mut().enumerate() {
+                *spread = differences[(POINTS - 1) * n + i] - differences[i];
+            }
+            difference(differences, n);
+            for (order, (lower, deviation)) in (2..).zip(lower.chunks_exact_mut(n).zip(LOWER_DEVIATIONS)) {
+                difference(&mut differences[..(POINTS - order + 1) * n], n);
+                for (i, lower) in lower.iter_mut().enumerate() {
+                    *lower = R::from_f64(by_rank(&differences[..(POINTS - order) * n], i, n)[QUARTER] / deviation);
+                }
+            }
+            difference(&mut differences[..(POINTS - ORDER + 1) * n], n);
+            let mut over = true;
+            for i in 0..n {
+                let orders = lower.chunks_exact(n);
+                let last = orders.fold(0.0, |last, lower| lower[i].magnitude().max(SMOOTH * last));
+                let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n).map(|x| x / DEVIATION);
+                let deviation = high[HALF] / MEDIAN;
+                smooth[i] |= high[MOST] < SMOOTH * last;
+                // Far away other terms are rounded: those that the residual has grown by.
+                let grown = distance > NEAR && deviation <= GROWN * R::epsilon() * spread[i].magnitude();
+                over &= smooth[i] || grown;
+                resolved[i] |= smooth[i] || grown;
+                if !(smooth[i] || grown) && deviation > noise[i].magnitude() {
+                    noise[i] = R::from_f64(deviation);
+                }
+            }
+            if over {
+                break;
+            }
+            distance *= growth;
+        }
+        for (noise, resolved) in noise.iter_mut().zip(resolved) {
+            if !*resolved {
+                *noise = zero();
             }
         }
-        let mut spread = differences[POINTS - 1];
-        spread.add_scaled(A::Real::from_f64(-1.0), &differences[0]);
-        let mut lower = [A::zero(); ORDER - 2];
-        difference(&mut differences);
-        for (order, (lower, deviation)) in (2..).zip(lower.iter_mut().zip(LOWER_DEVIATIONS)) {
-            difference(&mut differences[..=POINTS - order]);
-            for (i, lower) in lower.as_mut_slice().iter_mut().enumerate() {
-                *lower = A::Real::from_f64(by_rank(&differences[..POINTS - order], i)[QUARTER] / deviation);
-            }
-        }
-        difference(&mut differences[..=POINTS - ORDER]);
-        let mut over = true;
-        for i in 0..A::LEN {
-            let last = lower.iter().fold(0.0, |last, lower| lower.as_slice()[i].magnitude().max(SMOOTH * last));
-            let high = by_rank(&differences[..POINTS - ORDER], i).map(|x| x / DEVIATION);
-            let deviation = high[HALF] / MEDIAN;
-            smooth[i] |= high[MOST] < SMOOTH * last;
-            // Far away other terms are rounded: those that the residual has grown by.
-            let grown = distance > NEAR && deviation <= GROWN * A::Real::epsilon() * spread.as_slice()[i].magnitude();
-            over &= smooth[i] || grown;
-            resolved[i] |= smooth[i] || grown;
-            let noise = &mut noise.as_mut_slice()[i];
-            if !(smooth[i] || grown) && deviation > noise.magnitude() {
-                *noise = A::Real::from_f64(deviation);
-            }
-        }
-        if over {
-            break;
-        }
-        distance *= growth;
     }
-    for (noise, resolved) in noise.as_mut_slice().iter_mut().zip(resolved) {
-        if !*resolved {
-            *noise = zero();
-        }
-    }
-    noise
+}
+
+/// The addresses of what is compiled once for a scalar.
+pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
+    [Memory::<R>::measure as *const (), along::<R> as *const ()]
 }
 
 /// Whether a residual at `x` is nothing but rounding: its own, of which the standard deviation is `noise`, or that of the unknowns.
@@ -130,22 +184,20 @@ pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> b
     })
 }
 
-/// Differences of neighbours, in place of all values but the last.
-fn difference<A: Array>(values: &mut [A]) {
-    for j in 1..values.len() {
-        let mut change = values[j];
-        change.add_scaled(A::Real::from_f64(-1.0), &values[j - 1]);
-        values[j - 1] = change;
+/// Differences of neighbours, each of `n` entries, in place of all values but the last.
+fn difference<R: Real>(values: &mut [R], n: usize) {
+    for j in 0..values.len() - n {
+        values[j] = values[j + n] - values[j];
     }
 }
 
-/// The magnitudes of entry `i`, in order; those that are not there are infinite.
-fn by_rank<A: Array>(values: &[A], i: usize) -> [f64; POINTS] {
+/// The magnitudes of entry `i` of `n`, in order; those that are not there are infinite.
+fn by_rank<R: Real>(values: &[R], i: usize, n: usize) -> [f64; POINTS] {
     let mut sizes = [f64::INFINITY; POINTS];
     // A sort of the standard library is code for lists of any length.
-    for (n, value) in values.iter().enumerate() {
-        let size = value.as_slice()[i].magnitude();
-        let mut place = n;
+    for (filled, value) in values.chunks_exact(n).enumerate() {
+        let size = value[i].magnitude();
+        let mut place = filled;
         while place > 0 && sizes[place - 1].total_cmp(&size).is_gt() {
             sizes[place] = sizes[place - 1];
             place -= 1;

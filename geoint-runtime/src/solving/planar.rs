@@ -19,7 +19,7 @@ struct Planar<R, F> {
 }
 
 impl<R: Real, F: Fn(&[R; 2]) -> ([R; 2], [[R; 2]; 2]) + Copy> StepEquation<[R; 2], ()> for Planar<R, F> {
-    const STANDSTILL: Option<f64> = None;
+    const PATIENT: bool = false;
 
     fn origin(&self) -> [R; 2] {
         self.origin

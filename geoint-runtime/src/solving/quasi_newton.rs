@@ -95,8 +95,8 @@ impl<A: Array> QuasiNewton<A> {
                     let mut sizes = self.sizes;
                     sizes.include(origin, &before);
                     // Positions, then momenta.
-                    let kind = |i| i / (A::LEN / 2);
-                    *noise = noise::measure(&sizes, (&before, corrections.neighbourhood()), kind, |x| {
+                    let kinds = [A::LEN / 2, 2];
+                    *noise = noise::measure(&sizes, (&before, corrections.neighbourhood()), kinds, |x| {
                         let mut r = A::zero();
                         residual(x, &mut r, &mut matrix).is_ok().then_some(r)
                     });

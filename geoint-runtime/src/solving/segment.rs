@@ -1,6 +1,6 @@
 //! Does a function vanish on the straight line between two points?
 
-use crate::scalar::{Enclosure, Interval, Real};
+use crate::scalar::Interval;
 
 /// Parts of the line that may wait: each halving leaves one behind.
 const DEPTH: usize = 48;
@@ -11,31 +11,60 @@ const SHORTEST: f64 = 1e-14;
 /// Evaluations before a question is given up. Lines that pass a zero at 10⁻¹⁰ of their length take about a hundred.
 const EVALUATIONS: u32 = 2000;
 
-/// Whether `term`, a function on a part of the way from 0 to 1, is proven to have no zero behind 0, up to 1 and with it.
+/// A coordinate on the way from one value to another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Line {
+    start: Interval,
+    end: Interval,
+    change: Interval,
+}
+
+impl Line {
+    /// Between values of which nothing is known.
+    pub(crate) const WHOLE: Line = Line { start: Interval::WHOLE, end: Interval::WHOLE, change: Interval::WHOLE };
+
+    pub(crate) fn new([start, end]: [Interval; 2]) -> Self {
+        Line { start, end, change: end - start }
+    }
+
+    /// Its values on a part of the way from 0 to 1, and its rate there.
+    #[inline(never)]
+    pub(crate) fn on(&self, part: Interval) -> (Interval, Interval) {
+        let Line { start, end, change } = *self;
+        let at = |x: f64| match x {
+            0.0 => start,
+            1.0 => end,
+            _ => start + change * Interval::point(x),
+        };
+        (at(part.low).hull(at(part.high)), change)
+    }
+}
+
+/// Whether `term`, a function on a part of the way from 0 to 1 by its values and its rate, is proven to have no zero behind 0, up to 1 and with it.
 ///
 /// A zero at 0 itself does not count if the function leaves it at once: a step may begin there. What cannot be decided, because
 /// the function vanishes, or comes nearer to zero than its rounding errors, is `false`.
 #[cold]
 #[inline(never)]
-pub(crate) fn vanishes_nowhere<R: Real>(term: impl Fn(Interval) -> Enclosure<R>) -> bool {
+pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
     let mut open = [(0.0_f64, 1.0_f64); DEPTH];
     let (mut waiting, mut evaluations) = (1, 0);
     while waiting > 0 {
         waiting -= 1;
         let (a, b) = open[waiting];
-        let part = term(Interval::new(a, b));
+        let (value, rate) = term(Interval::new(a, b));
         evaluations += 4;
-        if !part.value.contains_zero() {
+        if !value.contains_zero() {
             continue;
         }
-        let at = |x: f64| term(Interval::new(x, x)).value;
+        let at = |x: f64| term(Interval::new(x, x)).0;
         let middle = 0.5 * (a + b);
         // The mean value theorem.
-        let reach = part.rate * Interval::new(a - middle, b - middle);
+        let reach = rate * Interval::new(a - middle, b - middle);
         if !(at(middle) + reach).contains_zero() {
             continue;
         }
-        if !part.rate.contains_zero() {
+        if !rate.contains_zero() {
             // Monotonic: the ends decide.
             let (first, last) = (at(a), at(b));
             let leaves = a == 0.0 && first.contains_zero();
@@ -59,11 +88,15 @@ pub(crate) fn vanishes_nowhere<R: Real>(term: impl Fn(Interval) -> Enclosure<R>)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::{Enclosure, Real};
 
     /// A function along the way from `a` to `b`.
     fn nowhere(f: impl Fn(Enclosure<f64>) -> Enclosure<f64>, a: f64, b: f64) -> bool {
         let end = |x: f64| Interval::point(a) + Interval::point(b - a) * Interval::point(x);
-        vanishes_nowhere(|part| f(Enclosure::new(end(part.low).hull(end(part.high)), Interval::point(b - a))))
+        vanishes_nowhere(&|part| {
+            let on = f(Enclosure::new(end(part.low).hull(end(part.high)), Interval::point(b - a)));
+            (on.value, on.rate)
+        })
     }
 
     #[test]

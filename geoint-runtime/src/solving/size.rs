@@ -72,6 +72,12 @@ impl<A: Array> Sizes<A> {
         self.0.as_mut_slice()
     }
 
+    /// The same, to be read.
+    #[inline(always)]
+    pub(crate) fn as_slice(&self) -> &[A::Real] {
+        self.0.as_slice()
+    }
+
     /// The size of entry `i`.
     #[inline(always)]
     pub(crate) fn of(&self, i: usize) -> f64 {

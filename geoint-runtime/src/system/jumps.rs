@@ -6,6 +6,7 @@
 use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds};
 use crate::space::{Action, Array};
+use core::marker::PhantomData;
 
 /// The first jump of the energy, if any, between two points that differ by rounding, at one of which a condition holds.
 ///
@@ -17,7 +18,15 @@ pub(crate) fn jump_between<S: PhaseSpace<R>, R: Real>(
     z: [&S::Phase; 2],
     s: [&S::Action; 2],
 ) -> Option<&'static str> {
-    if S::JUMPS.is_empty() || system.same_sides(t, z, s) { None } else { search(system, t, z, s) }
+    if Jumps::<S, R>::NONE || system.same_sides(t, z, s) { None } else { search(system, t, z, s) }
+}
+
+/// What is known of jumps at compile time.
+struct Jumps<S, R>(PhantomData<(S, R)>);
+
+impl<S: PhaseSpace<R>, R: Real> Jumps<S, R> {
+    /// Nothing of a search is compiled then.
+    const NONE: bool = S::JUMPS.is_empty();
 }
 
 #[cold]

@@ -5,7 +5,7 @@
 
 use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds};
-use crate::solving::segment::vanishes_nowhere;
+use crate::solving::segment::{Line, vanishes_nowhere};
 use crate::space::{Action, Array};
 use core::marker::PhantomData;
 
@@ -36,6 +36,9 @@ pub(crate) struct Poles {
 
 impl Poles {
     pub(crate) fn of<S: PhaseSpace<R>, R: Real>(system: &S) -> Self {
+        if Known::<S, R>::NONE {
+            return Poles { open: false, searched: false };
+        }
         let trusted = system.signs_hold();
         let open = |(i, pole): (usize, &Pole)| !(pole.by_parameters && is_nowhere(system, i));
         let poles = || S::POLES.iter().enumerate();
@@ -54,7 +57,7 @@ impl Poles {
         divided: bool,
         (t, z, s): Ends<'_, S, R>,
     ) -> bool {
-        if S::POLES.is_empty() {
+        if Known::<S, R>::NONE {
             return true;
         }
         let clear = || system.clear_of_poles(divided, t, z, s);
@@ -69,6 +72,10 @@ impl Poles {
         divided: bool,
         (t, z, s): Ends<'_, S, R>,
     ) -> Option<&'static str> {
+        // The constant first: nothing of a search is compiled then.
+        if Known::<S, R>::NONE {
+            return None;
+        }
         if self.is_clear(system, divided, (t, z, s)) {
             return None;
         }
@@ -88,10 +95,7 @@ fn copied<A: Array>([start, end]: [&A; 2]) -> [A; 2] {
 
 /// Whether a pole is ruled out in all of phase space.
 fn is_nowhere<S: PhaseSpace<R>, R: Real>(system: &S, pole: usize) -> bool {
-    let anything = Enclosure::<R>::new(Interval::WHOLE, Interval::WHOLE);
-    let mut all = S::Phase::fill(anything);
-    let all = S::Phase::entries(&mut all);
-    !system.vanishing(pole, Enclosure::constant, anything, all, anything).value.contains_zero()
+    !Way::<S, R>::anywhere(system, Line::WHOLE).vanishing(pole, Interval::new(0.0, 1.0)).0.contains_zero()
 }
 
 /// The first pole, if any, that intervals cannot rule out. Points that are not finite are no question of poles.
@@ -106,26 +110,87 @@ fn search<S: PhaseSpace<R>, R: Real>(
     if !z.iter().all(Array::is_finite) {
         return None;
     }
-    let t = Line::new(t);
-    let s = Line::new(s.map(|s| s.scalar().unwrap_or(R::from_f64(0.0))));
-    let open = |(i, pole): &(usize, &Pole)| !(pole.by_parameters && is_nowhere(&system, *i));
-    let clear = |(i, _): &(usize, &Pole)| {
-        vanishes_nowhere(|part| {
-            let mut on = S::Phase::fill(t.on(part));
-            let on = S::Phase::entries(&mut on);
-            for (j, on) in on.iter_mut().enumerate() {
-                *on = Line::new([z[0].as_slice()[j], z[1].as_slice()[j]]).on(part);
-            }
-            system.vanishing(*i, Enclosure::constant, t.on(part), on, s.on(part))
-        })
-    };
-    S::POLES.iter().enumerate().filter(open).find(|pole| !clear(pole)).map(|(_, pole)| pole.what)
+    let way = Way::between(&system, t, &z, s);
+    let open = |i: usize| !(S::POLES[i].by_parameters && is_nowhere(&system, i));
+    first(S::POLES, &open, &|pole, part| way.vanishing(pole, part))
+}
+
+/// The first of the open poles, if any, that may be on a way. Here once for all systems.
+#[inline(never)]
+fn first(
+    poles: &[Pole],
+    open: &dyn Fn(usize) -> bool,
+    vanishing: &dyn Fn(usize, Interval) -> (Interval, Interval),
+) -> Option<&'static str> {
+    let met = |(i, _): &(usize, &Pole)| open(*i) && !vanishes_nowhere(&|part| vanishing(*i, part));
+    poles.iter().enumerate().find(met).map(|(_, pole)| pole.what)
+}
+
+/// A straight line in phase space.
+struct Way<'a, S: PhaseSpace<R>, R: Real> {
+    system: &'a S,
+    t: Line,
+    z: <S::Phase as Array>::Map<Line>,
+    s: Line,
+}
+
+impl<'a, S: PhaseSpace<R>, R: Real> Way<'a, S, R> {
+    fn between(system: &'a S, t: [R; 2], z: &[S::Phase; 2], s: [S::Action; 2]) -> Self {
+        let mut way = Self::anywhere(system, line(t));
+        way.s = line(s.map(|s| s.scalar().unwrap_or(R::from_f64(0.0))));
+        lines(z[0].as_slice(), z[1].as_slice(), S::Phase::entries(&mut way.z));
+        way
+    }
+
+    /// A way of which nothing but time is known.
+    fn anywhere(system: &'a S, t: Line) -> Self {
+        Way { system, t, z: S::Phase::fill(Line::WHOLE), s: Line::WHOLE }
+    }
+
+    /// What vanishes at a pole, and its rate, on a part of the way.
+    #[inline(never)]
+    fn vanishing(&self, pole: usize, part: Interval) -> (Interval, Interval) {
+        let on = |line: &Line| {
+            let (value, rate) = line.on(part);
+            Enclosure::<R>::new(value, rate)
+        };
+        let t = on(&self.t);
+        let mut z = S::Phase::fill(t);
+        let z = S::Phase::entries(&mut z);
+        for (z, line) in z.iter_mut().zip(S::Phase::entries_of(&self.z)) {
+            *z = on(line);
+        }
+        let Enclosure { value, rate, .. } = self.system.vanishing(pole, Enclosure::constant, t, z, on(&self.s));
+        (value, rate)
+    }
+}
+
+/// From one value of a coordinate to another.
+#[inline(never)]
+fn line<R: Real>(ends: [R; 2]) -> Line {
+    Line::new(ends.map(bounds))
+}
+
+/// The same for all coordinates.
+#[inline(never)]
+fn lines<R: Real>(start: &[R], end: &[R], lines: &mut [Line]) {
+    for (way, (start, end)) in lines.iter_mut().zip(start.iter().zip(end)) {
+        *way = line([*start, *end]);
+    }
+}
+
+/// The addresses of what is compiled once for a scalar.
+pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
+    [line::<R> as *const (), lines::<R> as *const ()]
 }
 
 /// What is known of the poles of a system at compile time.
 pub(crate) struct Known<S, R>(PhantomData<(S, R)>);
 
 impl<S: PhaseSpace<R>, R: Real> Known<S, R> {
+    /// Whether there are no poles.
+    pub(crate) const NONE: bool = S::POLES.is_empty();
+
     /// Whether there are poles in time alone.
     const TIMED: bool = {
         let (mut any, mut i) = (false, 0);
@@ -165,40 +230,6 @@ pub(crate) fn singular_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) ->
 
 /// The same, searched.
 fn search_time<S: PhaseSpace<R>, R: Real>(system: &S, t: [R; 2]) -> Option<&'static str> {
-    let t = Line::new(t);
-    let anything = Enclosure::new(Interval::WHOLE, Interval::WHOLE);
-    let clear = |i: usize| {
-        vanishes_nowhere(|part| {
-            let mut all = S::Phase::fill(anything);
-            let all = S::Phase::entries(&mut all);
-            system.vanishing(i, Enclosure::constant, t.on(part), all, anything)
-        })
-    };
-    let timed = S::POLES.iter().enumerate().filter(|(_, pole)| pole.timed);
-    timed.filter(|(i, _)| !clear(*i)).map(|(_, pole)| pole.what).next()
-}
-
-/// A coordinate on the way from one value to another.
-#[derive(Clone, Copy)]
-struct Line<R> {
-    ends: [Interval; 2],
-    scalar: PhantomData<R>,
-}
-
-impl<R: Real> Line<R> {
-    fn new(ends: [R; 2]) -> Self {
-        Line { ends: ends.map(bounds), scalar: PhantomData }
-    }
-
-    /// On a part of the way from 0 to 1.
-    fn on(&self, part: Interval) -> Enclosure<R> {
-        let [start, end] = self.ends;
-        let change = end - start;
-        let at = |x: f64| match x {
-            0.0 => start,
-            1.0 => end,
-            _ => start + change * Interval::point(x),
-        };
-        Enclosure::new(at(part.low).hull(at(part.high)), change)
-    }
+    let way = Way::anywhere(system, line(t));
+    first(S::POLES, &|i| S::POLES[i].timed, &|pole, part| way.vanishing(pole, part))
 }

@@ -5,9 +5,7 @@ mod systems;
 mod table;
 
 use geoint_runtime::prelude::*;
-use geoint_runtime::scalar::{Real, Series};
-use geoint_runtime::space::Array;
-use geoint_runtime::system::{Contact, Jets, PhaseSpace, VectorField};
+use geoint_runtime::system::Jets;
 use table::TABLE;
 
 /// x' = F(t) for every function of the table, with u and v by their coefficients: those of products with t are exact.

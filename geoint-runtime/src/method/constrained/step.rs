@@ -65,7 +65,7 @@ impl<S: ConstrainedStep<M, R>, M, R: Real> Equation<'_, S, M, R> {
 impl<S: ConstrainedStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, M, R>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {

@@ -4,7 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -28,6 +28,11 @@ where
 
     fn memory() -> Self::Memory {
         Newton::new(Y::State::ALIKE, Y::Phase::LEN / Y::State::ALIKE)
+    }
+
+    #[inline(always)]
+    fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        newton.follow(before.map(|earlier| earlier.of_increments(|newton| newton)));
     }
 
     #[inline(always)]
@@ -125,7 +130,7 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
 impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Phase; S], P>
     for StagePoints<'_, Y, R, S>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> [Y::Phase; S] {

@@ -54,12 +54,12 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
 impl<Y: Collocation<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Unknown; S], P>
     for Stages<'_, Y, R, S>
 {
+    const PATIENT: bool = P::PATIENT;
+
     /// −2p/h turns p round in the middle of the step.
-    const STANDSTILL: Option<f64> = match (P::PATIENT, Y::DERIVATIVE) {
-        (false, _) => None,
-        (true, 1) => Some(0.0),
-        _ => Some(-2.0),
-    };
+    fn standstill(&self) -> f64 {
+        if Y::DERIVATIVE == 1 { 0.0 } else { -2.0 }
+    }
 
     /// The accuracy of kᵢ that can be seen in what h·kᵢ is added to.
     #[inline(always)]

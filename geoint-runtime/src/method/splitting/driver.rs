@@ -42,6 +42,8 @@ impl<A: Array> Record<A::Real> for LastKick<A> {
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
+    const MANY: bool = S::Array::LEN > FEW;
+
     fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
         let part = |fraction: f64| R::from_f64(fraction) * h;
         let reached = |fractions: &[f64]| part(fractions.iter().sum());
@@ -251,7 +253,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     ) -> Result<(), Refusal> {
         if P::PATIENT {
             prepared.step(step);
-        } else if S::Array::LEN > FEW {
+        } else if Sequence::<S, R, O, K>::MANY {
             prepared.single_apart(kick, step.system, step.t, step.x);
         } else {
             prepared.single(kick, step.system, step.t, step.x);

@@ -39,27 +39,34 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline]
     pub(super) fn advance(&mut self, n: u64) -> Result<(), StepError> {
         self.check_start()?;
-        if n == 1 {
+        if M::FORGETFUL && n == 1 {
             return self.one_by_one(1);
         }
-        let mut left = n;
+        let (mut left, mut singly) = (n, 0);
         while left > 0 {
-            let steps = left.min(self.steps_to_look());
+            let steps = if singly > 0 { 1 } else { left.min(self.steps_to_look()) };
             let (mut memory, mut x) = (self.memory.clone(), self.x);
             self.enter(&mut x);
             if self.run(steps, &mut memory, &mut x) && self.singular_time(steps).is_none() {
                 (self.memory, self.x, self.inside) = (memory, x, true);
                 self.pass(steps);
-            } else {
+            } else if M::FORGETFUL {
                 // To stop where single steps do.
                 self.one_by_one(steps)?;
+            } else if steps > 1 {
+                // The same: here, because a step may be long, and stands once then.
+                singly = steps;
+                continue;
+            } else {
+                self.step_watched(None)?;
             }
             left -= steps;
+            singly = singly.saturating_sub(1);
         }
         Ok(())
     }
 
-    /// So many single steps. Here once for all that take some: a step may be long.
+    /// So many single steps, of a method that takes them with less work.
     #[inline(never)]
     fn one_by_one(&mut self, steps: u64) -> Result<(), StepError> {
         (0..steps).try_for_each(|_| self.step_within(None).map(drop))

@@ -1,11 +1,12 @@
 //! How one equation is solved: by how many iterations, from how many guesses.
 
-use super::predictor;
-use super::{Found, MOST_UNKNOWNS, subtract};
+use super::guess::Guesses;
+use super::predictor::Predictor;
+use super::{Found, MOST_UNKNOWNS, Newton, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Distant, Evaluate, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
@@ -19,6 +20,9 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
+/// Corrections of which no more is asked than whether they are the last one. Where they are not after so many, something is else than before.
+const UNJUDGED: u32 = 3;
+
 /// The factor by which corrections of the fixed point must shrink.
 const SHRINKING: f64 = 0.3;
 
@@ -29,19 +33,13 @@ const ANOTHER_TRY: u32 = 256;
 /// solution of another branch.
 const FAR_OFF: f64 = 1.0 / 64.0;
 
-/// Iterations after which a guess was no good.
-const ROUGH: u32 = 3;
-
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
     sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
     kinds: [usize; 2],
-    /// Steps until there are increments enough to extrapolate.
-    missing: usize,
-    /// That is so, or steps are too long to be extrapolated.
-    rough: bool,
+    pub(super) guesses: Guesses,
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
     steps: u32,
@@ -55,12 +53,12 @@ pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         // Kinds follow from the method.
-        let Iteration { sizes, kinds: _, missing, rough, reach, steps, stiff } = self;
-        let mut counts = [*missing as u64, u64::from(*steps)];
+        let Iteration { sizes, kinds: _, guesses, reach, steps, stiff } = self;
         sizes.record(tape);
-        counts.iter_mut().for_each(|n| tape.count(n));
-        (*missing, *steps) = ((counts[0] as usize).min(predictor::POINTS), counts[1] as u32);
-        tape.flag(rough);
+        guesses.record(tape);
+        let mut count = u64::from(*steps);
+        tape.count(&mut count);
+        *steps = count as u32;
         tape.number(reach);
         tape.flag(stiff);
     }
@@ -72,18 +70,11 @@ impl<A: Array> Iteration<A> {
         Iteration {
             sizes: Sizes::new(),
             kinds: [n, kinds],
-            missing: predictor::POINTS,
-            rough: true,
+            guesses: Guesses::new(),
             reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             stiff: A::LEN <= MOST_UNKNOWNS,
         }
-    }
-
-    /// Whether nothing can be extrapolated from the increments before.
-    #[inline(always)]
-    pub(super) fn is_rough(&self) -> bool {
-        self.rough
     }
 
     /// The sizes of increments so far.
@@ -98,16 +89,21 @@ impl<A: Array> Iteration<A> {
         self.steps = self.steps.wrapping_add(1);
     }
 
-    /// Whether nothing is left to correct after the first correction of a step. Convergence is quadratic, and C is known from a step
-    /// before.
+    /// Whether nothing is left to correct after this correction. Convergence is quadratic, and C is known from a step before.
     #[inline(always)]
     pub(super) fn is_last(&self, delta: &A) -> bool {
-        self.sizes.exceed(delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK)
+        self.sizes.exceed(delta, self.reach) && !self.looks()
+    }
+
+    /// Whether this step looks at what others take as known.
+    #[inline(always)]
+    fn looks(&self) -> bool {
+        self.steps.is_multiple_of(SECOND_LOOK)
     }
 
     /// Solves an equation for many unknowns: by the fixed point if that attracts.
     #[inline(always)]
-    pub(super) fn of_many<W, E: StepEquation<A, W>>(
+    pub(super) fn of_many<W: ?Sized, E: StepEquation<A, W>>(
         &mut self,
         start: Start<A>,
         equation: &E,
@@ -118,8 +114,7 @@ impl<A: Array> Iteration<A> {
             let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
             if let Some(x) = found {
-                self.missing = self.missing.saturating_sub(1);
-                self.rough &= self.missing > 0;
+                self.guesses.count(true);
                 return Found::solution(x, A::zero());
             }
         }
@@ -128,43 +123,61 @@ impl<A: Array> Iteration<A> {
         found
     }
 
-    /// Solves the equation by as many iterations, and from as many guesses, as it needs.
+    /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
     #[cold]
     #[inline(never)]
-    pub(super) fn search<W, E: StepEquation<A, W>>(
+    pub(super) fn patient<W: ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        guess: Option<A>,
+        equation: E,
+        watch: &mut W,
+    ) -> Found<A> {
+        let distant =
+            Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
+        let evaluate: &mut Evaluate<'_, A> = &mut |x, matrix| equation.evaluate(watch, x, matrix);
+        if Newton::<A>::MANY {
+            return self.of_many((guess, None), &distant, evaluate);
+        }
+        let found;
+        (*self, found) = self.search((guess, None), distant, evaluate);
+        found
+    }
+
+    /// Solves the equation by as many iterations, and from as many guesses, as it needs.
+    #[inline(never)]
+    pub(super) fn search<W: ?Sized, E: StepEquation<A, W>>(
         mut self,
         (extrapolated, mut first): Start<A>,
         equation: E,
         watch: &mut W,
     ) -> (Self, Found<A>) {
-        let fills = self.missing > 0;
         let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
             let mut scale = self.sizes;
             let guess = match &attempt {
                 Attempt::Extrapolated(guess) => *guess,
-                Attempt::Explicit => {
+                // The constant here: nothing of that is compiled for steps that never take it.
+                Attempt::Damped if E::PATIENT => damped::approach_solution(&self.sizes, equation, watch),
+                Attempt::Explicit | Attempt::Damped => {
                     let guess = explicit(equation);
                     scale.include(&equation.origin(), &guess);
                     guess
                 }
-                Attempt::Damped(still) => damped::approach_solution(*still, &self.sizes, equation, watch),
             };
             let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
             match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
                 Ok((x, lost, iterations)) => {
-                    self.missing = self.missing.saturating_sub(1);
-                    // As long as some are missing, nothing follows from the number of iterations.
-                    self.rough = self.missing > 0 || iterations >= ROUGH && !fills;
+                    let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
+                    self.guesses.count(!extrapolated || self.guesses.disappoint(iterations, self.looks()));
                     return (self, Found::solution(x, lost));
                 }
                 Err(refusal) => {
-                    attempt = match (attempt, E::STANDSTILL) {
+                    attempt = match attempt {
                         // Something may have happened that was not to be foreseen.
-                        (Attempt::Extrapolated(_), _) => Attempt::Explicit,
+                        Attempt::Extrapolated(_) => Attempt::Explicit,
                         // No guess leads to a solution.
-                        (Attempt::Explicit, Some(still)) => Attempt::Damped(still),
+                        Attempt::Explicit if E::PATIENT => Attempt::Damped,
                         _ => return (self, Found::none(refusal)),
                     }
                 }
@@ -172,9 +185,20 @@ impl<A: Array> Iteration<A> {
         }
     }
 
+    /// Chooses what the next guess is made of, by what each would have missed this solution.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn choose(&self, predictor: &Predictor<A>, origin: A, x: A) -> Guesses {
+        self.guesses.choose(predictor, |guess| {
+            let missed = difference(&x, guess);
+            // What one correction makes good is good enough.
+            if self.sizes.exceed(&missed, self.reach) { 0.0 } else { self.sizes.relative(&missed, &origin, &x) }
+        })
+    }
+
     /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
     #[inline(always)]
-    fn iterate<W, E: StepEquation<A, W>>(
+    fn iterate<W: ?Sized, E: StepEquation<A, W>>(
         &mut self,
         (guess, mut first, most): (A, Option<(A, bool)>, f64),
         scale: &Sizes<A>,
@@ -201,16 +225,20 @@ impl<A: Array> Iteration<A> {
                 return Err(corrections.not_converged());
             }
             let lost = subtract(&mut x, &delta);
-            if iterations == 1 && self.is_last(&delta) {
-                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
+            if self.is_last(&delta) {
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            }
+            if iterations <= UNJUDGED && !self.looks() {
+                continue;
             }
             let correction = self.sizes.relative(&delta, &origin, &x);
             if iterations == 2 {
                 self.see(correction, corrections.last());
             }
             let verdict = corrections.judge::<A::Real>(correction);
-            let mut noise =
-                || E::STANDSTILL.is_some() && self.is_noise((x, corrections.neighbourhood()), *equation, watch);
+            let mut noise = || {
+                if E::PATIENT { self.is_noise((x, corrections.neighbourhood()), *equation, watch) } else { false }
+            };
             if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
                 self.sizes.include(&origin, &x);
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
@@ -228,20 +256,19 @@ impl<A: Array> Iteration<A> {
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
     #[inline(never)]
-    fn is_noise<W, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
+    fn is_noise<W: ?Sized, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
         let mut unused = A::fill(A::zero());
         let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin(), &x);
-        let [n, kinds] = self.kinds;
-        let noise = noise::measure(&sizes, (&x, nearest), |i| i / n % kinds, |x| Some(residual(x)));
+        let noise = noise::measure(&sizes, (&x, nearest), self.kinds, |x| Some(residual(x)));
         // Here last: who watches has seen the solution last.
         noise::explains(&noise, &residual(&x), &sizes)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
     #[inline(always)]
-    fn fixed_point<W, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
+    fn fixed_point<W: ?Sized, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
         let (origin, mut x) = (equation.origin(), guess);
         let mut corrections = Corrections::of_order(1);
         loop {
@@ -273,18 +300,23 @@ impl<A: Array> Iteration<A> {
     }
 }
 
+/// The addresses of what is compiled once for a shape of unknowns.
+pub(crate) fn compiled<A: Array>() -> *const () {
+    Iteration::<A>::search::<Evaluate<'_, A>, Distant<'_, A>> as *const ()
+}
+
 /// Where an iteration starts.
 enum Attempt<A> {
     Extrapolated(A),
     Explicit,
-    /// From afar, with this multiple of the origin for what stands still.
-    Damped(f64),
+    /// From afar.
+    Damped,
 }
 
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-fn explicit<A: Array, W>(equation: impl StepEquation<A, W>) -> A {
+fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }

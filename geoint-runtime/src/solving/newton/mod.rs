@@ -1,5 +1,6 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
+mod guess;
 mod iteration;
 mod predictor;
 
@@ -9,6 +10,7 @@ use crate::solving::linear;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
 use iteration::Iteration;
+pub(crate) use iteration::compiled;
 use predictor::Predictor;
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
@@ -60,9 +62,23 @@ impl<A: Array> Record<A::Real> for Newton<A> {
 }
 
 impl<A: Array> Newton<A> {
+    const MANY: bool = A::LEN > MOST_UNKNOWNS;
+
     /// Unknowns come in `kinds` of `n` that have one unit.
     pub(crate) fn new(n: usize, kinds: usize) -> Self {
         Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
+    }
+
+    /// The next equation is that of a substep, and these are those of the two substeps before it, with the weights by which unknowns of
+    /// both are extrapolated to it. What few increments miss is smooth along substeps as well.
+    #[inline(always)]
+    pub(crate) fn follow(&mut self, before: [(A::Real, &Self); 2]) {
+        let knows = |(_, other): &(_, &Self)| other.iteration.guesses.knows_difference();
+        if !self.iteration.guesses.sure() && before.iter().all(knows) {
+            self.predictor.expect(before.map(|(weight, other)| (weight, &other.predictor)));
+        } else {
+            self.predictor.expect_nothing();
+        }
     }
 
     /// Solves an equation to rounding, from the increments before or from its explicit guess.
@@ -73,7 +89,7 @@ impl<A: Array> Newton<A> {
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
-    pub(crate) fn solve<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    pub(crate) fn solve<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let found = self.solution(equation, watch);
         // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
         self.predictor.push(&found.x);
@@ -82,16 +98,22 @@ impl<A: Array> Newton<A> {
     }
 
     #[inline(always)]
-    fn solution<W, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
-        let extrapolates = !self.iteration.is_rough();
-        if A::LEN > MOST_UNKNOWNS {
-            let guess = extrapolates.then(|| self.predictor.predict());
-            return self.iteration.of_many((guess, None), equation, watch);
+    fn solution<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+        let guesses = self.iteration.guesses;
+        if E::PATIENT || Self::MANY {
+            let guess = guesses.extrapolated(&self.predictor);
+            let found = if E::PATIENT {
+                self.iteration.patient(guess, *equation, watch)
+            } else {
+                self.iteration.of_many((guess, None), equation, watch)
+            };
+            self.choose(equation.origin(), found.x);
+            return found;
         }
         // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
         let start = 'start: {
-            if E::STANDSTILL.is_some() || !extrapolates {
-                break 'start (extrapolates.then(|| self.predictor.predict()), None);
+            if !guesses.all() {
+                break 'start (guesses.extrapolated(&self.predictor), None);
             }
             let guess = self.predictor.predict();
             let mut matrix = A::fill(A::zero());
@@ -108,7 +130,16 @@ impl<A: Array> Newton<A> {
         };
         let found;
         (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        self.choose(equation.origin(), found.x);
         found
+    }
+
+    /// What the next guess is made of, if another one than this time may be better.
+    #[inline(always)]
+    fn choose(&mut self, origin: A, x: A) {
+        if self.iteration.guesses.due() {
+            self.iteration.guesses = self.iteration.choose(&self.predictor, origin, x);
+        }
     }
 }
 

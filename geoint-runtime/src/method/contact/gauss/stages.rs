@@ -169,7 +169,7 @@ fn shares<const S: usize>(Tableau { a, b, .. }: &Tableau<S>) -> [f64; S] {
 impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Moved; S], P>
     for StagePoints<'_, Y, R, S>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     #[inline(always)]
     fn origin(&self) -> [Y::Moved; S] {

@@ -7,7 +7,7 @@ use crate::method::{Deciding, Probe};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
-use crate::space::{Array, Point, Square, Summation, exact_sum};
+use crate::space::{Array, Compensated, Point, Square, Summation, exact_sum};
 use crate::system::DiscreteField;
 
 /// What depends on parameters and h.
@@ -89,11 +89,13 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         coefficients: &'a Coefficients<S, R>,
         t: R,
         x: &Point<S::Phase, C>,
+        sums: &Compensated<S::Phase>,
     ) -> Self {
         let (y, changed) = S::start(&x.z);
         let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
-        let (of_y, of_changed) = S::start(&x.sums.compensation());
-        let compensation = ((!C::PLAIN).then_some(of_y), of_changed);
+        let lost = if C::PLAIN && S::DERIVATIVE == 1 { sums.compensation() } else { x.sums.compensation() };
+        let (of_y, of_changed) = S::start(&lost);
+        let compensation = ((!C::PLAIN || S::DERIVATIVE == 1).then_some(of_y), of_changed);
         Equation { system, coefficients, t, z: x.z, y, changed, compensation, start }
     }
 
@@ -145,12 +147,12 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
 impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>
     for Equation<'_, S, R>
 {
+    const PATIENT: bool = P::PATIENT;
+
     /// −2p as an impulse turns p round, and the mean of p is 0.
-    const STANDSTILL: Option<f64> = match (P::PATIENT, S::DERIVATIVE) {
-        (false, _) => None,
-        (true, 1) => Some(0.0),
-        _ => Some(-2.0),
-    };
+    fn standstill(&self) -> f64 {
+        if S::DERIVATIVE == 1 { 0.0 } else { -2.0 }
+    }
 
     #[inline(always)]
     fn origin(&self) -> S::Unknown {

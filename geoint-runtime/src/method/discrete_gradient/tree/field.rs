@@ -2,7 +2,7 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
+use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::{Found, Newton};
@@ -48,13 +48,18 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
     }
 
     #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
+    }
+
+    #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
         Memory { newton, sums }: &mut Memory<S, R>,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
-        let equation = Equation::of_step(system, coefficients, t, x);
+        let equation = Equation::of_step(system, coefficients, t, x, sums);
         let mut deciding = Deciding { probe, end: x.z };
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.

@@ -122,7 +122,7 @@ pub(super) struct Seen<'a, P, D, A: Array, const S: usize> {
 impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     StepEquation<[Y::Moved; S], Seen<'_, P, Y::Moved, Y::Array, S>> for StageVelocities<'_, Y, R, S>
 {
-    const STANDSTILL: Option<f64> = if P::PATIENT { Some(0.0) } else { None };
+    const PATIENT: bool = P::PATIENT;
 
     /// The accuracy of a velocity that can be seen in the position which h times it is added to.
     #[inline(always)]

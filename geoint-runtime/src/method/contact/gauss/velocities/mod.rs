@@ -10,7 +10,7 @@ use crate::method::contact::ContactMidpoint;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::velocities::{Memory, PreparedVelocities};
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
@@ -28,6 +28,11 @@ impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelo
 
     fn memory() -> Self::Memory {
         <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::follow(memory, before);
     }
 
     #[inline(always)]
@@ -57,6 +62,11 @@ where
     fn memory() -> Self::Memory {
         // Each unknown of a stage is of a kind of its own.
         Memory { newton: Newton::new(1, Y::Moved::LEN), orientation: Orientation::unknown() }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_rates(|memory| &memory.newton)));
     }
 
     #[inline(always)]
