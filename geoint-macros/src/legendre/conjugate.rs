@@ -2,8 +2,8 @@
 
 use super::at_rest;
 use super::mass::is_velocity;
-use super::parts::reduced;
 use super::quadratic;
+use super::quadratic::reduced;
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};

@@ -29,7 +29,7 @@ pub(super) fn parts(graph: &mut Graph, lagrangian: Id, (entries, shift): (&[Vec<
             continue;
         }
         let shift = picked(shift);
-        let reduced = reduced(graph, &velocities, &shift);
+        let reduced = quadratic::reduced(graph, &velocities, &shift);
         match quadratic::inverse_form(graph, &block, &reduced) {
             Ok(mut form) => squares.append(&mut form),
             Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
@@ -55,7 +55,7 @@ pub(super) fn parts(graph: &mut Graph, lagrangian: Id, (entries, shift): (&[Vec<
                 let picked = |i: &u32| velocities.iter().map(|j| entries[*i as usize][*j as usize]).collect();
                 let block: Vec<Vec<Id>> = velocities.iter().map(picked).collect();
                 let none = graph.zero();
-                let momenta = reduced(graph, &velocities, &vec![none; block.len()]);
+                let momenta = quadratic::reduced(graph, &velocities, &vec![none; block.len()]);
                 if let Err(quadratic::NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta)
                 {
                     return Err(singular(graph, velocities, combination));
@@ -81,15 +81,6 @@ fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
     let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
     let direction = diff::jacobian(graph, &[combination], &momenta).concat();
     Flaw::Singular(velocities, direction)
-}
-
-/// p − a for the velocities of a part.
-pub(super) fn reduced(graph: &mut Graph, velocities: &[u32], shift: &[Id]) -> Vec<Id> {
-    let mut momentum = |(i, a): (&u32, &Id)| {
-        let p = graph.symbol(Symbol::P(*i));
-        graph.sub(p, *a)
-    };
-    velocities.iter().zip(shift).map(&mut momentum).collect()
 }
 
 /// Whether a node reads the state or time.

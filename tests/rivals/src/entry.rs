@@ -29,7 +29,7 @@ pub struct Entry {
 pub type Run = Box<dyn Fn(f64) -> Option<Vec<f64>>>;
 
 impl Entry {
-    /// An entry with a number of steps for an effort: `first` and on, by factors of √2.
+    /// An entry with a number of steps for an effort: an eighth of `first` and on, by factors of √2. At `first` it is about stable.
     pub fn steps(
         whose: Whose,
         family: &'static str,
@@ -37,7 +37,7 @@ impl Entry {
         first: u64,
         run: impl Fn(u64) -> Option<Vec<f64>> + 'static,
     ) -> Self {
-        let efforts = (0..32).map(|k| (first as f64 * 2_f64.powf(0.5 * f64::from(k))).round()).collect();
+        let efforts = (-6..32).map(|k| (first as f64 * 2_f64.powf(0.5 * f64::from(k))).ceil()).collect();
         Entry { whose, family, name: name.into(), efforts, run: Box::new(move |n| run(n as u64)) }
     }
 

@@ -34,6 +34,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let commit = arguments.iter().any(|argument| argument == "--commit");
     let words: Vec<&String> = arguments.iter().filter(|word| !word.starts_with("--")).collect();
+    if commit && !words.is_empty() {
+        return Err("--commit writes pages with all problems".into());
+    }
     let is_name = |word: &str| word == "long" || problems::ALL.iter().any(|(name, _)| *name == word);
     let fits = |name: &str, word: &str| if is_name(word) { name == word } else { name.contains(word) };
     let wanted = |name: &str| words.is_empty() || words.iter().any(|word| fits(name, word));
@@ -48,13 +51,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let problem = problem();
         bar.inc(1);
         let points = measure::measure(&problem.entries, &*problem.judge, measure::ROUNDS, &bar);
-        all.push(Measured { problem, points });
+        let measured = Measured { problem, points };
+        bar.suspend(|| println!("{}", tables::winners([&measured]).markdown()));
+        all.push(measured);
     }
     bar.set_prefix("long");
     let long = if wanted("long") { long::measure(&bar) } else { vec![] };
     bar.finish_and_clear();
-    if commit && !words.is_empty() {
-        return Err("--commit writes pages with all problems".into());
-    }
     page::write(&all, &long, commit)
 }

@@ -3,6 +3,7 @@
 use crate::entry::{Entry, Point};
 use indicatif::ProgressBar;
 use std::hint::black_box;
+use std::panic::{self, AssertUnwindSafe};
 use std::time::Instant;
 
 /// How long a single run may take, in seconds: longer ones are not timed again.
@@ -16,7 +17,11 @@ pub const ROUNDS: usize = 5;
 
 /// The points of all entries. `judge` gives the error of the states of a run.
 pub fn measure(entries: &[Entry], judge: &dyn Fn(&[f64]) -> f64, rounds: usize, bar: &ProgressBar) -> Vec<Vec<Point>> {
+    // Steps by hand panic where they are far too long.
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
     let mut points: Vec<Vec<Point>> = entries.iter().map(|entry| explored(entry, judge, bar)).collect();
+    panic::set_hook(hook);
     for round in 0..rounds {
         // Effort by effort, so that neighbours in time are rivals.
         let most = points.iter().map(Vec::len).max().unwrap_or(0);
@@ -39,14 +44,16 @@ fn explored(entry: &Entry, judge: &dyn Fn(&[f64]) -> f64, bar: &ProgressBar) -> 
     let mut worse = 0;
     for effort in &entry.efforts {
         let begin = Instant::now();
-        let states = (entry.run)(black_box(*effort));
+        let states = panic::catch_unwind(AssertUnwindSafe(|| (entry.run)(black_box(*effort)))).ok().flatten();
         let seconds = begin.elapsed().as_secs_f64();
         let error = states.map_or(f64::NAN, |states| judge(&states));
         if error.is_finite() && error < 1.0 {
             worse = if points.last().is_some_and(|last| last.error <= error) { worse + 1 } else { 0 };
             points.push(Point { effort: *effort, error, seconds: vec![] });
         }
-        if seconds > LONGEST || error < ROUNDING || worse > 2 {
+        // Steps that are far too long may take long to be refused.
+        let most = if points.is_empty() { 10.0 * LONGEST } else { LONGEST };
+        if seconds > most || error < ROUNDING || worse > 2 {
             break;
         }
     }

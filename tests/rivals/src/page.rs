@@ -33,7 +33,7 @@ pub fn write(all: &[Measured], long: &[Long], commit: bool) -> Result<(), Box<dy
     fs::write(output(&format!("{FOLDER}/results.csv"))?, results(all)?)?;
     let index = output(&format!("{FOLDER}/index.html"))?;
     fs::write(&index, html(all, long)?)?;
-    println!("\n{}\n{}", tables::winners(all).markdown(), tables::twins(all).markdown());
+    println!("\n{}", tables::twins(all).markdown());
     if !long.is_empty() {
         println!("{}", tables::long(long).markdown());
     }

@@ -46,9 +46,11 @@ fn plain<S: Conformal + 'static, M: Method<S> + 'static>(
 }
 
 /// Taylor series, of which the first `n` numbers are compared.
-fn taylor<S: Jets + Rates + 'static>(system: S, (way, n): (Way<StateOf<S, f64>>, usize)) -> Entry {
-    let Entry { whose, family, name, efforts, run } = super::taylor(system, way);
-    Entry { whose, family, name, efforts, run: Box::new(move |effort| run(effort).map(|state| state[..n].to_vec())) }
+fn taylors<S: Jets + Rates + 'static>(system: S, (way, n): (Way<StateOf<S, f64>>, usize)) -> [Entry; 3] {
+    super::taylors(system, way).map(|Entry { whose, family, name, efforts, run }| {
+        let run = Box::new(move |effort| run(effort).map(|state| state[..n].to_vec()));
+        Entry { whose, family, name, efforts, run }
+    })
 }
 
 macro_rules! ours {
@@ -82,7 +84,7 @@ pub(super) fn damped_oscillator() -> Problem {
         "contact Gauss" from 50: ContactGauss::<2>, ContactGauss::<4>;
         "law of decay" from 100: ContactDiscreteGradient;
     }
-    entries.push(taylor(DampedInTwo { gamma: 0.1 }, way));
+    entries.extend(taylors(DampedInTwo { gamma: 0.1 }, way));
     let by = || DampedOscillator { gamma: black_box(0.1) };
     let (from, list) = (Way::new(Fading.start(), duration), |z: [f64; 2]| z.to_vec());
     entries.push(by_hand("ContactSplitting", 50, from, list, move |h, n, z| by().steps(h, n, z)));
@@ -128,7 +130,7 @@ pub(super) fn perturbed_kepler() -> Problem {
         "contact Gauss" from 500: ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>;
         "law of decay" from 1000: ContactDiscreteGradient;
     }
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by = || PerturbedKepler { mu: black_box(1.0), alpha: black_box(-0.07), omega: black_box(FREQUENCY) };
     let (from, list) = (Way::new([0.6, 0.0, 0.0, 1.5, 0.0], duration), |z: [f64; 5]| z[..4].to_vec());
     entries.push(by_hand("ContactSplitting", 1000, from, list, move |h, n, z| by().driven(h, n, z)));
@@ -196,7 +198,7 @@ pub(super) fn van_der_pol() -> Problem {
     entries.push(super::fixed("Gauss", (field, Gauss::<6>), way, 300));
     entries.push(super::fixed("Runge–Kutta", (field, DOP853), way, 300));
     entries.push(super::adaptive((field, DOP853), way));
-    entries.push(super::taylor(field, way));
+    entries.extend(super::taylors(field, way));
     entries.extend(of_field(Relaxation, duration, Seen::End));
     let note = "ε = 5, q = 2, q' = 0, T = 50".into();
     Problem {

@@ -1,6 +1,6 @@
 //! A free body.
 
-use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylor};
+use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylors};
 use crate::by_hand::free_body::FreeBody;
 use crate::field::Field;
 use crate::rivals::{Seen, of_field};
@@ -38,7 +38,7 @@ pub(super) fn euler_top() -> Problem {
         "Runge–Kutta" from 200: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let (from, list) = (Way::new(Top.start(), duration), |m: [f64; 3]| m.to_vec());
     entries.push(by_hand("DiscreteGradient", 300, from, list, move |h, n, m| {
         FreeBody { inertia: black_box(INERTIA) }.discrete_gradient::<false>(h, n, m)

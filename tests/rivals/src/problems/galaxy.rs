@@ -1,6 +1,6 @@
 //! The galaxy of Hénon and Heiles: a regular orbit, and a chaotic one, of which the energy is what can be judged.
 
-use super::{AT_THE_END, Judge, Problem, Way, adaptive, by_hand, ours, reference, taylor};
+use super::{AT_THE_END, Judge, Problem, Way, adaptive, by_hand, ours, reference, taylors};
 use crate::by_hand::{self as hand, Stages};
 use crate::entry::Entry;
 use crate::field::Field;
@@ -61,7 +61,7 @@ fn entries(galaxy: Galaxy, times: u64) -> Vec<Entry> {
         "Runge–Kutta" from 500: DOP853;
     }
     entries.push(adaptive((SYSTEM, DOP853), way));
-    entries.push(taylor(SYSTEM, way));
+    entries.extend(taylors(SYSTEM, way));
     let by = || hand::henon_heiles::HenonHeiles { lambda: black_box(1.0) };
     let (from, list) = (Way { start: galaxy.0, duration: DURATION, times }, |z: [f64; 4]| z.to_vec());
     entries.extend([

@@ -11,6 +11,7 @@ use crate::entry::{Entry, Whose};
 use crate::field::Field;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Jets, Rates, StateOf};
+use geoint_runtime::{TaylorIntegrator, TaylorMethod};
 use geoint_tests::measure::extrapolated;
 use geoint_tests::scalars::Double;
 use geoint_tests::scene::flat;
@@ -170,11 +171,28 @@ fn adaptive<S: PhaseSpace + Rates + 'static, M: Method<S> + 'static>(
     })
 }
 
-/// Taylor series.
+/// Taylor series of order 20, or less for large systems.
 fn taylor<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> Entry {
-    Entry::tolerances(Whose::Ours, "Taylor", "Taylor", move |tolerance| {
-        let mut sim =
-            geoint_runtime::TaylorIntegrator::new(black_box(system), Taylor { tolerance }, black_box(way.start));
+    series("Taylor", |tolerance| Taylor { tolerance }, system, way)
+}
+
+/// And of lower orders, which loose tolerances ask for.
+fn taylors<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> [Entry; 3] {
+    [
+        taylor(system, way),
+        series("TaylorOrder<12>", |tolerance| TaylorOrder::<12> { tolerance }, system, way),
+        series("TaylorOrder<8>", |tolerance| TaylorOrder::<8> { tolerance }, system, way),
+    ]
+}
+
+fn series<S: Jets + 'static, M: TaylorMethod + 'static>(
+    name: &'static str,
+    method: fn(f64) -> M,
+    system: S,
+    way: Way<StateOf<S, f64>>,
+) -> Entry {
+    Entry::tolerances(Whose::Ours, "Taylor", name, move |tolerance| {
+        let mut sim = TaylorIntegrator::new(black_box(system), method(tolerance), black_box(way.start));
         way.times(|t| {
             sim.advance_to(t).ok()?;
             Some(flat(&sim.state()))

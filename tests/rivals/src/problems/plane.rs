@@ -1,6 +1,6 @@
 //! One and two degrees of freedom: pendulum, Kepler, double pendulum.
 
-use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylor};
+use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylors};
 use crate::by_hand::{self as hand, Stages};
 use crate::field::Field;
 use crate::rivals::{Seen, of_field, of_separable};
@@ -39,7 +39,7 @@ pub(super) fn pendulum() -> Problem {
         "Runge–Kutta" from 500: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by = || hand::pendulum::Pendulum { m: black_box(1.0), l: black_box(1.0), g: black_box(1.0) };
     let (from, list) = (Way::new((1.5, 0.0), duration), |(q, p): (f64, f64)| vec![q, p]);
     entries.extend([
@@ -87,7 +87,7 @@ pub(super) fn kepler() -> Problem {
         "Runge–Kutta" from 2000: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by = || hand::kepler::Kepler { m: black_box(1.0), mu: black_box(1.0) };
     let (from, list) = (Way::new(Orbit.start(), duration), |z: [f64; 4]| z.to_vec());
     entries.extend([
@@ -138,7 +138,7 @@ pub(super) fn double_pendulum() -> Problem {
         "Runge–Kutta" from 200: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by =
         || hand::double_pendulum::DoublePendulum { m: black_box([1.0; 2]), l: black_box([1.0; 2]), g: black_box(9.81) };
     let (from, list) = (Way::new(Rods.start(), duration), |z: [f64; 4]| z.to_vec());
