@@ -59,12 +59,30 @@ fn every_example_is_listed_run_and_shown() {
 
 #[test]
 fn links_of_the_pages_lead_to_files() {
-    for (page, folder) in [("README.md", ""), ("examples/README.md", "examples/"), ("CONTRIBUTING.md", "")] {
+    let pages = [
+        ("README.md", ""),
+        ("examples/README.md", "examples/"),
+        ("CONTRIBUTING.md", ""),
+        ("tests/benches/work_precision/README.md", "tests/benches/work_precision/"),
+    ];
+    for (page, folder) in pages {
         let text = read(page);
         let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|link| link.0);
         for target in targets.filter(|target| !target.contains("://") && !target.starts_with('#')) {
             assert!(root().join(folder).join(target).exists(), "{page}: {target} is not there");
         }
+    }
+}
+
+/// Other crates are compiled by the workspace that compares with them, and by nothing else.
+#[test]
+fn no_rival_is_compiled_by_the_workspace() {
+    let manifest = read("tests/rivals/Cargo.toml");
+    let (lock, other) = (read("Cargo.lock"), read("tests/rivals/Cargo.lock"));
+    for rival in ["ode_solvers", "differential-equations", "diffsol", "scirs2-integrate"] {
+        let package = format!("name = \"{rival}\"\n");
+        assert!(manifest.contains(&format!("{rival} = ")) && other.contains(&package), "{rival} is compared with");
+        assert!(!lock.contains(&package), "{rival} is a dependency of the workspace");
     }
 }
 

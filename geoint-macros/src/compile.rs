@@ -28,7 +28,7 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
     // Steps with constraints are derived from H.
-    let closed = energy.constraint.is_some();
+    let closed = energy.options.constraint.is_some();
     let graph = &mut lowered.graph;
     let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
@@ -110,7 +110,7 @@ fn first_order(energy: &Energy, mut lowered: Lowered, momenta: &[Id]) -> Result<
 
 /// H(q, p, t), of a Lagrangian if there is one.
 fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre>) -> Result<TokenStream> {
-    if energy.constraint.is_some() {
+    if energy.options.constraint.is_some() {
         return constrained(energy, lowered, legendre);
     }
     let context = emit::Context::new(energy, &lowered.constants);
@@ -165,7 +165,8 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
     let context = emit::Context::new(energy, &lowered.constants);
     let (graph, root, degrees) = (&mut lowered.graph, lowered.energy, energy.degrees());
     let groups = lowered.groups.as_deref();
-    let dissipated = analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.lift.is_none());
+    let dissipated =
+        analyze::dissipated(graph, root, &energy.coordinates.shape).filter(|_| energy.options.lift.is_none());
     let pieces = split::pieces(graph, root, split::Space { degrees, action: true }, groups); // flows in closed form
     let mechanics = split::mechanics(graph, root, degrees);
     let (derived, gradient) = derive::contact(
@@ -173,7 +174,7 @@ fn contact_hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&
         root,
         (&pieces, &mechanics),
         &lowered.partial,
-        (degrees, energy.lift.is_some()),
+        (degrees, energy.options.lift.is_some()),
         legendre,
     );
     check::of_action(energy, (root, &mechanics), graph, &lowered.places, |symbol| context.user_name(symbol))?;
@@ -212,7 +213,7 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?;
     let context = emit::Context::new(energy, &lowered.constants);
     let graph = &mut lowered.graph;
-    let mut flow = Flow::of_field(&lowered.field, energy.keeps.iter().zip(&lowered.keeps));
+    let mut flow = Flow::of_field(&lowered.field, energy.options.keeps.iter().zip(&lowered.keeps));
     let found = proof::integrals(graph, &flow);
     check::integrals(energy, &lowered.keeps, &found, graph, |symbol| context.user_name(symbol))?;
     let liouville = derive::liouville(graph, &lowered.field, &lowered.partial); // is it that of an energy?

@@ -19,7 +19,7 @@ pub(crate) fn expand(form: Form, args: TokenStream, item: TokenStream) -> TokenS
         Ok(function) => match parse::energy(form, args, function) {
             Ok(energy) => {
                 let function = emit::function(&energy, item.clone());
-                let read_by_attribute = energy.expressions().next().is_some() || energy.force.is_some();
+                let read_by_attribute = energy.expressions().next().is_some() || energy.options.force.is_some();
                 match derived(energy, &Source { args: written, item: item.clone(), used: vec![] }) {
                     Ok(derived) => quote!(#function #derived),
                     Err(errors) => {
@@ -54,7 +54,7 @@ fn no_function(item: TokenStream) -> TokenStream {
 
 /// What is made from an energy, once the functions that it names are there; until then the question for the next one.
 fn derived(energy: parse::Energy, source: &Source) -> Result<TokenStream> {
-    if let Some(path) = energy.with.get(source.used.len()) {
+    if let Some(path) = energy.options.with.get(source.used.len()) {
         return Ok(link::ask(&energy.runtime, energy.form.attribute(), path, source));
     }
     let energy = energy.with_functions(&source.used)?;

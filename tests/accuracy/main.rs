@@ -11,6 +11,7 @@ mod orders;
 mod perturbed;
 mod corrected;
 mod geometry;
+mod guesses;
 mod discrete_gradients;
 mod mean_value;
 mod bodies;

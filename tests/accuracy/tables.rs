@@ -51,7 +51,7 @@ fn the_list_of_methods_is_complete() {
             assert!(names.0.contains(method.as_str()), "{method} is not in the list of methods");
         }
     }
-    assert_eq!(tables, 36, "tables found in the source of the runtime");
+    assert_eq!(tables, 38, "tables found in the source of the runtime");
     for stages in 1..=6 {
         assert!(names.0.contains(format!("Gauss<{stages}>").as_str()));
     }
@@ -180,6 +180,7 @@ fn splittings_meet_their_conditions() {
     check::<11, KickFirst>("BlanesMoanSrkn11b", BlanesMoanSrkn11b.table(), true);
     check::<14, DriftFirst>("BlanesMoanSrkn14a", BlanesMoanSrkn14a.table(), false);
     check::<17, DriftFirst>("BceRkn17_8", BceRkn17_8.table(), false);
+    check::<19, DriftFirst>("BceRkn19_8", BceRkn19_8.table(), false);
     check("Chin4A", &Chin4A, true);
     check("Chin4B", &Chin4B, false);
     check("Chin4C", &Chin4C, false);
@@ -187,6 +188,7 @@ fn splittings_meet_their_conditions() {
     check("Omelyan4_4F2GV", &Omelyan4_4F2GV, true);
     check("Omelyan4_5F2GP", &Omelyan4_5F2GP, false);
     check("Omelyan6_5F3GP", &Omelyan6_5F3GP, false);
+    check("Omelyan6_5F4GV", &Omelyan6_5F4GV, true);
     check("Omelyan8_11F11GP", &Omelyan8_11F11GP, false);
 }
 
@@ -209,4 +211,8 @@ fn tables_with_a_closed_form() {
     near(Chin4B.gradients()[0], 1.0 / (48.0 * (2.0 + 3.0_f64.sqrt())));
     near(Chin4C.gradients()[1], 1.0 / 192.0);
     near(Chin4D.gradients()[1], 1.0 / 384.0);
+    let (outer, _, inner) = Omelyan6_5F4GV.coefficients();
+    near(outer[0], 1.0 / 12.0);
+    near(inner[0], 0.5 + 0.5 / 5.0_f64.sqrt());
+    near(inner[1], -1.0 / 5.0_f64.sqrt());
 }

@@ -7,6 +7,7 @@ mod by_hand;
 mod paired;
 mod systems;
 
+use by_hand::Stages;
 use criterion::Criterion;
 use geoint_runtime::method::Method;
 use geoint_runtime::prelude::*;
@@ -117,7 +118,7 @@ fn pendulum() -> Vec<Pair> {
         Pair {
             name: "pendulum, BlanesMoan4".into(),
             subject: generated(pendulum_system(), BlanesMoan4, h, start),
-            unit: Box::new(move |n| flat(hand().blanes_moan_4(black_box(h), n, PENDULUM))),
+            unit: Box::new(move |n| flat(hand().kicks_first(Stages::of(&BlanesMoan4), black_box(h), n, PENDULUM))),
         },
         Pair {
             name: "pendulum, DiscreteGradient".into(),
@@ -147,7 +148,7 @@ fn kepler() -> Vec<Pair> {
         Pair {
             name: "Kepler, BlanesMoan4".into(),
             subject: generated(kepler_system(), BlanesMoan4, h, start),
-            unit: Box::new(move |n| hand().blanes_moan_4(black_box(h), n, KEPLER).to_vec()),
+            unit: Box::new(move |n| hand().kicks_first(Stages::of(&BlanesMoan4), black_box(h), n, KEPLER).to_vec()),
         },
         Pair {
             name: "Kepler, DiscreteGradient".into(),
@@ -242,11 +243,15 @@ fn henon_heiles() -> Vec<Pair> {
         ),
         blanes_moan_4(
             "Hénon–Heiles, BlanesMoan4",
-            Box::new(move |n| hand().blanes_moan_4::<false>(black_box(h), n, HENON_HEILES).to_vec()),
+            Box::new(move |n| {
+                hand().kicks_first::<false, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()
+            }),
         ),
         blanes_moan_4(
             "Hénon–Heiles, BlanesMoan4, by terms",
-            Box::new(move |n| hand().blanes_moan_4::<true>(black_box(h), n, HENON_HEILES).to_vec()),
+            Box::new(move |n| {
+                hand().kicks_first::<true, 6>(Stages::of(&BlanesMoan4), black_box(h), n, HENON_HEILES).to_vec()
+            }),
         ),
         Pair {
             name: "Hénon–Heiles, DiscreteGradient".into(),
@@ -280,7 +285,9 @@ fn outer_solar_system() -> Vec<Pair> {
         Pair {
             name: "outer solar system, BlanesMoanSrkn14a".into(),
             subject: generated(system(), BlanesMoanSrkn14a, h, start),
-            unit: Box::new(move |n| flat(hand().srkn_14a(black_box(h), n, (q, p)))),
+            unit: Box::new(move |n| {
+                flat(hand().drifts_first(Stages::of(BlanesMoanSrkn14a.table()), black_box(h), n, (q, p)))
+            }),
         },
     ]
 }

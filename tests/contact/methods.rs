@@ -2,137 +2,64 @@
 
 use crate::measure::{field, run, solution, state};
 use geoint_runtime::prelude::*;
-use geoint_runtime::{Contact, ForceGradient, Mechanical, ModifiedEnergy, Pieces, QuadraticKinetic, Real};
-use geoint_tests::measure::{distance, error, form_defect, observed_order, solutions, symmetry_defect};
+use geoint_runtime::{Contact, ModifiedEnergy, Pieces, Real};
+use geoint_tests::claims::{Geometry, Orders, Symmetry};
+use geoint_tests::measure::distance;
+use geoint_tests::methods;
 use geoint_tests::scalars::{Double, Dual, Scalar};
 use geoint_tests::scene::Scene;
 use geoint_tests::scenes::*;
 
-/// What is done with a method.
-trait Visitor<P: Scene> {
-    fn visit<M>(&mut self, name: &'static str, method: M)
-    where
-        M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>;
+/// Whole lists on one scene, of each kind of step one method on the others.
+macro_rules! claims {
+    ($($Scene:ident: $($list:ident)*;)*) => {
+        /// Over a time that is not a multiple of any period.
+        #[test]
+        fn orders() { $(
+            let mut orders = Orders::<$Scene>::over(2.3, 4);
+            $( methods::$list(&mut orders); )*
+            assert!(orders.finish() > 0);
+        )* }
+
+        #[test]
+        fn forms() {
+            // Splittings keep the form without exception: what does not is in `controls_fail`.
+            let mut controls = 0;
+            $(
+            let mut geometry = Geometry::<$Scene>::with_step(STEP);
+            $( methods::$list(&mut geometry); )*
+            controls += geometry.finish();
+            )*
+            assert_eq!(controls, 0);
+        }
+
+        #[test]
+        fn symmetry() {
+            let mut controls = 0;
+            $(
+            let mut geometry = Symmetry(Geometry::<$Scene>::with_step(STEP));
+            $( methods::$list(&mut geometry); )*
+            controls += geometry.0.finish();
+            )*
+            assert!(controls > 0, "nothing showed what a failure looks like");
+        }
+    };
 }
 
-macro_rules! visit {
-    ($visitor:ident: $($method:expr),* $(,)?) => { $( $visitor.visit(stringify!($method), $method); )* };
-}
-
-/// Methods for every split.
-fn split<P: Scene>(visitor: &mut impl Visitor<P>)
-where
-    P::Over<f64>: Pieces<ContactSplitting>,
-    P::Over<Double>: Pieces<ContactSplitting, Double>,
-    P::Over<Dual>: Pieces<ContactSplitting, Dual>,
-{
-    visit!(visitor: ContactSplitting, BlanesMoan4X, BlanesMoan6X);
-    visit!(visitor: Yoshida4.of(ContactSplitting), Suzuki4.of(ContactSplitting), McLachlan4.of(ContactSplitting),
-        Yoshida6a.of(ContactSplitting), McLachlan6_9.of(ContactSplitting), KahanLi8_17a.of(ContactSplitting));
-}
-
-/// Methods for T + g·s + V.
-fn mechanical<P: Scene>(visitor: &mut impl Visitor<P>)
-where
-    P::Over<f64>: Mechanical,
-    P::Over<Double>: Mechanical<Double>,
-    P::Over<Dual>: Mechanical<Dual>,
-{
-    visit!(visitor: ContactLeapfrog, Yoshida4.of(ContactLeapfrog), Yoshida6a.of(ContactLeapfrog));
-    visit!(visitor: SymplecticEuler, SymplecticEulerAdjoint, StormerVerlet, PositionVerlet, ForestRuth4, PEFRL, BlanesMoan4,
-        BlanesMoan6, Suzuki4.of(PositionVerlet), KahanLi8_17a.of(StormerVerlet));
-}
-
-/// Methods for an exact flow of T + g·s with quadratic T.
-fn nystrom<P: Scene>(visitor: &mut impl Visitor<P>)
-where
-    P::Over<f64>: QuadraticKinetic,
-    P::Over<Double>: QuadraticKinetic<Double>,
-    P::Over<Dual>: QuadraticKinetic<Dual>,
-{
-    visit!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
-}
-
-/// Methods for that, with force gradients.
-fn force_gradient<P: Scene>(visitor: &mut impl Visitor<P>)
-where
-    P::Over<f64>: ForceGradient,
-    P::Over<Double>: ForceGradient<Double>,
-    P::Over<Dual>: ForceGradient<Dual>,
-{
-    visit!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
-    visit!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
-}
-
-/// Orders, symmetry, the form.
-#[derive(Default)]
-struct Geometry {
-    failures: Vec<String>,
-    /// The solution of the scene that was met last.
-    solved: Option<(&'static str, Vec<Vec<Double>>)>,
-}
-
-impl Geometry {
-    fn solutions<P: Scene>(&mut self) -> &[Vec<Double>] {
-        let solved = self.solved.take().filter(|solved| solved.0 == P::NAME);
-        &self.solved.insert(solved.unwrap_or_else(|| (P::NAME, solutions::<P>(DURATION, 4)))).1
-    }
-}
-
-/// Not a multiple of any period.
-const DURATION: f64 = 2.3;
 /// A step long enough for what is not kept to show.
 const STEP: f64 = 0.0625;
 
-impl<P: Scene> Visitor<P> for Geometry {
-    fn visit<M>(&mut self, name: &'static str, method: M)
-    where
-        M: Method<P::Over<f64>> + Method<P::Over<Double>, Double> + Method<P::Over<Dual>, Dual>,
-    {
-        let claims = Method::<P::Over<f64>>::claims(&method);
-        let solutions = self.solutions::<P>();
-        let order = observed_order(|n| error::<P, M>(method, DURATION, n, solutions).unwrap_or(f64::INFINITY));
-        let symmetry = symmetry_defect::<P, M>(method, STEP, 4).expect("a step");
-        let form = form_defect::<P, M>(method, STEP, 4).expect("a step");
-        println!("{:10} {name:36} order {order:5.2}  symmetry {symmetry:7.1e}  form {form:7.1e}", P::NAME);
-        let claimed = f64::from(claims.order);
-        if (order - claimed).abs() > 0.15 {
-            self.failures.push(format!("{}, {name}: order {order:.2}", P::NAME));
-        }
-        if claims.symmetric != (symmetry < 1e-13) {
-            self.failures.push(format!("{}, {name}: symmetry {symmetry:.1e}", P::NAME));
-        }
-        if claims.symplectic && form > 1e-12 {
-            self.failures.push(format!("{}, {name}: form {form:.1e}", P::NAME));
-        }
-    }
-}
-
-#[test]
-fn claims_hold() {
-    let mut geometry = Geometry::default();
-    split::<Swings>(&mut geometry);
-    mechanical::<Swings>(&mut geometry);
-    nystrom::<Swings>(&mut geometry);
-    force_gradient::<Swings>(&mut geometry);
-    split::<Drives>(&mut geometry);
-    mechanical::<Drives>(&mut geometry);
-    split::<Stars>(&mut geometry);
-    mechanical::<Stars>(&mut geometry);
-    nystrom::<Stars>(&mut geometry);
-    force_gradient::<Stars>(&mut geometry);
-    split::<Coolings>(&mut geometry);
-    mechanical::<Coolings>(&mut geometry);
-    nystrom::<Coolings>(&mut geometry);
-    force_gradient::<Coolings>(&mut geometry);
-    split::<Relativists>(&mut geometry);
-    mechanical::<Relativists>(&mut geometry);
-    split::<Tangles>(&mut geometry);
-    split::<Charges>(&mut geometry);
-    mechanical::<Quartics>(&mut geometry);
-    mechanical::<Blows>(&mut geometry);
-    force_gradient::<Masses>(&mut geometry);
-    assert!(geometry.failures.is_empty(), "{}", geometry.failures.join("\n"));
+claims! {
+    Swings: pieces mechanical separable nystrom force_gradient;
+    Drives: kinds_of_pieces mechanical kinds_of_separable;
+    Stars: kinds_of_pieces kinds_of_separable kinds_of_nystrom kinds_of_force_gradient;
+    Coolings: kinds_of_pieces kinds_of_separable nystrom force_gradient;
+    Relativists: kinds_of_pieces separable;
+    Tangles: pieces;
+    Charges: kinds_of_pieces;
+    Quartics: kinds_of_separable;
+    Blows: kinds_of_separable;
+    Masses: kinds_of_force_gradient;
 }
 
 /// A method of another order is seen, and one that is no contact map.

@@ -7,5 +7,7 @@ pub mod scenes;
 pub mod methods;
 pub mod bare;
 pub mod measure;
+pub mod claims;
 pub mod counting;
 pub mod outer_planets;
+pub mod jets;

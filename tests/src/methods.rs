@@ -2,14 +2,15 @@
 
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
-    constrained, coupled, cubic, force_gradient, general, itoh_abe_one_way, perturbed, perturbed_gradient, processed,
-    projected, quadratic_kinetic as nystrom, relaxed, separable,
+    constrained, coupled, cubic, force_gradient, general, itoh_abe_one_way, mechanical, perturbed, perturbed_gradient,
+    pieces, processed, projected, quadratic_kinetic as nystrom, relaxed, separable,
 };
 
 use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
-use geoint_runtime::system::{Conservative, DiscreteField};
+use geoint_runtime::system::{ByField, Collocated, Collocation, Conservative, DiscreteField};
+use geoint_runtime::{ForceGradient, Pieces, QuadraticKinetic, Separable};
 
 /// Methods for every H whose divided differences are known, and others made of them.
 pub fn discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
@@ -32,4 +33,53 @@ pub fn itoh_abe<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut im
 pub fn coordinate_increment<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     catalogue::coordinate_increment(visitor);
     visitor.visit(CoordinateIncrement { alpha: 0.2, beta: 0.9, gamma: 1.0, delta: 0.3 });
+}
+
+/// One method of each kind of step in [`general`], for a scene beside one on which the whole list is walked: tables go through the same
+/// steps.
+pub fn kinds_of_general<S: Collocation<R> + Collocated<R, Stages = ByField>, R: Real>(
+    visitor: &mut impl Visitor<S, R>,
+) {
+    visitor.visit(ExplicitEuler);
+    visitor.visit(RK4);
+    visitor.visit(ImplicitMidpoint);
+    visitor.visit(Gauss::<3>);
+    visitor.visit(Suzuki4.of(ImplicitMidpoint));
+}
+
+/// The same of [`discrete_gradient`].
+pub fn kinds_of_discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    visitor.visit(DiscreteGradient);
+    visitor.visit(Gonzalez);
+    visitor.visit(MeanValue::<2>);
+    visitor.visit(FourthOrder(DiscreteGradient));
+    visitor.visit(Suzuki4.of(DiscreteGradient));
+}
+
+/// The same of [`separable`].
+pub fn kinds_of_separable<S: Separable<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    visitor.visit(SymplecticEuler);
+    visitor.visit(StormerVerlet);
+    visitor.visit(BlanesMoan6);
+    visitor.visit(Suzuki4.of(PositionVerlet));
+}
+
+/// The same of [`nystrom`].
+pub fn kinds_of_nystrom<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    visitor.visit(BlanesMoanSrkn11b);
+    visitor.visit(BlanesMoanSrkn14a);
+}
+
+/// The same of [`force_gradient`].
+pub fn kinds_of_force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    visitor.visit(TakahashiImada2);
+    visitor.visit(Chin4C);
+    visitor.visit(Omelyan6_5F3GP);
+}
+
+/// The same of contact systems in [`pieces`].
+pub fn kinds_of_pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
+    visitor.visit(ContactSplitting);
+    visitor.visit(BlanesMoan4X);
+    visitor.visit(Suzuki4.of(ContactSplitting));
 }

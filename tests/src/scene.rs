@@ -40,6 +40,11 @@ pub trait Scene {
         x
     }
 
+    /// What a field keeps in place of an energy.
+    fn kept(_x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
     /// What an energy has become after a time: of contact systems it may decay.
     fn energy_after(_duration: f64, energy: f64) -> f64 {
         energy

@@ -74,6 +74,17 @@ impl Dependence {
     }
 }
 
+/// Whether positions and momenta do not move without s, which decay at the rate ∂H/∂s and move by these derivatives else: by a condition a
+/// derivative reads s, too, where nothing is differentiated by it.
+pub(crate) fn acts_back(graph: &Graph, decay: Id, slopes: impl IntoIterator<Item = Id>) -> bool {
+    reads(graph, decay).state() || slopes.into_iter().any(|slope| reads(graph, slope).s)
+}
+
+/// What a node reads.
+pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
+    symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
+}
+
 /// All symbols that a node reads.
 pub(crate) fn symbols(graph: &Graph, root: Id) -> BTreeSet<Symbol> {
     let symbol = |id: Id| match graph.node(id) {

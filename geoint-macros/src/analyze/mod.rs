@@ -24,7 +24,7 @@ pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
-pub(crate) use dependence::{Dependence, Reads, symbols};
+pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
 pub(crate) use jumps::{Jump, jumps};
@@ -182,11 +182,6 @@ pub(crate) fn terms_where(graph: &mut Graph, root: Id, apart: impl Fn(Reads) -> 
 pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
     let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| true);
     terms.into_iter().map(|term| term.build(graph)).collect()
-}
-
-/// What a node reads.
-pub(crate) fn reads(graph: &Graph, root: Id) -> Reads {
-    dependence::symbols(graph, root).into_iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(symbol)))
 }
 
 /// Facts of H and functions g of positions together: a momentum that commutes with the parts of H + λ·g for every λ does with those of H,

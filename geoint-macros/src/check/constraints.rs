@@ -18,7 +18,7 @@ pub(crate) fn constraints(
     let mut errors = Diagnostics::default();
     let degrees = energy.degrees();
     if constraints.is_empty() {
-        errors.at(&energy.constraint, NO_CONSTRAINT);
+        errors.at(&energy.options.constraint, NO_CONSTRAINT);
     }
     for (constraint, place) in constraints {
         let printer = Printer::new(graph, &name);
@@ -38,7 +38,7 @@ pub(crate) fn constraints(
             constraints.len(),
             if degrees == 1 { "" } else { "s" }
         );
-        errors.at(&energy.constraint, message);
+        errors.at(&energy.options.constraint, message);
     }
     if errors.len() == 0 {
         let positions: Vec<Symbol> = (0..degrees).map(Symbol::Q).collect();
@@ -51,7 +51,7 @@ pub(crate) fn constraints(
             errors.at_place(constraints[k].1, message);
         }
     }
-    if let (Some(rayleigh), true) = (&energy.rayleigh, general_friction) {
+    if let (Some(rayleigh), true) = (&energy.options.rayleigh, general_friction) {
         errors.at(rayleigh, LINEAR_FRICTION);
     }
     if let Some(damping) = damping {

@@ -26,7 +26,7 @@ pub(super) fn flaw_of_damping<F: Fn(Symbol) -> String>(
             ),
             Flaw::Indefinite => INDEFINITE.into(),
         };
-        errors.at(&energy.damping.as_ref().or(energy.rayleigh.as_ref()), message);
+        errors.at(&energy.options.damping.as_ref().or(energy.options.rayleigh.as_ref()), message);
     }
 }
 

@@ -14,13 +14,13 @@ pub(crate) fn first_order(
 ) -> Result<FirstOrder> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    for expr in energy.rayleigh.iter().chain(&energy.force) {
+    for expr in energy.options.rayleigh.iter().chain(&energy.options.force) {
         errors.at(expr, NO_FORCE);
     }
-    if let Some(constraint) = &energy.constraint {
+    if let Some(constraint) = &energy.options.constraint {
         errors.at(constraint, NO_CONSTRAINTS);
     }
-    for (requirement, span) in &energy.requirements {
+    for (requirement, span) in &energy.options.requirements {
         let why = if *requirement == Requirement::Regular { NO_VELOCITIES } else { NO_KINETIC };
         errors.at_place((*span, *span), why);
     }

@@ -29,11 +29,11 @@ pub(crate) fn lagrangian(
     let velocities =
         energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
     match (energy.form, &friction) {
-        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.rayleigh, FRICTION_OF_ACTION),
-        (Form::Herglotz, _) if energy.force.is_some() => errors.at(&energy.force, FORCE_WITH_ACTION),
-        (_, Err(NoFriction::Odd)) => errors.at(&energy.rayleigh, NOT_RAYLEIGH),
+        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.options.rayleigh, FRICTION_OF_ACTION),
+        (Form::Herglotz, _) if energy.options.force.is_some() => errors.at(&energy.options.force, FORCE_WITH_ACTION),
+        (_, Err(NoFriction::Odd)) => errors.at(&energy.options.rayleigh, NOT_RAYLEIGH),
         (_, Err(NoFriction::AtRest(rest))) => {
-            errors.at(&energy.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
+            errors.at(&energy.options.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
         }
         _ => {}
     }
@@ -100,7 +100,7 @@ pub(crate) fn lagrangian(
     }
     match (found, friction) {
         (Ok(legendre), Ok(friction)) => {
-            for (requirement, span) in &energy.requirements {
+            for (requirement, span) in &energy.options.requirements {
                 if let Some((term, why)) = in_the_way(graph, *requirement, &legendre) {
                     blame((term, *span), why, &printer, places, &mut errors);
                 }
@@ -142,7 +142,7 @@ pub(crate) fn velocities(
     if let Some(damping) = damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
-    for (requirement, span) in &energy.requirements {
+    for (requirement, span) in &energy.options.requirements {
         if *requirement == Requirement::Conservative {
             let changed = match (damping, others) {
                 (Some(_), _) => Some(DAMPED),

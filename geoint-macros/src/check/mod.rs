@@ -39,7 +39,9 @@ pub(crate) fn requests(
     if let Some(damping) = &structure.damping {
         flaw_of_damping(energy, damping, &printer, &mut errors);
     }
-    for (requirement, span) in energy.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian()) {
+    for (requirement, span) in
+        energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian())
+    {
         if !structure.conservative() {
             errors.at_place((*span, *span), if structure.damping.is_some() { DAMPED } else { FORCED });
             continue;
@@ -68,7 +70,7 @@ pub(crate) fn of_action(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    for (requirement, span) in &energy.requirements {
+    for (requirement, span) in &energy.options.requirements {
         let witness = match (requirement, mechanics) {
             (Requirement::Conservative, _) => analyze::reads(graph, root).s.then_some((root, READS_ACTION)),
             (Requirement::Separable | Requirement::QuadraticKinetic, Err(term)) => Some((*term, NOT_MECHANICAL)),

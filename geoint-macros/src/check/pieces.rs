@@ -35,7 +35,7 @@ pub(crate) fn pieces(
         }
         adds_up(root, groups, graph, &name, &mut errors);
     }
-    if let Some(span) = energy.lift
+    if let Some(span) = energy.options.lift
         && let Some(term) = analyze::not_affine(graph, root)
     {
         blame((term, span), NO_LIFT, &Printer::new(graph, &name), places, &mut errors);
@@ -52,7 +52,7 @@ pub(crate) fn division(
     name: impl Fn(Symbol) -> String,
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
-    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.inner, found) {
+    if let (Some((_, asked)), Err(NoExactPart { term, why })) = (energy.options.coordinates, found) {
         let place = written(graph, places, *term).unwrap_or((asked, asked));
         errors.at_place(place, format!("{why}: {}", Printer::new(graph, &name).excerpt(*term)));
     }

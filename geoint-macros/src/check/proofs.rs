@@ -21,7 +21,7 @@ pub(crate) fn structure(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.structure) {
+    if let (Err(([i, j], verdict)), Some(form)) = (&structure.skew, &energy.options.structure) {
         let (sum, equal) = match verdict {
             Identity::Wrong(wrong) => (remains(&printer, wrong.rest.as_ref(), &wrong.witness), ""),
             _ => (open(&printer, verdict), " was not proven to be 0"),
@@ -50,7 +50,7 @@ pub(crate) fn integrals(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    for (i, (kept, verdict)) in energy.keeps.iter().zip(&found.kept).enumerate() {
+    for (i, (kept, verdict)) in energy.options.keeps.iter().zip(&found.kept).enumerate() {
         let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
         let message = match verdict {
             Identity::Zero(_) => continue,
@@ -81,7 +81,7 @@ pub(crate) fn integrals(
     }
     if let Some(i) = found.dependent.filter(|_| errors.len() == 0) {
         let others = if i == 0 { "is constant everywhere" } else { "is a function of the others" };
-        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.keeps[i].name));
+        errors.at_place(written[i].place, format!("`{}` {others}: leave it out", energy.options.keeps[i].name));
     }
     errors.or(())
 }

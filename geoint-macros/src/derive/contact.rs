@@ -43,7 +43,7 @@ pub(crate) fn contact(
         Err(term) => Err(Missing { marker: "MechanicalIn", term: *term, why: NOT_MECHANICAL, pair: None }),
     };
     // Positions and momenta move without s.
-    let conformal = !analyze::reads(graph, gradient.s).state();
+    let conformal = !analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied());
     let by_velocities = legendre.and_then(|legendre| velocities::stages_of_energy(graph, legendre));
     let stages = match by_velocities {
         Some(stages) => ContactStages::Velocities(stages),

@@ -150,7 +150,7 @@ pub(super) fn stages(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Stag
         terms.push(graph.mul(p, *velocity));
     }
     let action = graph.sum(&terms);
-    let varying = analyze::reads(graph, gradient.s).state();
+    let varying = analyze::acts_back(graph, gradient.s, rates.iter().copied());
     if varying {
         moved.push(Symbol::S);
         rates.push(action);

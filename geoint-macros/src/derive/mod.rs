@@ -23,7 +23,6 @@ pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Domain, Sign};
 pub(crate) use exact::parts::{Parted, parts};
-pub(crate) use exact::perturbed::Perturbed;
 pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;
@@ -31,7 +30,7 @@ pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
     ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Integrals,
-    KickDrift, Lagrangian, MassKernels, Missing, Modified, PieceKernel, PiecesOf, StageKernel, StepKernel, System,
-    Undamped, VelocityKernels, VelocityStages,
+    KickDrift, Lagrangian, MassKernels, Missing, Modified, Perturbed, PieceKernel, PiecesOf, StageKernel, StepKernel,
+    System, Undamped, VelocityKernels, VelocityStages,
 };
 pub(crate) use velocities::{herglotz, velocities};

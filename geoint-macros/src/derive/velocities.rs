@@ -134,7 +134,8 @@ fn velocity_stages(graph: &mut Graph, legendre: &Legendre) -> VelocityStages<Ker
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: None, others: None };
     let force = lagrangian::action_force(graph, given, *lagrangian);
     let stage = lagrangian::action_stage(graph, given, *lagrangian);
-    let varying = analyze::reads(graph, force[momenta.len()]).state();
+    let n = momenta.len();
+    let varying = analyze::acts_back(graph, force[n], force[..n].iter().chain(momenta).copied());
     let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
     VelocityStages {
         varying,

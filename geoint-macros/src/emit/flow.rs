@@ -1,7 +1,8 @@
 //! What flows offer beside the common part: their field, and what they keep.
 
 use super::kernel::{Context, write};
-use super::system::{keeps_energy, self_type};
+use super::structure::self_type;
+use super::system::keeps_energy;
 use crate::derive::{Integrals, System};
 use crate::ir::Symbol;
 use crate::parse::Energy;

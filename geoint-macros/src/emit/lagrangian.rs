@@ -1,7 +1,7 @@
 //! From velocities to momenta and back: what a system has that was written as a Lagrangian.
 
 use super::kernel::{Context, write};
-use super::system::{self_type, state};
+use super::structure::{self_type, state};
 use crate::derive::Lagrangian;
 use crate::parse::Energy;
 use crate::schedule::Plan;
@@ -31,7 +31,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
     // The action, where there is one.
     let [takes, hands] = if form.has_action() { [quote!(, s: #float), quote!(, s)] } else { [quote!(), quote!()] };
     let given = if form.has_action() { quote!(&s) } else { quote!(&()) };
-    let from_positions = (!form.has_action() && context.energy.constraint.is_none()).then(|| {
+    let from_positions = (!form.has_action() && context.energy.options.constraint.is_none()).then(|| {
         quote! {
             /// The state at time `t` with position `now`, and the momentum that the implicit midpoint rule has there when a step of
             /// length `h` has led from `before` to `now`: what recursions of positions alone start with. Of order 2 in h.

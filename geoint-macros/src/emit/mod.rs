@@ -17,6 +17,7 @@ mod poles;
 pub(crate) mod report;
 mod straight_line;
 mod calls;
+mod structure;
 mod system;
 
 use crate::derive::{Bodies, Implicit, System};
@@ -49,7 +50,7 @@ fn checked(energy: &Energy) -> Option<TokenStream> {
         }
         _ => quote!(let _ = #expr;),
     });
-    let used = used.chain(energy.force.iter().map(|force| with_velocity(energy, force)));
+    let used = used.chain(energy.options.force.iter().map(|force| with_velocity(energy, force)));
     let statements: Vec<syn::Stmt> = used.map(|used| syn::parse_quote!(let _ = || { #used };)).collect();
     let some = !statements.is_empty();
     item.block.stmts.splice(0..0, statements);
@@ -71,7 +72,8 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
     let form = context.energy.form;
     let flow = form.is_flow().then(|| flow::inherent(context, system));
     let constrained = matches!(system.implicit, Implicit::Constrained(_));
-    let inherent = system::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
+    let inherent =
+        structure::inherent(context, (!form.is_flow() || system.value.is_some(), !constrained, flow), report);
     let space = system::phase_space(context, graph, system);
     let pieces = system.pieces.iter().map(|found| exact::pieces(context, graph, found));
     let flows = system.splitting.as_ref().map(|found| exact::splitting(context, graph, found));
@@ -91,7 +93,7 @@ pub(crate) fn items(context: &Context<'_>, graph: &Graph, system: &System<Plan>,
 
 /// The same of rigid bodies.
 pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodies<Plan>, report: &str) -> TokenStream {
-    let inherent = system::inherent(context, (true, true, None), report);
+    let inherent = structure::inherent(context, (true, true, None), report);
     let bodies = exact::bodies(context, graph, found);
     around(context, report, &quote!(#inherent #bodies))
 }
@@ -100,7 +102,7 @@ pub(crate) fn items_of_bodies(context: &Context<'_>, graph: &Graph, found: &Bodi
 fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) -> TokenStream {
     let docs = format!("\n# What was derived\n\n```text\n{report}```");
     let Energy { runtime, .. } = context.energy;
-    let (structure, assertions) = (system::structure(context, &docs), context.energy.outside.assertions());
+    let (structure, assertions) = (structure::structure(context, &docs), context.energy.options.outside.assertions());
     // The function is the source of all this, and the user need not call it.
     let used = (!attributes::expected_dead(context.energy)).then(|| {
         let function = &context.energy.item.sig.ident;

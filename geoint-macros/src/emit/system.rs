@@ -1,140 +1,14 @@
-//! The struct, and what every system offers: its energy, its gradient.
+//! What every system offers: its energy, its gradient.
 
-use super::attributes;
 use super::domain::domain;
 use super::kernel::{Context, write};
+use super::structure::{self_type, state};
 use crate::derive::{Implicit, Modified, System};
 use crate::ir::Graph;
-use crate::parse::{Energy, Form, Leaf, over_scalar};
+use crate::parse::{Energy, Form, over_scalar};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
-
-/// The generated struct: a field a parameter.
-pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
-    let energy = context.energy;
-    let (name, vis, float) = (&energy.name, &energy.item.vis, &energy.float);
-    // rustc asks the struct, not the field, whether the name of a field is as it should be.
-    let of_arguments = energy.parameters().flat_map(|parameter| attributes::repeated(&parameter.attributes));
-    let own: Vec<TokenStream> = attributes::repeated(&energy.item.attrs).chain(of_arguments).collect();
-    let scalar = format_ident!("R");
-    let fields: Vec<TokenStream> = energy
-        .parameters()
-        .map(|parameter| {
-            let (name, ty) = (&parameter.name, over_scalar(&parameter.ty, float, &scalar));
-            let doc = format!("The parameter `{name}` of the energy.");
-            quote!(#[doc = #doc] pub #name: #ty)
-        })
-        .collect();
-    // Quaternions are compared for scalars alone, which a derived comparison does not ask for.
-    let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
-        let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
-        quote! {
-            impl<R: #runtime::private::Real> ::core::cmp::PartialEq for #name<R> {
-                fn eq(&self, other: &Self) -> bool {
-                    #(self.#fields == other.#fields)&&*
-                }
-            }
-        }
-    });
-    let equal = compared.is_none().then(|| quote!(, ::core::cmp::PartialEq));
-    // Numbers are equal to numbers, but not all of them to themselves.
-    let derives = quote! {
-        #[allow(clippy::derive_partial_eq_without_eq, reason = "generated code")]
-        #[derive(::core::clone::Clone, ::core::marker::Copy, ::core::fmt::Debug #equal)]
-    };
-    if fields.is_empty() {
-        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name;)
-    } else {
-        quote!(#derives #(#own)* #[doc = #docs] #vis struct #name<R = #float> { #(#fields),* } #compared)
-    }
-}
-
-/// What users call, in the float type of the function: the traits are generic, and literals would leave their scalar
-/// open.
-pub(super) fn inherent(
-    context: &Context<'_>,
-    (energy, rates, flow): (bool, bool, Option<TokenStream>),
-    report: &str,
-) -> TokenStream {
-    let Energy { name, float, .. } = context.energy;
-    let state = state_type(context, |ty| quote!(#ty));
-    let energy = energy.then(|| {
-        quote! {
-            /// The energy of a state.
-            pub fn energy(&self, state: &#state) -> #float {
-                PhaseSpace::energy(self, state)
-            }
-        }
-    });
-    // An adaptive run guesses its first step from rates.
-    let adaptive = rates.then(|| {
-        quote! {
-            /// This system under a method with steps as long as the tolerance of a step's error allows, from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn adaptive<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                tolerance: f64,
-                state: #state,
-            ) -> <P as ProofAnd<Adaptive<Self, M, #float>>>::Both {
-                Adaptive::new(self, method, tolerance, state)
-            }
-        }
-    });
-    quote! {
-        impl #name {
-            /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
-            /// skipped and why.
-            pub const REPORT: &'static str = #report;
-
-            #energy
-            #flow
-
-            /// This system under a method, with step size `h` (negative to go back in time), from `state` on.
-            ///
-            /// Nothing is checked yet: an unusable `h` or state is reported by the first step.
-            pub fn integrator<M: Method<Self, #float, Proof = P>, P>(
-                self,
-                method: M,
-                h: #float,
-                state: #state,
-            ) -> <P as ProofAnd<Integrator<Self, M, #float>>>::Both {
-                Integrator::new(self, method, h, state)
-            }
-
-            #adaptive
-        }
-    }
-}
-
-/// The type of states.
-pub(super) fn state(form: Form) -> TokenStream {
-    match form {
-        Form::Hamiltonian | Form::Lagrangian => quote!(State),
-        Form::Bodies => quote!(BodyState),
-        Form::Contact | Form::Herglotz => quote!(ContactState),
-        Form::Structured | Form::Field | Form::FirstOrder => quote!(FlowState),
-    }
-}
-
-/// The same with the types of its coordinates.
-pub(super) fn state_type(context: &Context<'_>, ty: impl Fn(&syn::Type) -> TokenStream) -> TokenStream {
-    let Energy { form, coordinates, .. } = context.energy;
-    let (state, coordinates) = (state(*form), ty(&coordinates.ty));
-    let centres = (*form == Form::Bodies).then(|| context.energy.centres()).flatten().map(ty);
-    match centres {
-        Some(centres) => quote!(#state<#coordinates, #centres>),
-        None => quote!(#state<#coordinates>),
-    }
-}
-
-/// `Name<R>`, or `Name` if there are no parameters.
-pub(super) fn self_type(context: &Context<'_>) -> TokenStream {
-    let name = &context.energy.name;
-    if context.energy.parameters().next().is_some() { quote!(#name<R>) } else { quote!(#name) }
-}
 
 /// The energy with its gradient and where it is defined, and the traits of what was proven.
 pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {

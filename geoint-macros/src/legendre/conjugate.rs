@@ -1,7 +1,9 @@
 //! Conjugates in closed form: the energy T(p) that belongs to a term K(v) which is not quadratic.
 
+use super::at_rest;
+use super::mass::is_velocity;
 use super::quadratic;
-use super::{at_rest, is_velocity, reduced};
+use super::quadratic::reduced;
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};

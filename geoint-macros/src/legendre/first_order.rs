@@ -4,7 +4,8 @@
 //! Where Ω vanishes on half of the coordinates, y, there is a function f of which ϑ + ∇f has no entry in y: then the other half, x, with
 //! P = ϑₓ + ∂f/∂x are canonical coordinates.
 
-use super::{at_points, at_rest, blocks, invariant};
+use super::mass::blocks;
+use super::{at_points, at_rest, invariant};
 use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
 use crate::diff;

@@ -1,6 +1,7 @@
 //! Rayleigh's dissipation function R(q, v, t): the force −∂R/∂v, which is damping −Cv with C = ∂²R/∂v² where R is a quadratic form.
 
-use super::{Legendre, at_rest, is_velocity, masses};
+use super::mass::{is_velocity, masses};
+use super::{Legendre, at_rest};
 use crate::analyze;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};

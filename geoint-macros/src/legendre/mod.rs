@@ -7,14 +7,17 @@ mod conjugate;
 mod first_order;
 mod friction;
 mod invariant;
+mod mass;
+mod parts;
 mod quadratic;
 
 use crate::analyze;
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Partial, Symbol};
+use crate::ir::{Graph, Id, Partial, Symbol};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
+use parts::Parts;
 
 /// What belongs to a Lagrangian.
 #[derive(Debug)]
@@ -84,10 +87,6 @@ pub(crate) enum Flaw {
     NotClosed(Vec<u32>, Id),
 }
 
-/// From so many velocities on that a full mass matrix couples, H costs more than L with its velocities as unknowns: twice as much with 3,
-/// five times with 6.
-const FULL: usize = 3;
-
 /// From what steps are derived, and what was found on the way. `closed` asks for H.
 pub(crate) fn transform(
     graph: &mut Graph,
@@ -97,15 +96,15 @@ pub(crate) fn transform(
 ) -> Result<Legendre, Flaw> {
     let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
-    let mass = masses(graph, &momenta, &symbols);
-    regular(graph, &momenta, &mass)?;
-    let simple = simplified(graph, &mass);
-    regular(graph, &momenta, &simple)?;
+    let mass = mass::masses(graph, &momenta, &symbols);
+    mass::regular(graph, &momenta, &mass)?;
+    let simple = mass::simplified(graph, &mass);
+    mass::regular(graph, &momenta, &simple)?;
     let shift: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
 
     // What is divided by here must not vanish either.
     graph.take_partial();
-    let Parts { parts, kinetic, potential, long } = self::parts(graph, lagrangian, (&simple, &shift))?;
+    let Parts { parts, kinetic, potential, long } = parts::parts(graph, lagrangian, (&simple, &shift))?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();
@@ -118,7 +117,7 @@ pub(crate) fn transform(
         return Err(Flaw::NotClosed(velocities.clone(), term));
     }
     // What is free of the state is; the rest of M goes best with the terms of L, which share its functions.
-    let mass = choose(graph, &simple, &mass);
+    let mass = mass::choose(graph, &simple, &mass);
     let (route, partial) = match open.map(|(_, term)| term).or(long).filter(|_| !closed) {
         Some(long) => (Route::Velocities(long), at_points(graph, written)),
         None => {
@@ -131,7 +130,7 @@ pub(crate) fn transform(
             (Route::Energy(energy, velocities), partial)
         }
     };
-    let concave = is_negative(graph, &mass);
+    let concave = mass::is_negative(graph, &mass);
     let gauge = gauge(graph, &shift);
     Ok(Legendre {
         lagrangian,
@@ -161,138 +160,12 @@ fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
     found.ok().map(|(gauge, _)| gauge)
 }
 
-/// Whether a diagonal matrix is known to be negative definite.
-fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
-    (0..mass.len()).all(|i| {
-        let opposite = graph.neg(mass[i][i]);
-        (0..mass.len()).all(|j| i == j || graph.is_zero(mass[i][j])) && analyze::is_positive(graph, opposite)
-    })
-}
-
-/// M without coordinates on which its entries do not depend.
-fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
-    let mut simple = mass.to_vec();
-    for i in 0..mass.len() {
-        for j in 0..=i {
-            let entry =
-                if analyze::reads(graph, mass[i][j]).v { mass[i][j] } else { invariant::simplified(graph, mass[i][j]) };
-            (simple[i][j], simple[j][i]) = (entry, entry);
-        }
-    }
-    simple
-}
-
-/// Entries of the first matrix where they read no state, else of the second.
-fn choose(graph: &Graph, simple: &[Vec<Id>], written: &[Vec<Id>]) -> Vec<Vec<Id>> {
-    let entry = |(simple, written): (&Id, &Id)| if analyze::reads(graph, *simple).state() { *written } else { *simple };
-    simple.iter().zip(written).map(|(simple, written)| simple.iter().zip(written).map(entry).collect()).collect()
-}
-
-/// L taken apart.
-struct Parts {
-    parts: Vec<Part>,
-    /// What is known of H in the momenta.
-    kinetic: Id,
-    potential: Id,
-    /// An entry of M for which H would be long.
-    long: Option<Id>,
-}
-
-fn parts(graph: &mut Graph, lagrangian: Id, (mass, shift): (&[Vec<Id>], &[Id])) -> Result<Parts, Flaw> {
-    let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
-    let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
-    for velocities in blocks(graph, mass) {
-        let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
-        let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&mass[*i as usize])).collect();
-        if block.iter().flatten().any(|entry| analyze::reads(graph, *entry).v) {
-            others.push(velocities);
-            continue;
-        }
-        let shift = picked(shift);
-        let reduced = reduced(graph, &velocities, &shift);
-        match quadratic::inverse_form(graph, &block, &reduced) {
-            Ok(mut form) => squares.append(&mut form),
-            Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
-            Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
-        }
-        if block.len() >= FULL {
-            long = long.or_else(|| block.iter().flatten().copied().find(|entry| moves(graph, *entry)));
-        }
-        rest = at_rest(graph, rest, |i| velocities.contains(&i));
-        parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
-    }
-    let squares = quadratic::sum(graph, &squares);
-    kinetic.push(graph.scale(Number::HALF, squares));
-    let conjugates = !others.is_empty();
-    for velocities in others {
-        let alone = at_rest(graph, rest, |i| !velocities.contains(&i));
-        let found = match conjugate::of(graph, alone, &velocities) {
-            Some(conjugate::Conjugate { term, energy, rule }) => {
-                kinetic.push(energy);
-                Kinetic::Conjugate { term, rule }
-            }
-            None => {
-                let picked = |i: &u32| velocities.iter().map(|j| mass[*i as usize][*j as usize]).collect();
-                let block: Vec<Vec<Id>> = velocities.iter().map(picked).collect();
-                let none = graph.zero();
-                let momenta = reduced(graph, &velocities, &vec![none; block.len()]);
-                if let Err(quadratic::NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta)
-                {
-                    return Err(singular(graph, velocities, combination));
-                }
-                Kinetic::Open(alone)
-            }
-        };
-        parts.push(Part { velocities, kinetic: found });
-    }
-    // What has a conjugate goes with its velocities.
-    if conjugates {
-        let mut still = conjugate::terms(graph, rest);
-        still.retain(|term| !analyze::reads(graph, *term).v);
-        rest = graph.sum(&still);
-    }
-    parts.sort_by_key(|part| part.velocities[0]);
-    let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));
-    Ok(Parts { parts, kinetic, potential, long })
-}
-
-/// w·p = 0 at every state says that wᵀM = 0.
-fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
-    let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
-    let direction = diff::jacobian(graph, &[combination], &momenta).concat();
-    Flaw::Singular(velocities, direction)
-}
-
-/// Whether a node reads the state or time.
-fn moves(graph: &Graph, id: Id) -> bool {
-    let reads = analyze::reads(graph, id);
-    reads.state() || reads.t
-}
-
 /// What of L, or of a force, is not defined everywhere and can be looked at without velocities.
 pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
-    let still = |id: &Id| !analyze::reads(graph, *id).v;
+    let free = |id: &Id| !analyze::reads(graph, *id).v;
     let mut partial = written.to_vec();
-    partial.retain(|Partial { node, condition }| still(node) && condition.iter().all(still));
+    partial.retain(|Partial { node, condition }| free(node) && condition.iter().all(free));
     partial
-}
-
-/// ∂²L/∂v², of equal entries one; free of v where it can be.
-fn masses(graph: &mut Graph, momenta: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
-    let mut mass = diff::jacobian(graph, momenta, symbols);
-    let affine = |graph: &Graph, momentum: Id| analyze::is_polynomial_in(graph, &[momentum], 1, is_velocity);
-    for i in 0..mass.len() {
-        for j in 0..=i {
-            // A constant may have been written with velocities in it.
-            let entry = if affine(graph, momenta[i]) { at_rest(graph, mass[i][j], |_| true) } else { mass[i][j] };
-            (mass[i][j], mass[j][i]) = (entry, entry);
-        }
-    }
-    mass
-}
-
-fn is_velocity(symbol: Symbol) -> bool {
-    matches!(symbol, Symbol::V(_))
 }
 
 /// A node for some velocities zero.
@@ -302,45 +175,6 @@ fn at_rest(graph: &mut Graph, node: Id, which: impl Fn(u32) -> bool) -> Id {
         _ => None,
     };
     Substitution::new(zero).apply(graph, node)
-}
-
-/// p − a for the velocities of a part.
-fn reduced(graph: &mut Graph, velocities: &[u32], shift: &[Id]) -> Vec<Id> {
-    let mut momentum = |(i, a): (&u32, &Id)| {
-        let p = graph.symbol(Symbol::P(*i));
-        graph.sub(p, *a)
-    };
-    velocities.iter().zip(shift).map(&mut momentum).collect()
-}
-
-/// Refuses a Lagrangian some of whose velocities have no inertia.
-fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result<(), Flaw> {
-    let massless = |i: &usize| mass[*i].iter().all(|entry| graph.is_zero(*entry));
-    let all: Vec<usize> = (0..mass.len()).filter(massless).collect();
-    let Some(first) = all.first() else { return Ok(()) };
-    if all.len() == mass.len() && momenta.iter().any(|momentum| !graph.is_zero(*momentum)) {
-        return Err(Flaw::Linear(momenta.to_vec()));
-    }
-    if let Some(unread) = all.iter().find(|i| graph.is_zero(momenta[**i])) {
-        return Err(Flaw::Unread(*unread as u32));
-    }
-    Err(Flaw::LinearIn(*first as u32, momenta[*first]))
-}
-
-/// The velocities that entries of M couple, directly or by others.
-fn blocks(graph: &Graph, mass: &[Vec<Id>]) -> Vec<Vec<u32>> {
-    let mut blocks: Vec<Vec<u32>> = vec![];
-    for i in 0..mass.len() {
-        let coupled = |block: &Vec<u32>| block.iter().any(|j| !graph.is_zero(mass[i][*j as usize]));
-        let (mine, others): (Vec<_>, Vec<_>) = blocks.into_iter().partition(coupled);
-        blocks = others;
-        let mut block = mine.concat();
-        block.push(i as u32);
-        block.sort_unstable();
-        blocks.push(block);
-    }
-    blocks.sort();
-    blocks
 }
 
 /// What of L is not defined everywhere, at the velocities that belong to momenta. Terms with a conjugate are defined for all of theirs.

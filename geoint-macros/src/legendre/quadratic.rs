@@ -1,7 +1,7 @@
 //! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
 
 use crate::analyze;
-use crate::ir::{Graph, Id, Ratio};
+use crate::ir::{Graph, Id, Ratio, Symbol};
 
 /// A square, and what divides it.
 pub(super) type Square = (Id, Id);
@@ -71,4 +71,13 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
     }
     let mut entries = left.iter().flat_map(|i| left.iter().map(|j| mass[*i][*j]));
     Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular(y[left[0]]), NoForm::NoPivot))
+}
+
+/// p − a for the velocities of a part.
+pub(super) fn reduced(graph: &mut Graph, velocities: &[u32], shift: &[Id]) -> Vec<Id> {
+    let mut momentum = |(i, a): (&u32, &Id)| {
+        let p = graph.symbol(Symbol::P(*i));
+        graph.sub(p, *a)
+    };
+    velocities.iter().zip(shift).map(&mut momentum).collect()
 }

@@ -97,7 +97,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     let mut lowering = Lowering {
         graph: Graph::default(),
         errors: Diagnostics::default(),
-        scopes: Scopes::of_file(&energy.outside, &energy.functions),
+        scopes: Scopes::of_file(&energy.options.outside, &energy.functions),
         places: HashMap::new(),
         constants: vec![],
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
@@ -126,18 +126,20 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
     };
     // Damping, pieces and whatever else an attribute says see the arguments as they were given.
     lowering.scopes = arguments;
-    let damping = energy.damping.as_ref().map(|expr| lowering.damping(expr, shape));
+    let damping = energy.options.damping.as_ref().map(|expr| lowering.damping(expr, shape));
     let x: Vec<Id> = (0..energy.degrees()).map(|i| lowering.graph.symbol(Symbol::Q(i))).collect();
-    let structure = energy.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
-    let keeps = energy.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
+    let structure =
+        energy.options.structure.as_ref().map_or_else(Skew::none, |form| lowering.structure(form, &x, shape));
+    let keeps = energy.options.keeps.iter().map(|kept| lowering.integral(kept, shape)).collect();
     let number = |lowering: &mut Lowering, expr: &syn::Expr| {
         let value = lowering.expr(expr);
         (lowering.real(expr, value), place(expr))
     };
-    let groups = energy.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
-    let rayleigh = energy.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
-    let force = energy.force.as_ref().map(|expr| lowering.force(expr, energy));
-    let constraints = energy.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
+    let groups =
+        energy.options.split.as_ref().map(|split| split.iter().map(|expr| number(&mut lowering, expr)).collect());
+    let rayleigh = energy.options.rayleigh.as_ref().map(|expr| number(&mut lowering, expr));
+    let force = energy.options.force.as_ref().map(|expr| lowering.force(expr, energy));
+    let constraints = energy.options.constraint.as_ref().map_or_else(Vec::new, |expr| lowering.constraints(expr));
     lowering.note_partial();
     let Lowering { mut graph, errors, places, partial, constants, .. } = lowering;
     graph.stop_recording();

@@ -12,7 +12,7 @@ pub(super) fn report(energy: &Energy, errors: &mut Diagnostics) {
     let float = &energy.float;
     let mut unseen = Unseen { other: if float == "f64" { "f32" } else { "f64" }, float, errors };
     unseen.visit_block(&energy.item.block);
-    energy.expressions().chain(&energy.force).for_each(|expr| unseen.visit_expr(expr));
+    energy.expressions().chain(&energy.options.force).for_each(|expr| unseen.visit_expr(expr));
     functions(&mut unseen, &energy.functions);
 }
 

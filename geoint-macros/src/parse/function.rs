@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use std::rc::Rc;
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{ItemFn, Path, Token, braced};
+use syn::{ItemFn, Path, braced};
 
 /// A function under an attribute, with the functions that the attribute names, as far as they are there.
 ///
@@ -64,7 +64,7 @@ pub(crate) struct Function {
 pub(crate) fn function_options(args: TokenStream) -> Result<FunctionOptions> {
     let options = (|input: ParseStream<'_>| Options::parse(None, input)).parse2(args)?;
     let Options { runtime, with, outside, .. } = options;
-    Ok(FunctionOptions { runtime: super::runtime::path_or(runtime), with, outside: Rc::new(outside) })
+    Ok(FunctionOptions { runtime: super::runtime::path_or(runtime), with, outside })
 }
 
 /// Refuses what is no plain function. (The rest is looked at where it is used.)
@@ -102,12 +102,4 @@ fn is_ours(path: &Path) -> bool {
 /// A path as one writes it.
 pub(crate) fn plain_path(path: &Path) -> String {
     path.to_token_stream().to_string().replace(' ', "")
-}
-
-/// `with(f, module::g)`, behind the name.
-pub(super) fn with(input: ParseStream<'_>) -> syn::Result<Vec<Path>> {
-    let inner;
-    syn::parenthesized!(inner in input);
-    let paths = inner.parse_terminated(Path::parse_mod_style, Token![,])?;
-    Ok(paths.into_iter().collect())
 }

@@ -1,32 +1,35 @@
 //! Arguments and signature: who is q, p and t, who is a parameter, in which shape.
 
 mod arguments;
+mod coordinates;
 mod function;
 mod flow;
+mod keys;
 mod names;
 mod options;
 mod outside;
 mod runtime;
 mod shape;
 mod signature;
+mod values;
 
 pub(crate) use flow::{Kept, StructureForm, StructureKind};
 pub(crate) use function::{Function, Source, energy_function, function_options, plain_path};
 pub(crate) use names::IMPORTED;
-pub(crate) use options::{Coordinates, Requirement};
+pub(crate) use options::Options;
 pub(crate) use outside::Outside;
 pub(crate) use shape::{Leaf, Shape, over_scalar};
+pub(crate) use values::{Coordinates, Requirement};
 
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::Symbol;
-use arguments::{arguments, coordinates};
+use arguments::arguments;
+use coordinates::coordinates;
 use names::{camel_case, is_taken};
-use options::Options;
-use proc_macro2::{Ident, Span, TokenStream, TokenTree};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use signature::{plain_function, returned_float, returns_shape_of};
-use std::rc::Rc;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Expr, ItemFn, Path, Type};
+use syn::{Attribute, Expr, ItemFn, Type};
 
 /// What kind of system an attribute makes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -91,30 +94,9 @@ pub(crate) struct Energy {
     pub(crate) coordinates: Argument,
     /// All arguments in the order of the signature.
     pub(crate) arguments: Vec<(Role, Argument)>,
-    pub(crate) requirements: Vec<(Requirement, Span)>,
-    /// The coefficients of damping, in terms of the arguments.
-    pub(crate) damping: Option<syn::Expr>,
-    /// Rayleigh's dissipation function R of a Lagrangian, in terms of the arguments.
-    pub(crate) rayleigh: Option<syn::Expr>,
-    /// F of a force that is added, in terms of the arguments.
-    pub(crate) force: Option<syn::Expr>,
-    /// The functions of positions that are kept at zero, in terms of the arguments.
-    pub(crate) constraint: Option<syn::Expr>,
-    /// The coordinates in which methods move bodies.
-    pub(crate) inner: Option<(Coordinates, Span)>,
-    /// How an energy is to be split into pieces, in terms of the arguments.
-    pub(crate) split: Option<Vec<syn::Expr>>,
-    /// S of x' = S(x) ∇H, in terms of the arguments.
-    pub(crate) structure: Option<StructureForm>,
-    /// What a vector field keeps, in terms of the arguments.
-    pub(crate) keeps: Vec<Kept>,
-    /// Whether momenta of a contact Hamiltonian are not followed.
-    pub(crate) lift: Option<Span>,
-    /// Constants and aliases of the file.
-    pub(crate) outside: Rc<Outside>,
-    /// Functions under `#[energy_function]` that the attribute names.
-    pub(crate) with: Vec<Path>,
-    /// Those of them that are there.
+    /// What else the attribute says.
+    pub(crate) options: Options,
+    /// The functions that it names, as far as they are there.
     pub(crate) functions: Vec<Function>,
 }
 
@@ -146,7 +128,7 @@ pub(crate) struct Argument {
 impl Energy {
     /// The same with the functions that it names, as far as they have been handed on.
     pub(crate) fn with_functions(self, used: &[TokenStream]) -> Result<Energy> {
-        Ok(Energy { functions: function::functions(&self.with, used)?, ..self })
+        Ok(Energy { functions: function::functions(&self.options.with, used)?, ..self })
     }
 
     pub(crate) fn parameters(&self) -> impl Iterator<Item = &Argument> {
@@ -173,9 +155,10 @@ impl Energy {
 
     /// Expressions of the attribute in the language of the body.
     pub(crate) fn expressions(&self) -> impl Iterator<Item = &Expr> {
-        let structure = self.structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
-        let kept = self.keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
-        self.damping.iter().chain(&self.rayleigh).chain(&self.constraint).chain(structure).chain(kept)
+        let Options { damping, rayleigh, constraint, structure, keeps, .. } = &self.options;
+        let structure = structure.iter().filter(|form| form.is_expression()).map(|form| &form.expr);
+        let kept = keeps.iter().flat_map(|kept| [Some(&kept.value), kept.but.as_ref()].into_iter().flatten());
+        damping.iter().chain(rayleigh).chain(constraint).chain(structure).chain(kept)
     }
 
     /// All scalars of an argument as symbols; parameters are numbered through.
@@ -247,56 +230,20 @@ pub(crate) fn energy(form: Form, args: TokenStream, item: ItemFn) -> Result<Ener
         returns_shape_of(x, &item, &options.outside, &float, &mut errors);
     }
     flow::names(&options.keeps, &mut errors);
-    let name = options.name.unwrap_or_else(|| camel_case(&item.sig.ident));
+    let name = options.name.clone().unwrap_or_else(|| camel_case(&item.sig.ident));
     if name == "R" {
         errors.at(&name, "`R` is the scalar of generated code; give the struct another name: `name = …`");
     }
     if is_taken(&name) {
         errors.at(&name, format!("`{name}` is a name of generated code; give the struct another one: `name = …`"));
     }
-    let runtime = runtime::path_or(options.runtime);
+    let runtime = runtime::path_or(options.runtime.clone());
     if arguments.iter().all(|(role, _)| *role != Role::Parameter) && name == item.sig.ident {
         errors.at(&item.sig.ident, "the generated struct would have the name of the function; give it one: `name = …`");
     }
     match coordinates {
         Some(coordinates) => {
-            let Options {
-                requirements,
-                damping,
-                rayleigh,
-                force,
-                constraint,
-                structure,
-                keeps,
-                split,
-                coordinates: inner,
-                lift,
-                outside,
-                with,
-                ..
-            } = options;
-            errors.or(Energy {
-                form,
-                name,
-                runtime,
-                float,
-                coordinates,
-                arguments,
-                requirements,
-                damping,
-                rayleigh,
-                force,
-                constraint,
-                structure,
-                keeps,
-                inner,
-                split,
-                lift,
-                outside: Rc::new(outside),
-                with,
-                functions: vec![],
-                item,
-            })
+            errors.or(Energy { form, item, name, runtime, float, coordinates, arguments, options, functions: vec![] })
         }
         None => Err(errors),
     }

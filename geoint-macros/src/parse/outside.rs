@@ -10,12 +10,13 @@ use syn::spanned::Spanned;
 use syn::{Expr, ExprLit, GenericArgument, Lit, PathArguments, Token, Type};
 
 /// Constants and aliases that live outside of the function.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Outside {
     constants: Vec<Constant>,
     aliases: Vec<Alias>,
 }
 
+#[derive(Clone)]
 struct Constant {
     name: Ident,
     /// As it is written.
@@ -23,6 +24,7 @@ struct Constant {
     value: i128,
 }
 
+#[derive(Clone)]
 struct Alias {
     name: Ident,
     ty: Type,

@@ -93,13 +93,13 @@ pub fn separable<S: Separable<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
 
 /// Methods that need a quadratic T with a constant mass matrix.
 pub fn quadratic_kinetic<S: QuadraticKinetic<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
-    show!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8);
+    show!(visitor: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8);
 }
 
 /// Methods that kick with force gradients.
 pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: TakahashiImada2, Chin4A, Chin4B, Chin4C, Chin4D);
-    show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP);
+    show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP);
 }
 
 /// Methods for H = A + B, an exact flow and a kick.

@@ -135,6 +135,10 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// The memory before the first step.
     fn memory() -> Self::Memory;
 
+    /// Improves the next initial guess by what those of the two substeps before have missed, where this method is composed.
+    #[inline(always)]
+    fn follow(_memory: &mut Self::Memory, _before: [Earlier<'_, Self::Memory, R>; 2]) {}
+
     /// Whether a step does not end in a finite state where the energy is not defined.
     #[inline(always)]
     fn shows(_prepared: &Self::Prepared) -> bool {
@@ -193,6 +197,29 @@ pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summatio
     step.x.s = inner.s;
     step.x.doubtful |= inner.doubtful;
     Ok(())
+}
+
+/// A substep before the one that is about to be taken.
+#[derive(Clone, Copy, Debug)]
+pub struct Earlier<'a, M, R> {
+    /// What it has handed on.
+    pub memory: &'a M,
+    /// With these weights what is known of two of them is extrapolated in time.
+    pub weight: R,
+    /// The length of the next substep over that of this one.
+    pub ratio: R,
+}
+
+impl<'a, M, R: Real> Earlier<'a, M, R> {
+    /// For unknowns that are derivatives.
+    pub(crate) fn of_rates<N>(self, part: impl FnOnce(&'a M) -> &'a N) -> (R, &'a N) {
+        (self.weight, part(self.memory))
+    }
+
+    /// For unknowns that are increments.
+    pub(crate) fn of_increments<N>(self, part: impl FnOnce(&'a M) -> &'a N) -> (R, &'a N) {
+        (self.weight * self.ratio, part(self.memory))
+    }
 }
 
 /// Both of two proofs: known where both are.

@@ -2,6 +2,8 @@
 //!
 //! The references are Taylor series of order 40 in arithmetic of 220 bits; the free body agrees with Jacobi's elliptic functions.
 
+mod drifts;
+mod orders;
 mod centres;
 mod symmetric;
 
@@ -103,173 +105,6 @@ fn end<M: Method<HeavyBody, Proof = ()>>(
     sim.state()
 }
 
-/// Errors of the heavy body at t = 5 with n, 2n, … steps.
-fn row<M: Method<HeavyBody, Proof = ()>>(method: M, n: u64, expected: &[f64], order: f64) {
-    let name = method.name();
-    let errors: Vec<f64> = (0..expected.len()).map(|i| error(&end(heavy(), method, 5.0, n << i), HEAVY)).collect();
-    println!("{name:20} {errors:?}");
-    for (error, expected) in errors.iter().zip(expected) {
-        // The smallest errors are rounding for the most part.
-        let tolerance = if *expected < 2e-12 { 0.2 } else { 0.02 };
-        assert!((error / expected - 1.0).abs() < tolerance, "{name}: {errors:?}, expected {expected:.3e}");
-    }
-    let found = (errors[errors.len() - 2] / errors[errors.len() - 1]).log2();
-    let tolerance = if errors[errors.len() - 1] < 2e-12 { 0.15 } else { 0.05 };
-    assert!((found - order).abs() < tolerance, "{name}: order {found:.3}");
-}
-
-#[test]
-fn every_kind_of_table_has_its_order() {
-    row(StormerVerlet, 25, &[7.464e-3, 1.865e-3, 4.663e-4], 2.0);
-    row(FiveRotations, 25, &[1.147e-2, 2.895e-3, 7.253e-4], 2.0);
-    row(BlanesMoan4, 25, &[2.964e-7, 1.849e-8, 1.155e-9], 4.0);
-    row(BlanesMoanSrkn6b, 25, &[3.162e-8, 2.249e-9, 1.449e-10], 3.96);
-    row(Chin4A, 25, &[5.446e-6, 3.370e-7, 2.101e-8], 4.0);
-    row(BlanesMoanSrkn11b, 20, &[8.625e-10, 1.343e-11], 6.01);
-    row(BlanesMoanSrkn14a, 20, &[3.327e-11, 6.1e-13], 5.85);
-    row(BceRkn17_8, 10, &[2.248e-9, 9.476e-12], 7.89);
-    assert!(error(&end(heavy(), BlanesMoanSrkn14a, 5.0, 20), HEAVY) <= 4e-11);
-}
-
-/// All methods of the catalogue that need kicks and drifts alone: the order that they claim, from steps of which the error is no rounding.
-///
-/// The second part is the solution at t = 2.
-struct Orders(Vec<String>, BodyState<UnitQuaternion<f64>>);
-
-impl Visitor<HeavyBody> for Orders {
-    fn visit<M: Method<HeavyBody> + 'static>(&mut self, method: M) {
-        let claimed = method.claims().order;
-        let errors = |n: u64| {
-            let mut sim = Integrator::new(heavy(), method, 2.0 / n as f64, start());
-            sim.advance(n).unwrap();
-            let coarse = sim.state();
-            (coarse.m - self.1.m).amax().max((coarse.r.coords - self.1.r.coords).amax())
-        };
-        let steps = [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256];
-        // The last pair above rounding: the order is that of short steps.
-        let mut order = 0.0;
-        for pair in steps.windows(2) {
-            let (coarse, fine) = (errors(pair[0]), errors(pair[1]));
-            if fine < 1e-12 {
-                break;
-            }
-            order = (coarse / fine).ln() / (pair[1] as f64 / pair[0] as f64).ln();
-        }
-        println!("{:20} {claimed} {order:.2}", method.name());
-        if order < f64::from(claimed) - 0.35 {
-            self.0.push(format!("{}: order {order:.2}", method.name()));
-        }
-    }
-}
-
-#[test]
-fn every_table_of_the_catalogue_has_its_order() {
-    let mut orders = Orders(vec![], end(heavy(), BlanesMoanSrkn14a, 2.0, 200));
-    catalogue::separable(&mut orders);
-    catalogue::quadratic_kinetic(&mut orders);
-    catalogue::force_gradient(&mut orders);
-    catalogue::principal_axes(&mut orders);
-    assert!(orders.0.is_empty(), "{:#?}", orders.0);
-}
-
-/// The control: rotations in place of the exact drift have order 2 in a table of order 4.
-#[test]
-fn five_rotations_would_cost_a_table_its_order() {
-    let system = heavy();
-    let error_with = |n: u64, rotations: bool| {
-        let (table, h) = (&BlanesMoan4, 5.0 / n as f64);
-        let (outer, last, inner) = table.coefficients();
-        let (_, [mut r, mut m], ()) = geoint_runtime::space::Snapshot::parts(start());
-        let kick = |w: f64, r: &mut [[f64; 4]; 1], m: &mut [[f64; 4]; 1]| {
-            system.kick(&Separable::prepare_kick(&system, w * h), 0.0, r, m, &mut ());
-        };
-        for _ in 0..n {
-            for (outer, inner) in outer.iter().zip(inner) {
-                kick(*outer, &mut r, &mut m);
-                let drift = Separable::prepare_drift(&system, inner * h);
-                if rotations {
-                    system.rotate(&drift, &mut r, &mut m);
-                } else {
-                    system.drift(&drift, 0.0, &mut r, &mut m, &mut ());
-                }
-            }
-            kick(last, &mut r, &mut m);
-        }
-        error(&geoint_runtime::space::Snapshot::of(5.0, [r, m], ()), HEAVY)
-    };
-    for (rotations, expected) in [(false, [2.964e-7, 1.849e-8, 1.155e-9]), (true, [7.3e-4, 1.8e-4, 4.6e-5])] {
-        let errors = [25, 50, 100].map(|n| error_with(n, rotations));
-        println!("{rotations} {errors:?}");
-        for (error, expected) in errors.iter().zip(expected) {
-            assert!((error / expected - 1.0).abs() < 0.03, "{errors:?}");
-        }
-        let order = (errors[1] / errors[2]).log2();
-        assert!((order - if rotations { 2.0 } else { 4.0 }).abs() < 0.05, "order {order:.3}");
-    }
-}
-
-#[test]
-fn a_drift_is_the_flow_of_a_free_body() {
-    // In steps of every length: series of 12, 14, 18 terms, and parts.
-    for n in [1000, 200, 100, 50, 25, 10, 1] {
-        let error = error(&end(free(), StormerVerlet, 10.0, n), FREE);
-        println!("{n:5} {error:.1e}");
-        assert!(error < 2e-14, "{n} steps: {error:.1e}");
-    }
-}
-
-#[test]
-fn a_free_body_keeps_its_energy_and_its_momentum() {
-    for h in [0.1, 0.2] {
-        let mut sim = free().integrator(StormerVerlet, h, start());
-        let (energy, momentum) = (sim.energy(), sim.state().r * sim.state().m);
-        let mut largest = [0.0_f64; 4];
-        for _ in 0..100 {
-            sim.advance(1000).unwrap();
-            let state = sim.state();
-            let squared = state.m.norm_squared() / M0.norm_squared() - 1.0;
-            let found = [
-                sim.energy() / energy - 1.0,
-                squared,
-                (state.r * state.m - momentum).amax(),
-                state.r.into_inner().norm() - 1.0,
-            ];
-            largest = std::array::from_fn(|i| largest[i].max(found[i].abs()));
-        }
-        println!("{h} {largest:?}");
-        assert!(largest[0] < 1e-13 && largest[1] < 1e-13 && largest[2] < 2e-13 && largest[3] < 1e-14, "{largest:?}");
-    }
-}
-
-/// On the separatrix of Euler's equations, with two equal moments, and with J far from that of any body made of masses.
-#[test]
-fn a_drift_serves_every_inertia_and_every_motion() {
-    let separatrix = Vector3::new((1.0_f64 / 3.0).sqrt(), 0.0, 1.0);
-    let cases = [
-        ([1.0, 2.0, 3.0], separatrix),
-        ([2.0, 2.0, 1.0], M0),
-        ([1.5; 3], M0),
-        ([1.0, 2.0, 0.01], Vector3::new(0.7, 0.4, 0.01)),
-        ([1.0, 2.0, 3.0], Vector3::new(0.0, 1.7, 1e-9)),
-        ([1.0, 2.0, 3.0], Vector3::zeros()),
-    ];
-    for (inertia, m) in cases {
-        let state = BodyState::new(UnitQuaternion::identity(), m);
-        let system = HeavyBody { inertia, c: Vector3::zeros() };
-        let end = |h: f64, n: u64| {
-            let mut sim = system.integrator(StormerVerlet, h, state);
-            sim.advance(n).unwrap();
-            sim.state()
-        };
-        let (whole, parts) = (end(3.0, 1), end(3.0 / 512.0, 512));
-        let gap = (whole.m - parts.m).amax().max((whole.r.coords - parts.r.coords).amax());
-        println!("{inertia:?} {gap:.1e}");
-        assert!(gap < 3e-14, "{inertia:?}: {gap:.1e}");
-        let energy = |state| system.energy(&state);
-        assert!((energy(whole) - energy(state)).abs() <= 1e-14 * energy(state), "{inertia:?}");
-    }
-}
-
 #[test]
 fn the_frame_of_a_body_is_free() {
     // Turned by `frame`, with m and c turned back: the same body.
@@ -330,32 +165,6 @@ fn kicks_are_the_torques_of_the_field() {
     for i in 0..2 {
         assert!((a.m[i] - b.m[i]).amax() < 1e-8 && (a.r[i].coords - b.r[i].coords).amax() < 1e-8);
     }
-}
-
-/// Two bodies with a wheel in each that spins: T has terms linear in the momentum, and what both bodies have in common is written once.
-#[hamiltonian(attitude = attitude, m = l)]
-fn gyrostats(attitude: [UnitQuaternion<f64>; 2], l: [Vector3<f64>; 2], i: f64, spin: Vector3<f64>) -> f64 {
-    let wheels = (l[0] - spin).norm_squared() + (l[1] + spin * 0.5).norm_squared() + 0.3 * l[1].x * l[1].x;
-    wheels / (2.0 * i) + (attitude[0] / attitude[1]).w.powi(2)
-}
-
-#[test]
-fn gyrostats_drift_exactly() {
-    let system = Gyrostats { i: 1.3, spin: Vector3::new(0.4, -0.7, 0.9) };
-    let (_, BodyState { r, m, .. }) = two_dipoles();
-    let state = BodyState::new(r, m);
-    let mut reference = system.adaptive(DOP853, 1e-13, state);
-    reference.advance_to(1.0).unwrap();
-    let end = |n: u64| {
-        let mut sim = system.integrator(BlanesMoanSrkn11b, 1.0 / n as f64, state);
-        sim.advance(n).unwrap();
-        let (a, b) = (sim.state(), reference.state());
-        (0..2).map(|i| (a.m[i] - b.m[i]).amax().max((a.r[i].coords - b.r[i].coords).amax())).fold(0.0, f64::max)
-    };
-    let errors = [2, 4, 40].map(end);
-    println!("{errors:?}");
-    let order = (errors[0] / errors[1]).log2();
-    assert!((order - 6.0).abs() < 0.5 && errors[2] < 1e-12, "{errors:?}, order {order:.2}");
 }
 
 #[test]

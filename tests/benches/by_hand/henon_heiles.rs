@@ -2,7 +2,6 @@
 
 use super::increments::{Increments, Sums};
 use super::{Stages, fma};
-use geoint_runtime::BlanesMoan4;
 
 /// Parameters.
 pub(crate) struct HenonHeiles {
@@ -36,17 +35,47 @@ impl HenonHeiles {
         z
     }
 
-    pub(crate) fn blanes_moan_4<const TERM_BY_TERM: bool>(&self, h: f64, steps: u64, mut z: Point) -> Point {
-        let Stages { first, inner, outer } = Stages::new(&BlanesMoan4, h, h);
+    /// Kicks are the outer flows.
+    #[inline]
+    pub(crate) fn kicks_first<const TERM_BY_TERM: bool, const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        mut z: Point,
+    ) -> Point {
+        let Stages { first, inner, outer } = stages.times(h, h);
         let kicks = outer.map(|h| self.kick(h));
         self.kick(first).apply::<TERM_BY_TERM>(&mut z);
         for _ in 0..steps {
-            for i in 0..6 {
+            for i in 0..K {
                 drift(inner[i], &mut z);
                 kicks[i].apply::<TERM_BY_TERM>(&mut z);
             }
         }
         self.kick(-first).apply::<TERM_BY_TERM>(&mut z);
+        z
+    }
+
+    /// Drifts are.
+    #[inline]
+    pub(crate) fn drifts_first<const TERM_BY_TERM: bool, const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        mut z: Point,
+    ) -> Point {
+        let Stages { first, inner, outer } = stages.times(h, h);
+        let kicks = inner.map(|h| self.kick(h));
+        drift(first, &mut z);
+        for _ in 0..steps {
+            for i in 0..K {
+                kicks[i].apply::<TERM_BY_TERM>(&mut z);
+                drift(outer[i], &mut z);
+            }
+        }
+        drift(-first, &mut z);
         z
     }
 

@@ -2,7 +2,6 @@
 
 use super::increments::{Increments, Sums};
 use super::{Stages, fma};
-use geoint_runtime::BlanesMoan4;
 
 /// Parameters.
 pub(crate) struct Kepler {
@@ -25,16 +24,33 @@ impl Kepler {
         z
     }
 
-    pub(crate) fn blanes_moan_4(&self, h: f64, steps: u64, mut z: Point) -> Point {
-        let Stages { first, inner, outer } = Stages::new(&BlanesMoan4, -h * self.mu * self.m, h / self.m);
+    /// Kicks are the outer flows.
+    #[inline]
+    pub(crate) fn kicks_first<const K: usize>(&self, stages: Stages<K>, h: f64, steps: u64, mut z: Point) -> Point {
+        let Stages { first, inner, outer } = stages.times(-h * self.mu * self.m, h / self.m);
         kick(first, &mut z);
         for _ in 0..steps {
-            for i in 0..6 {
+            for i in 0..K {
                 drift(inner[i], &mut z);
                 kick(outer[i], &mut z);
             }
         }
         kick(-first, &mut z);
+        z
+    }
+
+    /// Drifts are.
+    #[inline]
+    pub(crate) fn drifts_first<const K: usize>(&self, stages: Stages<K>, h: f64, steps: u64, mut z: Point) -> Point {
+        let Stages { first, inner, outer } = stages.times(h / self.m, -h * self.mu * self.m);
+        drift(first, &mut z);
+        for _ in 0..steps {
+            for i in 0..K {
+                kick(inner[i], &mut z);
+                drift(outer[i], &mut z);
+            }
+        }
+        drift(-first, &mut z);
         z
     }
 

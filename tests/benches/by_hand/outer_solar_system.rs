@@ -3,7 +3,6 @@
 //! With momenta instead of velocities the impulse of a pair is one vector, added to one body and taken from the other.
 
 use super::{Stages, fma};
-use geoint_runtime::BlanesMoanSrkn14a;
 
 const BODIES: usize = 6;
 
@@ -40,13 +39,44 @@ impl OuterSolarSystem {
         (q, p)
     }
 
-    pub(crate) fn srkn_14a(&self, h: f64, steps: u64, (mut q, mut p): (Vectors, Vectors)) -> (Vectors, Vectors) {
-        let Stages { first, inner, outer } = Stages::new(BlanesMoanSrkn14a.table(), h, h);
+    /// Kicks are the outer flows.
+    #[inline]
+    pub(crate) fn kicks_first<const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        (mut q, mut p): (Vectors, Vectors),
+    ) -> (Vectors, Vectors) {
+        let Stages { first, inner, outer } = stages.times(h, h);
+        let pulls = outer.map(|h| self.pulls(h));
+        let drifts = inner.map(|h| self.inverse_masses(h));
+        kick(&self.pulls(first), &q, &mut p);
+        for _ in 0..steps {
+            for i in 0..K {
+                drift(&drifts[i], &mut q, &p);
+                kick(&pulls[i], &q, &mut p);
+            }
+        }
+        kick(&self.pulls(-first), &q, &mut p);
+        (q, p)
+    }
+
+    /// Drifts are.
+    #[inline]
+    pub(crate) fn drifts_first<const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        (mut q, mut p): (Vectors, Vectors),
+    ) -> (Vectors, Vectors) {
+        let Stages { first, inner, outer } = stages.times(h, h);
         let pulls = inner.map(|h| self.pulls(h));
         let drifts = outer.map(|h| self.inverse_masses(h));
         drift(&self.inverse_masses(first), &mut q, &p);
         for _ in 0..steps {
-            for i in 0..14 {
+            for i in 0..K {
                 kick(&pulls[i], &q, &mut p);
                 drift(&drifts[i], &mut q, &p);
             }

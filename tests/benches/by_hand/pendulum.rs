@@ -2,7 +2,6 @@
 
 use super::increments::{Increments, Sums};
 use super::{Stages, fma};
-use geoint_runtime::BlanesMoan4;
 
 /// Parameters.
 pub(crate) struct Pendulum {
@@ -32,16 +31,45 @@ impl Pendulum {
         (q, p)
     }
 
-    pub(crate) fn blanes_moan_4(&self, h: f64, steps: u64, (mut q, mut p): (f64, f64)) -> (f64, f64) {
-        let Stages { first, inner, outer } = Stages::new(&BlanesMoan4, self.kick(h), self.drift(h));
+    /// Kicks are the outer flows.
+    #[inline]
+    pub(crate) fn kicks_first<const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        (mut q, mut p): (f64, f64),
+    ) -> (f64, f64) {
+        let Stages { first, inner, outer } = stages.times(self.kick(h), self.drift(h));
         p = fma(first, q.sin(), p);
         for _ in 0..steps {
-            for i in 0..6 {
+            for i in 0..K {
                 q = fma(inner[i], p, q);
                 p = fma(outer[i], q.sin(), p);
             }
         }
         p = fma(-first, q.sin(), p);
+        (q, p)
+    }
+
+    /// Drifts are.
+    #[inline]
+    pub(crate) fn drifts_first<const K: usize>(
+        &self,
+        stages: Stages<K>,
+        h: f64,
+        steps: u64,
+        (mut q, mut p): (f64, f64),
+    ) -> (f64, f64) {
+        let Stages { first, inner, outer } = stages.times(self.drift(h), self.kick(h));
+        q = fma(first, p, q);
+        for _ in 0..steps {
+            for i in 0..K {
+                p = fma(inner[i], q.sin(), p);
+                q = fma(outer[i], p, q);
+            }
+        }
+        q = fma(-first, p, q);
         (q, p)
     }
 

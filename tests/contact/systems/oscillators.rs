@@ -132,4 +132,9 @@ fn friction_that_grows_with_the_action_is_explicit() {
     // The flow of s²/2 has a pole at 2/20.
     let mut sim = QuadraticDissipation { a: 1.0 }.integrator(ContactSplitting, 0.2, ContactState::new(0.5, 0.5, -20.0));
     assert!(matches!(sim.step(), Err(StepError::Pole { t: 0.0, .. })));
+    // A step that may not be shorter says why it is refused.
+    let start = ContactState::new(0.5, 0.5, -20.0);
+    let mut sim = QuadraticDissipation { a: 1.0 }.adaptive(ContactSplitting, 1e-6, start).steps_between(0.2, 0.2);
+    let refused = sim.step();
+    assert!(matches!(refused, Err(StepError::StepTooSmall { reason: Reason::Pole { .. }, .. })), "{refused:?}");
 }

@@ -21,12 +21,15 @@ pub struct Entry {
     pub name: String,
     /// From the least to the largest: numbers of steps, or tolerances.
     pub efforts: Vec<f64>,
-    /// The state at the end, or nothing where the method refuses.
-    pub run: Box<dyn Fn(f64) -> Option<Vec<f64>>>,
+    /// The states at the times of the problem, one after the other, or nothing where the method refuses.
+    pub run: Run,
 }
 
+/// From an effort to states.
+pub type Run = Box<dyn Fn(f64) -> Option<Vec<f64>>>;
+
 impl Entry {
-    /// An entry with a number of steps for an effort: `first` and on, by factors of √2.
+    /// An entry with a number of steps for an effort: an eighth of `first` and on, by factors of √2. At `first` it is about stable.
     pub fn steps(
         whose: Whose,
         family: &'static str,
@@ -34,7 +37,7 @@ impl Entry {
         first: u64,
         run: impl Fn(u64) -> Option<Vec<f64>> + 'static,
     ) -> Self {
-        let efforts = (0..32).map(|k| (first as f64 * 2_f64.powf(0.5 * f64::from(k))).round()).collect();
+        let efforts = (-6..32).map(|k| (first as f64 * 2_f64.powf(0.5 * f64::from(k))).ceil()).collect();
         Entry { whose, family, name: name.into(), efforts, run: Box::new(move |n| run(n as u64)) }
     }
 
@@ -55,7 +58,7 @@ impl Entry {
 pub struct Point {
     /// Steps or tolerance.
     pub effort: f64,
-    /// The error at the end, relative.
+    /// The error, relative.
     pub error: f64,
     /// How long runs took, round by round.
     pub seconds: Vec<f64>,
@@ -69,8 +72,12 @@ impl Point {
 
     /// The run in the middle.
     pub fn median(&self) -> f64 {
-        let mut sorted = self.seconds.clone();
-        sorted.sort_by(f64::total_cmp);
-        sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN)
+        median(self.seconds.clone())
     }
+}
+
+/// The number in the middle; NaN of none.
+pub fn median(mut numbers: Vec<f64>) -> f64 {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied().unwrap_or(f64::NAN)
 }

@@ -3,6 +3,7 @@
 use crate::entry::{Entry, Point};
 use indicatif::ProgressBar;
 use std::hint::black_box;
+use std::panic::{self, AssertUnwindSafe};
 use std::time::Instant;
 
 /// How long a single run may take, in seconds: longer ones are not timed again.
@@ -14,15 +15,13 @@ const ROUNDING: f64 = 3e-15;
 /// Rounds in which everything is timed.
 pub const ROUNDS: usize = 5;
 
-/// |x − end| over |end|.
-fn error(x: &[f64], end: &[f64]) -> f64 {
-    let square = |x: &mut dyn Iterator<Item = f64>| x.map(|x| x * x).sum::<f64>().sqrt();
-    square(&mut x.iter().zip(end).map(|(x, end)| x - end)) / square(&mut end.iter().copied())
-}
-
-/// The points of all entries. `judge` gives the error of a final state.
+/// The points of all entries. `judge` gives the error of the states of a run.
 pub fn measure(entries: &[Entry], judge: &dyn Fn(&[f64]) -> f64, rounds: usize, bar: &ProgressBar) -> Vec<Vec<Point>> {
+    // Steps by hand panic where they are far too long.
+    let hook = panic::take_hook();
+    panic::set_hook(Box::new(|_| {}));
     let mut points: Vec<Vec<Point>> = entries.iter().map(|entry| explored(entry, judge, bar)).collect();
+    panic::set_hook(hook);
     for round in 0..rounds {
         // Effort by effort, so that neighbours in time are rivals.
         let most = points.iter().map(Vec::len).max().unwrap_or(0);
@@ -45,14 +44,16 @@ fn explored(entry: &Entry, judge: &dyn Fn(&[f64]) -> f64, bar: &ProgressBar) -> 
     let mut worse = 0;
     for effort in &entry.efforts {
         let begin = Instant::now();
-        let state = (entry.run)(black_box(*effort));
+        let states = panic::catch_unwind(AssertUnwindSafe(|| (entry.run)(black_box(*effort)))).ok().flatten();
         let seconds = begin.elapsed().as_secs_f64();
-        let error = state.map_or(f64::NAN, |state| judge(&state));
+        let error = states.map_or(f64::NAN, |states| judge(&states));
         if error.is_finite() && error < 1.0 {
             worse = if points.last().is_some_and(|last| last.error <= error) { worse + 1 } else { 0 };
             points.push(Point { effort: *effort, error, seconds: vec![] });
         }
-        if seconds > LONGEST || error < ROUNDING || worse > 2 {
+        // Steps that are far too long may take long to be refused.
+        let most = if points.is_empty() { 10.0 * LONGEST } else { LONGEST };
+        if seconds > most || error < ROUNDING || worse > 2 {
             break;
         }
     }
@@ -73,24 +74,16 @@ fn timed(entry: &Entry, effort: f64) -> f64 {
     }
 }
 
-/// The error relative to a reference.
-pub fn relative_to(end: Vec<f64>) -> impl Fn(&[f64]) -> f64 {
-    move |x| error(x, &end)
-}
-
-/// In how many seconds an entry has an error, between its points on the lower envelope; none where it has not.
+/// In how many seconds an entry has an error from which on all finer runs have it, up to its best one; between points on straight lines of
+/// logarithms. None where it has not.
 pub fn time_at(points: &[Point], level: f64) -> Option<f64> {
-    let mut best: Option<f64> = None;
-    for (i, point) in points.iter().enumerate() {
-        if point.error <= level {
-            best = Some(best.map_or(point.least(), |best| best.min(point.least())));
-        }
-        let Some(next) = points.get(i + 1) else { continue };
-        if point.error > level && next.error <= level {
-            let part = (point.error / level).ln() / (point.error / next.error).ln();
-            let time = (point.least().ln() + part * (next.least() / point.least()).ln()).exp();
-            best = Some(best.map_or(time, |best| best.min(time)));
-        }
-    }
-    best
+    let best = (0..points.len()).min_by(|a, b| points[*a].error.total_cmp(&points[*b].error))?;
+    let good = points[..=best].iter().rev().take_while(|point| point.error <= level).count();
+    let first = best + 1 - good;
+    let reached = points.get(first).filter(|_| good > 0)?;
+    let Some(before) = first.checked_sub(1).map(|before| &points[before]) else { return Some(reached.least()) };
+    let part = (before.error / level).ln() / (before.error / reached.error).ln();
+    // The coarser run may be the slower one, if it is iterated more often.
+    let time = (before.least().ln() + part * (reached.least() / before.least()).ln()).exp();
+    Some(time.min(reached.least()))
 }

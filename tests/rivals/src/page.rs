@@ -1,8 +1,11 @@
-//! What is written: a figure a problem, all numbers, a page with all figures, and the table of winners.
+//! What is written: a figure a problem, all numbers, a page with all figures, and the tables.
 
 use crate::entry::{Entry, Point, Whose};
+use crate::long::Long;
+use crate::measure::ROUNDS;
 use crate::problems::Problem;
-use crate::winners;
+use crate::tables;
+use crate::winners::{self, SAME, WANTED};
 use geoint_examples::output;
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use std::error::Error;
@@ -19,37 +22,46 @@ pub struct Measured {
 }
 
 const FOLDER: &str = "work_precision";
+/// For which processors the program was built.
+const BUILD: &str = if cfg!(target_feature = "fma") { "native" } else { "plain" };
 
-/// Writes everything to the folder of output, and figures and the table to `tests/benches/work_precision` if asked to.
-pub fn write(all: &[Measured], commit: bool) -> Result<(), Box<dyn Error>> {
+/// Writes everything to the folder of output, and figures and tables to `tests/benches/work_precision` if asked to.
+pub fn write(all: &[Measured], long: &[Long], commit: bool) -> Result<(), Box<dyn Error>> {
     for measured in all {
         figure(&format!("{FOLDER}/{}.svg", measured.problem.name), (620, 430), &[panel(measured)])?;
     }
     fs::write(output(&format!("{FOLDER}/results.csv"))?, results(all)?)?;
-    fs::write(output(&format!("{FOLDER}/index.html"))?, html(all))?;
-    let table = winners::table(all);
-    println!("\n{table}");
-    fs::write(output(&format!("{FOLDER}/winners.md"))?, &table)?;
+    let index = output(&format!("{FOLDER}/index.html"))?;
+    fs::write(&index, html(all, long)?)?;
+    println!("\n{}", tables::twins(all).markdown());
+    if !long.is_empty() {
+        println!("{}", tables::long(long).markdown());
+    }
+    println!("page        {}", geoint_examples::shown(&index));
     if commit {
         let to = Path::new(env!("CARGO_MANIFEST_DIR")).join("../benches").join(FOLDER);
         fs::create_dir_all(&to)?;
-        for measured in all {
-            let file = format!("{}.svg", measured.problem.name);
-            fs::copy(output(&format!("{FOLDER}/{file}"))?, to.join(file))?;
+        if BUILD == "plain" {
+            for measured in all {
+                let file = format!("{}.svg", measured.problem.name);
+                fs::copy(output(&format!("{FOLDER}/{file}"))?, to.join(file))?;
+            }
         }
-        fs::write(to.join("README.md"), page(all, &table))?;
+        fs::write(to.join(if BUILD == "plain" { "README.md" } else { "native.md" }), markdown(all, long))?;
     }
     Ok(())
 }
 
-/// The lower envelope of a family: time a unit of time in microseconds, and error.
-fn envelope<'a>(measured: &'a Measured, chosen: impl Fn(&Entry) -> bool) -> Vec<(f64, f64)> {
-    let entries = measured.problem.entries.iter().zip(&measured.points).filter(|(entry, _)| chosen(entry));
-    let mut points: Vec<(f64, f64)> = entries
-        .flat_map(|(_, points)| {
-            points.iter().map(|point| (1e6 * point.least() / measured.problem.duration, point.error))
-        })
-        .collect();
+/// Points as they are drawn: microseconds for a unit of time, and error.
+fn places<'a>(measured: &'a Measured, chosen: impl Fn(&Entry) -> bool + 'a) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let Measured { problem, points } = measured;
+    let chosen = problem.entries.iter().zip(points).filter(move |(entry, _)| chosen(entry));
+    chosen.flat_map(|(_, points)| points).map(|point| (1e6 * point.least() / problem.duration, point.error.max(1e-17)))
+}
+
+/// The lower envelope of a family.
+fn envelope(measured: &Measured, chosen: impl Fn(&Entry) -> bool) -> Vec<(f64, f64)> {
+    let mut points: Vec<(f64, f64)> = places(measured, chosen).collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut least = f64::INFINITY;
     points.retain(|point| {
@@ -72,14 +84,17 @@ fn families(problem: &Problem, whose: Whose) -> Vec<&'static str> {
 }
 
 fn panel(measured: &Measured) -> Panel {
-    let Problem { title, note, .. } = &measured.problem;
+    let Problem { title, note, measured: what, .. } = &measured.problem;
     let mut curves = vec![];
     for (whose, inks) in
         [(Whose::Ours, &palette::ALL[..]), (Whose::Rival, &palette::ALL[1..]), (Whose::Hand, &palette::ALL[6..])]
     {
         for (family, ink) in families(&measured.problem, whose).into_iter().zip(inks.iter().cycle()) {
             let points = envelope(measured, |entry| entry.whose == whose && entry.family == family);
-            let curve = Curve::line(family, *ink, points);
+            if points.is_empty() {
+                continue;
+            }
+            let curve = Curve::line(family, *ink, points).rounding();
             curves.push(match whose {
                 Whose::Ours => curve.solid().marked(2.5),
                 Whose::Rival => curve,
@@ -88,23 +103,16 @@ fn panel(measured: &Measured) -> Panel {
         }
     }
     let decades = |of: fn(&(f64, f64)) -> f64| {
-        let all = envelope_points(measured);
-        let least = all.iter().map(of).fold(f64::INFINITY, f64::min).log10().floor();
-        let most = all.iter().map(of).fold(0.0, f64::max).log10().ceil();
+        let (least, most) = places(measured, |_| true)
+            .map(|point| of(&point))
+            .fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
+        let (least, most) = (least.log10().floor(), most.log10().ceil());
         least..most.max(least + 1.0)
     };
     let x = Axis::decades("µs for a unit of time", decades(|point| point.0));
-    let y = Axis::decades("error at the end, relative", decades(|point| point.1));
-    Panel::new(*title, format!("{note}. Ours solid, other crates dashed, by hand with open markers"), [x, y], curves)
-}
-
-fn envelope_points(measured: &Measured) -> Vec<(f64, f64)> {
-    measured
-        .points
-        .iter()
-        .flatten()
-        .map(|point| (1e6 * point.least() / measured.problem.duration, point.error.max(1e-17)))
-        .collect()
+    let y = Axis::decades("error", decades(|point| point.1));
+    let note = format!("{note}. The error is {what}. Ours solid, other crates dashed, by hand with open markers");
+    Panel::new(*title, note, [x, y], curves)
 }
 
 fn results(all: &[Measured]) -> Result<Vec<u8>, Box<dyn Error>> {
@@ -126,61 +134,91 @@ fn results(all: &[Measured]) -> Result<Vec<u8>, Box<dyn Error>> {
 const STYLE: &str = "\
 :root{color-scheme:light dark}\
 body{font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:60rem;padding:1rem;background:#fff;color:#222}\
-img{width:100%;height:auto}\
 .wide{overflow-x:auto}\
+.wide svg{display:block;min-width:44rem}\
 table{border-collapse:collapse;font-size:.85rem}\
 td,th{padding:.2rem .6rem;border-bottom:1px solid #bbb;text-align:left;white-space:nowrap}\
 .slow{font-weight:bold;color:#b00020}\
 @media(prefers-color-scheme:dark){body{background:#161616;color:#ddd}td,th{border-color:#444}.slow{color:#ff8a80}\
-img{filter:invert(.92) hue-rotate(180deg)}}";
+svg{filter:invert(.92) hue-rotate(180deg)}}";
 
-fn html(all: &[Measured]) -> String {
+/// What the tables are about.
+fn opening() -> String {
+    format!(
+        "The error against the time for a unit of simulated time, the shortest of {ROUNDS} runs in turns with all others, in a {BUILD} build. Lines are \
+         lower envelopes of families. A time in a table is where from on all finer runs have the error, interpolated; a ratio is ours over the fastest \
+         other crate, and at most {WANTED} is wanted."
+    )
+}
+
+/// What the second table is about.
+fn about_twins() -> String {
+    format!(
+        "The same steps, generated and written by hand, from the parameters to the list of the final state; medians over numbers of steps. At most {SAME} \
+         is wanted."
+    )
+}
+
+const ABOUT_LONG: &str = "The regular orbit of Hénon and Heiles, of which a period is 2π: the largest relative error of the energy in five periods up to a \
+                          time. Costs are those of short runs.";
+
+/// What is missed, as sentences.
+fn missed(measured: &Measured) -> String {
+    let missed = winners::missed(measured);
+    if missed.is_empty() { String::new() } else { format!("Missed: {}.", missed.join("; ")) }
+}
+
+fn html(all: &[Measured], long: &[Long]) -> Result<String, Box<dyn Error>> {
     let mut text = String::new();
-    let _ = write!(
+    write!(
         text,
         "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
-         <title>Run time against error</title>\n<style>{STYLE}</style>\n<h1>Run time against error</h1>\n\
-         <p>The relative error at the end against the time for a unit of simulated time: the shortest of {} runs in turns. A ratio is our time over \
-         that of the fastest other crate; those above {} are marked.</p>\n",
-        crate::measure::ROUNDS,
-        winners::WANTED
-    );
+         <title>Run time against error</title>\n<style>{STYLE}</style>\n<h1>Run time against error</h1>\n<p>{}</p>\n",
+        opening()
+    )?;
     for measured in all {
-        let Problem { name, title, note, reference, .. } = &measured.problem;
-        let _ = write!(
+        let Problem { name, title, note, measured: what, reference, .. } = &measured.problem;
+        let figure = fs::read_to_string(output(&format!("{FOLDER}/{name}.svg"))?)?;
+        write!(
             text,
-            "<h2>{title}</h2>\n<p>{note}. Reference: {reference}.</p>\n<img src=\"{name}.svg\" alt=\"{title}: error against time\">\n\
-             <div class=\"wide\"><table>\n<tr><th>error<th>ours<th>µs<th>other crate<th>µs<th>ratio<th>by hand<th>µs\n"
-        );
-        for winner in winners::winners(measured) {
-            let cells = [&winner.ours, &winner.rival, &winner.hand].map(|best| match best {
-                Some((name, time)) => format!("<td>{}<td>{time:.3}", name.replace('<', "&lt;")),
-                None => "<td>–<td>–".into(),
-            });
-            let slow = if winner.ratio().is_some_and(|ratio| ratio > winners::WANTED) { " class=\"slow\"" } else { "" };
-            let ratio = winner.ratio().map_or("–".into(), |ratio| format!("{ratio:.2}"));
-            let [ours, rival, hand] = cells;
-            let _ = writeln!(text, "<tr><td>{:.0e}{ours}{rival}<td{slow}>{ratio}{hand}", winner.level);
-        }
-        text.push_str("</table></div>\n");
+            "<h2>{title}</h2>\n<p>{note}. The error is {what}. Reference: {reference}.</p>\n<div class=\"wide\">{figure}</div>\n<p class=\"slow\">{}</p>\n{}",
+            missed(measured).replace('<', "&lt;"),
+            tables::winners([measured]).html()
+        )?;
+    }
+    write!(text, "<h2>Generated and by hand</h2>\n<p>{}</p>\n{}", about_twins(), tables::twins(all).html())?;
+    if !long.is_empty() {
+        write!(text, "<h2>Energy over long times</h2>\n<p>{ABOUT_LONG}</p>\n{}", tables::long(long).html())?;
     }
     text.push_str("</html>\n");
-    text
+    Ok(text)
 }
 
 /// The page that is committed.
-fn page(all: &[Measured], table: &str) -> String {
+fn markdown(all: &[Measured], long: &[Long]) -> String {
+    let flags = if BUILD == "plain" { "" } else { "RUSTFLAGS=\"-C target-cpu=native\" " };
     let mut text = format!(
-        "# Run time against error\n\n```text\ncargo run --release --manifest-path tests/rivals/Cargo.toml -- --commit\n```\n\n\
-         The relative error at the end against the time for a unit of simulated time, each the shortest of {} runs in turns with all others. \
-         Lines are lower envelopes of families. In the table a time is interpolated between runs; a ratio is ours over the fastest other crate, \
-         bold above {}.\n\n{table}",
-        crate::measure::ROUNDS,
-        winners::WANTED
+        "# Run time against error, {BUILD} build\n\n```text\n{flags}cargo run --release --manifest-path tests/rivals/Cargo.toml -- --commit\n```\n\n{}\n\n{}\n",
+        opening(),
+        tables::winners(all).markdown()
     );
     for measured in all {
-        let Problem { name, title, note, reference, .. } = &measured.problem;
-        let _ = write!(text, "\n## {title}\n\n{note}. Reference: {reference}.\n\n![{title}]({name}.svg)\n");
+        let missed = missed(measured);
+        if !missed.is_empty() {
+            text += &format!("**{}.** {missed}\n\n", measured.problem.title);
+        }
+    }
+    text += &format!("## Generated and by hand\n\n{}\n\n{}", about_twins(), tables::twins(all).markdown());
+    if !long.is_empty() {
+        text += &format!("\n## Energy over long times\n\n{ABOUT_LONG}\n\n{}", tables::long(long).markdown());
+    }
+    if BUILD == "plain" {
+        for measured in all {
+            let Problem { name, title, note, measured: what, reference, .. } = &measured.problem;
+            text += &format!(
+                "\n## {title}\n\n{note}. The error is {what}. Reference: {reference}.\n\n![{title}: error against time]({name}.svg)\n"
+            );
+        }
     }
     text
 }

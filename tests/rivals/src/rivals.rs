@@ -1,105 +1,125 @@
-//! Other crates, each called as its documentation shows.
+//! Other crates, each called as its documentation shows. All take the same field, whose momenta come after positions.
 
 use crate::entry::{Entry, Whose};
-use crate::problems::Field;
+use crate::field::Field;
 use differential_equations::methods::SymplecticIntegrator;
-use differential_equations::prelude::{ExplicitRungeKutta, Hamiltonian, IVP, ODE};
+use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod};
 use nalgebra_of_ode_solvers::SVector;
 use ode_solvers::dop853::Dop853;
 use scirs2_integrate::ode::{ODEMethod, ODEOptions, solve_ivp};
 use std::hint::black_box;
+use std::marker::PhantomData;
 
 /// A field for the traits of other crates.
-struct Of<F>(F);
+struct Of<F>(PhantomData<F>);
 
 impl<F: Field<N>, const N: usize> ode_solvers::System<f64, SVector<f64, N>> for Of<F> {
     fn system(&self, t: f64, y: &SVector<f64, N>, dy: &mut SVector<f64, N>) {
-        self.0.rate(t, &y.data.0[0], &mut dy.data.0[0]);
+        F::rate(t, &y.data.0[0], &mut dy.data.0[0]);
     }
 }
 
 impl<F: Field<N>, const N: usize> ODE<f64, [f64; N]> for Of<F> {
     fn diff(&self, t: f64, y: &[f64; N], dy: &mut [f64; N]) {
-        self.0.rate(t, y, dy);
+        F::rate(t, y, dy);
+    }
+}
+
+/// How much of a run is looked at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Seen {
+    /// The end.
+    End,
+    /// All states that the crate gives back, which are those at the ends of its steps where it gives these.
+    Steps,
+}
+
+impl Seen {
+    fn of<const N: usize>(self, states: &[[f64; N]]) -> Option<Vec<f64>> {
+        match self {
+            Seen::End => states.last().map(|y| y.to_vec()),
+            Seen::Steps => Some(states.as_flattened().to_vec()),
+        }
     }
 }
 
 /// Rivals that take a field.
-pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64) -> Vec<Entry> {
+pub fn of_field<F: Field<N>, const N: usize>(field: F, duration: f64, seen: Seen) -> Vec<Entry> {
     let start = field.start();
     vec![
         Entry::tolerances(Whose::Rival, "ode_solvers", "ode_solvers Dop853", move |tolerance| {
             let y = SVector::<f64, N>::from(black_box(start));
-            let mut stepper = Dop853::new(Of(field), 0.0, duration, duration, y, tolerance, tolerance);
+            let between = if seen == Seen::End { duration } else { duration / 16.0 };
+            let mut stepper = Dop853::new(Of::<F>(PhantomData), 0.0, duration, between, y, tolerance, tolerance);
             stepper.integrate().ok()?;
-            stepper.y_out().last().map(|y| y.as_slice().to_vec())
+            let states: Vec<[f64; N]> = stepper.y_out().iter().map(|y| y.data.0[0]).collect();
+            seen.of(&states)
         }),
         Entry::tolerances(Whose::Rival, "differential-equations", "differential-equations dop853", move |tolerance| {
             let method = ExplicitRungeKutta::dop853().rtol(tolerance).atol(tolerance).max_steps(10_000_000);
-            let solution = IVP::ode(&Of(field), 0.0, duration, black_box(start)).method(method).solve().ok()?;
-            solution.y.last().map(|y| y.to_vec())
+            let solution =
+                IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
+            seen.of(&solution.y)
         }),
-        Entry::tolerances(Whose::Rival, "diffsol", "diffsol tsit45", move |tolerance| {
-            let problem = OdeBuilder::<NalgebraMat<f64>>::new()
-                .rtol(tolerance)
-                .atol([tolerance; N])
-                .rhs(move |x, _p, t, y| {
-                    let (mut now, mut rate) = ([0.0; N], [0.0; N]);
-                    (0..N).for_each(|i| now[i] = x[i]);
-                    field.rate(t, &now, &mut rate);
-                    (0..N).for_each(|i| y[i] = rate[i]);
-                })
-                .init(move |_p, _t, y| (0..N).for_each(|i| y[i] = start[i]), N)
-                .build()
-                .ok()?;
-            let mut solver = problem.tsit45().ok()?;
-            let (states, times, _) = solver.solve(duration).ok()?;
-            Some((0..N).map(|i| states[(i, times.len() - 1)]).collect())
-        }),
-        Entry::tolerances(Whose::Rival, "scirs2-integrate", "scirs2-integrate DOP853", move |tolerance| {
-            let options = ODEOptions {
-                method: ODEMethod::DOP853,
-                rtol: tolerance,
-                atol: tolerance,
-                max_steps: 10_000_000,
-                ..ODEOptions::default()
-            };
-            let rate = move |t: f64, y: ndarray::ArrayView1<'_, f64>| {
-                let (mut now, mut rate) = ([0.0; N], [0.0; N]);
-                now.iter_mut().zip(y.iter()).for_each(|(now, y)| *now = *y);
-                field.rate(t, &now, &mut rate);
-                ndarray::Array1::from(rate.to_vec())
-            };
-            let start = ndarray::Array1::from(black_box(start).to_vec());
-            let solution = solve_ivp(rate, [0.0, duration], start, Some(options)).ok()?;
-            solution.y.last().map(|y| y.to_vec())
-        }),
+        diffsol(slices::<F, N>, start.to_vec(), duration, seen),
+        scirs(slices::<F, N>, start.to_vec(), duration, seen),
     ]
 }
 
-/// Positions first, then momenta, q' a function of momenta and p' of positions.
-struct Halves<F, const N: usize>(F);
+/// A field of slices. What takes any number of unknowns is compiled once for all problems.
+type Rate = fn(f64, &[f64], &mut [f64]);
 
-impl<F: Field<N>, const N: usize> Hamiltonian<f64, Vec<f64>> for Halves<F, N> {
-    fn velocity(&self, t: f64, q: &Vec<f64>, p: &Vec<f64>, dq: &mut Vec<f64>) {
-        halves(&self.0, t, q, p, dq, 0);
-    }
-    fn force(&self, t: f64, q: &Vec<f64>, p: &Vec<f64>, dp: &mut Vec<f64>) {
-        halves(&self.0, t, q, p, dp, N / 2);
+fn slices<F: Field<N>, const N: usize>(t: f64, y: &[f64], dy: &mut [f64]) {
+    if let (Ok(y), Ok(dy)) = (y.try_into(), dy.try_into()) {
+        F::rate(t, y, dy);
     }
 }
 
-fn halves<F: Field<N>, const N: usize>(field: &F, t: f64, q: &[f64], p: &[f64], to: &mut [f64], from: usize) {
-    let (mut now, mut rate) = ([0.0; N], [0.0; N]);
-    now[..N / 2].copy_from_slice(q);
-    now[N / 2..].copy_from_slice(p);
-    field.rate(t, &now, &mut rate);
-    to.copy_from_slice(&rate[from..from + N / 2]);
+fn diffsol(rate: Rate, start: Vec<f64>, duration: f64, seen: Seen) -> Entry {
+    Entry::tolerances(Whose::Rival, "diffsol", "diffsol tsit45", move |tolerance| {
+        let (begin, n) = (start.clone(), start.len());
+        let problem = OdeBuilder::<NalgebraMat<f64>>::new()
+            .rtol(tolerance)
+            .atol(vec![tolerance; n])
+            .rhs(move |x, _p, t, y| rate(t, x, y))
+            .init(move |_p, _t, y| y.copy_from_slice(&begin), n)
+            .build()
+            .ok()?;
+        let mut solver = problem.tsit45().ok()?;
+        let (states, times, _) = solver.solve(duration).ok()?;
+        let first = if seen == Seen::End { times.len() - 1 } else { 0 };
+        Some((first..times.len()).flat_map(|k| (0..n).map(move |i| (i, k))).map(|place| states[place]).collect())
+    })
+}
+
+fn scirs(rate: Rate, start: Vec<f64>, duration: f64, seen: Seen) -> Entry {
+    Entry::tolerances(Whose::Rival, "scirs2-integrate", "scirs2-integrate DOP853", move |tolerance| {
+        let options = ODEOptions {
+            method: ODEMethod::DOP853,
+            rtol: tolerance,
+            atol: tolerance,
+            max_steps: 10_000_000,
+            ..ODEOptions::default()
+        };
+        let rate = move |t: f64, y: ndarray::ArrayView1<'_, f64>| {
+            let mut dy = ndarray::Array1::zeros(y.len());
+            if let (Some(y), Some(dy)) = (y.as_slice(), dy.as_slice_mut()) {
+                rate(t, y, dy);
+            }
+            dy
+        };
+        let start = ndarray::Array1::from(black_box(&start).clone());
+        let solution = solve_ivp(rate, [0.0, duration], start, Some(options)).ok()?;
+        match seen {
+            Seen::End => solution.y.last().map(|y| y.to_vec()),
+            Seen::Steps => Some(solution.y.iter().flatten().copied().collect()),
+        }
+    })
 }
 
 /// Rivals for H = T(p) + V(q).
-pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first: u64) -> Vec<Entry> {
+pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first: u64, seen: Seen) -> Vec<Entry> {
     let start = field.start();
     macro_rules! entry {
         ($name:literal, $method:ident) => {
@@ -110,10 +130,9 @@ pub fn of_separable<F: Field<N>, const N: usize>(field: F, duration: f64, first:
                 first,
                 move |n| {
                     let method = SymplecticIntegrator::$method(duration / n as f64).max_steps(100_000_000);
-                    let system = Halves::<F, N>(field);
-                    let start = black_box(start).to_vec();
-                    let solution = IVP::hamiltonian(&system, 0.0, duration, start).method(method).solve().ok()?;
-                    solution.y.last().cloned()
+                    let solution =
+                        IVP::ode(&Of::<F>(PhantomData), 0.0, duration, black_box(start)).method(method).solve().ok()?;
+                    seen.of(&solution.y)
                 },
             )
         };

@@ -5,9 +5,11 @@ mod constrained;
 mod contact;
 mod coupled;
 mod flow;
+mod integrals;
 
 pub use bodies::*;
 pub use constrained::*;
 pub use contact::*;
 pub use coupled::*;
 pub use flow::*;
+pub use integrals::*;

@@ -1,46 +1,14 @@
 //! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
 
+use super::kick_drift::{impulse, increments};
 use crate::analyze::reads;
-use crate::derive::canonical::{impulse, increments};
-use crate::derive::system::{FlowKernel, Missing};
+use crate::derive::system::{FlowKernel, Inner, Missing, Perturbed};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 use crate::messages::{JUMP_IS_NO_KICK, NOT_NYSTROM_EXACT};
 use crate::schedule::{Kernel, Levels};
-use crate::split::{self, Clock, Division, NoExactPart, OwnMotion};
-use std::ops::Range;
-
-/// A and B.
-#[derive(Debug)]
-pub(crate) struct Perturbed<K> {
-    pub(crate) exact: Id,
-    pub(crate) rest: Id,
-    /// Whether the flow of B is a kick.
-    pub(crate) is_kick: bool,
-    /// Whether it is the flow of B, or a step of order 2.
-    pub(crate) is_exact: bool,
-    /// Parts of the flow of A that may end within a step.
-    pub(crate) parts: Vec<(OwnMotion, Range<usize>)>,
-    /// How the flow of A is known.
-    pub(crate) known: Vec<String>,
-    pub(crate) flow: FlowKernel<K>,
-    /// Whether that flow is exact in its own time.
-    pub(crate) exact_in_time: bool,
-    pub(crate) kick: FlowKernel<K>,
-    /// Whether a kick adds what positions alone decide.
-    pub(crate) repeats: bool,
-    pub(crate) gradient_kick: Result<FlowKernel<K>, Missing>,
-    pub(crate) inner: Option<Inner<K>>,
-}
-
-/// Other coordinates than those of the state.
-#[derive(Debug)]
-pub(crate) struct Inner<K> {
-    pub(crate) name: &'static str,
-    pub(crate) enter: FlowKernel<K>,
-    pub(crate) leave: FlowKernel<K>,
-}
+use crate::split::{self, Clock, Division, NoExactPart};
 
 /// Kernels of both parts.
 pub(in crate::derive) fn kernels(
@@ -154,28 +122,5 @@ fn weighted(graph: &mut Graph, parts: &split::Perturbed, impulse: Vec<Id>) -> Ve
     match &parts.inner {
         Some(inner) => impulse.into_iter().zip(&inner.weights).map(|(impulse, w)| graph.mul(*w, impulse)).collect(),
         None => impulse,
-    }
-}
-
-impl<K> Perturbed<K> {
-    pub(in crate::derive) fn map<L>(self, of: &mut impl FnMut(K) -> L) -> Perturbed<L> {
-        Perturbed {
-            exact: self.exact,
-            rest: self.rest,
-            is_kick: self.is_kick,
-            is_exact: self.is_exact,
-            parts: self.parts,
-            known: self.known,
-            flow: self.flow.map(of),
-            exact_in_time: self.exact_in_time,
-            kick: self.kick.map(of),
-            repeats: self.repeats,
-            gradient_kick: self.gradient_kick.map(|flow| flow.map(of)),
-            inner: self.inner.map(|inner| Inner {
-                name: inner.name,
-                enter: inner.enter.map(of),
-                leave: inner.leave.map(of),
-            }),
-        }
     }
 }

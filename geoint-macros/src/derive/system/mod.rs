@@ -1,14 +1,16 @@
 //! The value that holds what was derived of a system.
 
 mod implicit;
+mod perturbed;
 
 pub(crate) use implicit::{
     ConstraintKernels, ContactKernels, ContactStages, FieldKernels, HerglotzKernels, Implicit, MassKernels,
     StageKernel, StepKernel, VelocityKernels, VelocityStages,
 };
 
+pub(crate) use perturbed::{Inner, Perturbed};
+
 use super::domain::Domain;
-use super::exact::perturbed::Perturbed;
 use super::jet::JetKernel;
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};

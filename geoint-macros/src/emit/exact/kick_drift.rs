@@ -4,7 +4,7 @@ use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, GradientKick, KickDrift, Missing, Undamped};
 use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::Graph;
 use crate::schedule::Plan;
 use proc_macro2::{Ident, TokenStream};

@@ -5,7 +5,7 @@ use super::{assign, flow, slots};
 use crate::derive::{FlowKernel, Missing, Perturbed};
 use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::{Graph, print::Printer};
 use crate::parse::Role;
 use crate::schedule::Plan;

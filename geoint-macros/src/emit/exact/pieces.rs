@@ -6,7 +6,7 @@ use crate::derive::{Missing, PieceKernel, PiecesOf};
 use crate::emit::kernel::{Context, element};
 use crate::emit::missing::unsatisfied;
 use crate::emit::straight_line;
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use crate::split::Clock;

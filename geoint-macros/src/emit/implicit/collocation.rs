@@ -1,12 +1,13 @@
 //! The field of collocation, with its derivatives.
 
+use super::prepared::Prepared;
 use super::write_field;
 use crate::derive::FieldKernels;
 use crate::emit::kernel::{Context, element, write};
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl Collocation`.
@@ -15,7 +16,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     let FieldKernels { coordinates, collocation: plan, .. } = field;
     let unknown = context.unknown_type(coordinates.len());
     let places = context.unknown_places(coordinates.len());
-    let constants = context.stored(plan, 0);
+    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, plan, ["Constants", "constants"]);
     let evaluate = context.planned(&plan.last[0], (coordinates, "y"), |values| {
         write_field(context, ["f", "jacobian"], &plan.last[0], &values)
     });
@@ -31,7 +32,6 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
         let add = quote!(#(#y = w.multiply_add(#f, #y);)*);
         [quote!(1), quote!((*z, *z)), add, quote!(*change)]
     };
-    let prepared = Literal::usize_unsuffixed(plan.slots[0]);
     let stages = if field.canonical.is_some() { quote!(ByCanonical) } else { quote!(ByField) };
     quote! {
         impl<R: Real> Collocated<R> for #name {
@@ -41,19 +41,16 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
         impl<R: Real> Collocation<R> for #name {
             type Proof = ();
             type Unknown = #unknown;
-            type Constants = [R; #prepared];
+            #types
             const DERIVATIVE: usize = #derivative;
 
-            #[inline]
-            fn constants(&self) -> [R; #prepared] {
-                #constants
-            }
+            #functions
             #[inline(always)]
             fn start(z: &#phase) -> (#unknown, #unknown) {
                 #start
             }
             #[inline(always)]
-            fn velocity(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+            fn velocity(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
                 let mut velocity = <#unknown as Array>::zero();
                 #velocity
                 velocity
@@ -61,7 +58,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
             #[inline(always)]
             fn field(
                 &self,
-                prepared: &[R; #prepared],
+                prepared: &#prepared,
                 t: R,
                 y: &#unknown,
                 f: &mut #unknown,
@@ -70,7 +67,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
                 #evaluate
             }
             #[inline(always)]
-            fn add(&self, prepared: &[R; #prepared], w: R, f: &#unknown, y: &mut #unknown) {
+            fn add(&self, prepared: &#prepared, w: R, f: &#unknown, y: &mut #unknown) {
                 #add
             }
             #[inline(always)]

@@ -1,9 +1,11 @@
 //! Constraints, and the equations of steps that keep them.
 
+use super::prepared::Prepared;
 use super::{square, write_field};
 use crate::derive::{ConstraintKernels, StepKernel};
 use crate::emit::kernel::{Context, write};
-use crate::emit::system::{cotangent, self_type};
+use crate::emit::structure::self_type;
+use crate::emit::system::cotangent;
 use crate::ir::{Graph, Symbol, print::Printer};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
@@ -86,8 +88,10 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenSt
     let StepKernel { unknowns, kernel: plan } = step;
     let (name, method) = (self_type(context), format_ident!("{method}"));
     let (phase, parts, unknown) = (context.phase(), context.parts(), context.unknown_type(unknowns.len()));
-    let constants = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
+    let names = [["Constants", "constants"], ["Start", "begin"]];
+    let start: (&[Symbol], &str) = (&[], "");
+    let Prepared { types, functions, prepared, started } =
+        Prepared::for_steps(context, plan, names, (start, &parts, &quote!(t: R, z: &#phase)));
     let given: (&[Symbol], &str) = (unknowns, "x");
     let residual = context
         .planned(&plan.last[0], given, |values| write_field(context, ["residual", "matrix"], &plan.last[0], &values));
@@ -97,28 +101,18 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenSt
     let end = context.planned(&plan.last[1], given, |values| write("end", &halves, &values));
     let origin = context
         .planned(&plan.last[2], given, |values| write("origin", &context.unknown_places(unknowns.len()), &values));
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: Real> ConstrainedStep<#method, R> for #name {
             type Proof = ();
             type Unknown = #unknown;
-            type Constants = [R; #prepared];
-            type Start = [R; #started];
+            #types
 
-            #[inline]
-            fn constants(&self, h: R) -> [R; #prepared] {
-                #constants
-            }
-            #[inline(always)]
-            fn begin(&self, prepared: &[R; #prepared], t: R, z: &#phase) -> [R; #started] {
-                #parts
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn residual(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 x: &#unknown,
                 residual: &mut #unknown,
                 matrix: &mut Square<#unknown>,
@@ -126,13 +120,13 @@ fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>) -> TokenSt
                 #residual
             }
             #[inline(always)]
-            fn end(&self, prepared: &[R; #prepared], start: &[R; #started], x: &#unknown) -> #phase {
+            fn end(&self, prepared: &#prepared, start: &#started, x: &#unknown) -> #phase {
                 let mut end = <#phase as Array>::zero();
                 #end
                 end
             }
             #[inline(always)]
-            fn origin(&self, prepared: &[R; #prepared], start: &[R; #started]) -> #unknown {
+            fn origin(&self, prepared: &#prepared, start: &#started) -> #unknown {
                 let mut origin = <#unknown as Array>::zero();
                 #origin
                 origin

@@ -1,12 +1,13 @@
 //! The equations of implicit steps of contact systems.
 
+use super::prepared::Prepared;
 use super::{square, write_field};
 use crate::derive::{StageKernel, StepKernel};
 use crate::emit::kernel::{Context, write};
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// `impl ImplicitStep` for a method.
@@ -17,33 +18,25 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
     let degrees = context.energy.degrees();
     let before: Vec<Symbol> =
         (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]).collect();
-    let constants = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&before, "x"), |values| quote!([#(#values),*]));
+    let names = [["Constants", "constants"], ["Start", "begin"]];
+    let given = ((&before[..], "x"), &quote!(), &quote!(t: R, x: &#unknown));
+    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, given);
     let image = context.planned(&plan.last[0], (unknowns, "d"), |values| {
         write_field(context, ["f", "matrix"], &plan.last[0], &values)
     });
     let end = context.planned(&plan.last[1], (unknowns, "d"), |values| quote!([#(#values),*]));
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: Real> ImplicitStep<#method, R> for #name {
             type Proof = ();
             type Unknown = #unknown;
-            type Constants = [R; #prepared];
-            type Start = [R; #started];
+            #types
 
-            #[inline]
-            fn constants(&self, h: R) -> [R; #prepared] {
-                #constants
-            }
-            #[inline(always)]
-            fn begin(&self, prepared: &[R; #prepared], t: R, x: &#unknown) -> [R; #started] {
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn image(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#unknown,
                 f: &mut #unknown,
                 matrix: &mut Square<#unknown>,
@@ -51,7 +44,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
                 #image
             }
             #[inline(always)]
-            fn end(&self, prepared: &[R; #prepared], start: &[R; #started], d: &#unknown) -> #unknown {
+            fn end(&self, prepared: &#prepared, start: &#started, d: &#unknown) -> #unknown {
                 #end
             }
         }
@@ -63,8 +56,8 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
     let StageKernel { moved, kernel: plan } = stages;
     let (name, n) = (self_type(context), moved.len());
     let (unknown, places) = (context.unknown_type(n), context.unknown_places(n));
-    let constants = context.stored(plan, 0);
-    let prepared = Literal::usize_unsuffixed(plan.slots[0]);
+    let Prepared { types, functions, prepared, .. } =
+        Prepared::for_stages(context, plan, ["StageConstants", "stage_constants"]);
     let body = context.planned(&plan.last[0], (moved, "x"), |values| {
         let (values, derivatives) = values.split_at(n + 1);
         let (field, by) = derivatives.split_at(n * n);
@@ -84,16 +77,13 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
         impl<R: Real> ContactStages<R> for #name {
             type Proof = ();
             type Moved = #unknown;
-            type StageConstants = [R; #prepared];
+            #types
 
-            #[inline]
-            fn stage_constants(&self) -> [R; #prepared] {
-                #constants
-            }
+            #functions
             #[inline(always)]
             fn stage(
                 &self,
-                prepared: &[R; #prepared],
+                prepared: &#prepared,
                 t: R,
                 x: &#unknown,
                 (f, decay): (&mut #unknown, &mut R),
@@ -102,11 +92,11 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
                 #body
             }
             #[inline]
-            fn decay(&self, prepared: &[R; #prepared], t: R, x: &#unknown) -> R {
+            fn decay(&self, prepared: &#prepared, t: R, x: &#unknown) -> R {
                 #decay
             }
             #[inline(always)]
-            fn action(&self, prepared: &[R; #prepared], t: R, z: &#phase, s: &R) -> R {
+            fn action(&self, prepared: &#prepared, t: R, z: &#phase, s: &R) -> R {
                 #parts
                 #action
             }

@@ -1,11 +1,12 @@
 //! The field of discrete gradients, with divided differences.
 
+use super::prepared::Prepared;
 use super::write_field;
 use crate::analyze::MeanValue;
 use crate::derive::{FieldKernels, Missing};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::self_type;
+use crate::emit::structure::self_type;
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
 use proc_macro2::{Literal, TokenStream};
@@ -17,9 +18,9 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
     let FieldKernels { increments, .. } = field;
     let unknown = context.unknown_type(increments.len());
     let places = context.unknown_places(increments.len());
-    let parameters = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let names = [["Parameters", "parameters"], ["Start", "begin"]];
+    let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
+    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
     let slope = context.planned(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
     let equation = field.folded.then(|| {
@@ -30,8 +31,8 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
             fn equation(
                 &self,
                 _: (&Self::Constants, R),
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#unknown,
                 image: &mut #unknown,
                 matrix: &mut Square<#unknown>,
@@ -61,24 +62,16 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
-            type Parameters = [R; #prepared];
-            type Start = [R; #started];
+            #types
             type Inverse = #inverse;
             const MEAN: Mean = Mean::#mean;
 
-            #[inline]
-            fn parameters(&self, h: R) -> [R; #prepared] {
-                #parameters
-            }
-            #[inline(always)]
-            fn begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn slope(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#unknown,
                 f: &mut #unknown,
                 jacobian: &mut Square<#unknown>,
@@ -87,7 +80,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
             }
             #equation
             #[inline(always)]
-            fn drift(&self, prepared: &[R; #prepared], p: &#unknown) -> #unknown {
+            fn drift(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
                 let mut drift = <#unknown as Array>::zero();
                 #drift
                 drift
@@ -176,31 +169,23 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
 /// `impl FourthOrderField`.
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
-    let parameters = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&field.coordinates, "y"), |values| quote!([#(#values),*]));
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
+    let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
+    let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
+    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let image = context.planned(&plan.last[0], (&field.increments, "d"), |values| {
         write_field(context, ["image", "matrix"], &plan.last[0], &values)
     });
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
-            type FourthParameters = [R; #prepared];
-            type FourthStart = [R; #started];
+            #types
 
-            #[inline]
-            fn fourth_parameters(&self, h: R) -> [R; #prepared] {
-                #parameters
-            }
-            #[inline(always)]
-            fn fourth_begin(&self, prepared: &[R; #prepared], t: R, y: &#unknown) -> [R; #started] {
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn fourth_slope(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#unknown,
                 image: &mut #unknown,
                 matrix: &mut Square<#unknown>,

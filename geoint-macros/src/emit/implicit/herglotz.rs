@@ -1,14 +1,16 @@
 //! A Lagrangian with an action by its derivatives, for steps with velocities as unknowns.
 
-use super::square;
-use super::velocities::mass_form;
+use super::prepared::Prepared;
+use super::velocities::{DERIVATIVES, DERIVED, mass_form};
+use super::write_derivatives;
 use crate::derive::{HerglotzKernels, Missing, StepKernel, VelocityStages};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::{cotangent, self_type};
+use crate::emit::structure::self_type;
+use crate::emit::system::cotangent;
 use crate::ir::Graph;
 use crate::schedule::Plan;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 /// `impl Contact`, `impl ContactVelocities` and `impl ContactPolarised`, and which steps they are for.
@@ -37,11 +39,11 @@ pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzK
 pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpoint: &TokenStream) -> TokenStream {
     let VelocityStages { varying, mass, stage } = stages;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
-    let (n, squares) = (places.len(), square(&places));
+    let n = places.len();
     let mass = mass_form(context, mass);
     let moved = if *varying { context.unknown_type(n + 1) } else { array.clone() };
-    let constants = context.stored(stage, 0);
-    let prepared = Literal::usize_unsuffixed(stage.slots[0]);
+    let Prepared { types, functions, prepared, .. } =
+        Prepared::for_stages(context, stage, ["StageConstants", "stage_constants"]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| {
         let (force, decay) = (write("force", &places, &values[..n]), &values[n]);
         quote! {
@@ -50,18 +52,14 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpo
         }
     });
     let stage = context.planned(&stage.last[0], (&[], ""), |values| {
-        let (vectors, rest) = values.split_at(2 * n);
-        let (matrices, action) = rest.split_at(4 * n * n);
-        let (momentum, force) = (write("momentum", &places, &vectors[..n]), write("force", &places, &vectors[n..]));
-        let names = ["momentum_by_q", "mass", "force_by_q", "force_by_v"];
-        let matrices =
-            names.into_iter().zip(matrices.chunks(n * n)).map(|(name, entries)| write(name, &squares, entries));
+        let (derivatives, action) = values.split_at(2 * n + 4 * n * n);
+        let derivatives = write_derivatives(&places, (&DERIVED, &DERIVATIVES), derivatives);
         let (value, decay, by_action) = (&action[0], &action[1], &action[2..]);
         let (momentum_by_s, force_by_s) =
             (write("momentum_by_s", &places, &by_action[..n]), write("force_by_s", &places, &by_action[n..2 * n]));
         let decay_by_s = &by_action[2 * n];
         quote! {
-            #momentum #force #(#matrices)* #momentum_by_s #force_by_s
+            #derivatives #momentum_by_s #force_by_s
             *lagrangian = #value;
             *decay = #decay;
             *decay_by_action = #decay_by_s;
@@ -77,16 +75,13 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpo
         impl<R: Real> ContactVelocities<R> for #name {
             type Proof = ();
             type Moved = #moved;
-            type StageConstants = [R; #prepared];
+            #types
 
-            #[inline]
-            fn stage_constants(&self) -> [R; #prepared] {
-                #constants
-            }
+            #functions
             #[inline(always)]
             fn stage(
                 &self,
-                prepared: &[R; #prepared],
+                prepared: &#prepared,
                 t: R,
                 q: &#array,
                 v: &#array,
@@ -105,7 +100,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpo
                 #stage
             }
             #[inline(always)]
-            fn force(&self, prepared: &[R; #prepared], t: R, q: &#array, v: &#array, s: &R) -> (#array, R) {
+            fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array, s: &R) -> (#array, R) {
                 let mut force = <#array as Array>::zero();
                 #force
             }
@@ -118,17 +113,12 @@ fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &Step
     let (name, array, phase, parts) = (self_type(context), context.array(), context.phase(), context.parts());
     let n = unknowns.len();
     let (unknown, places) = (context.unknown_type(n), context.unknown_places(n));
-    let parameters = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
+    let names = [["Parameters", "parameters"], ["Start", "begin"]];
+    let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, s: &R, v: &#array));
+    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let equation = context.planned(&plan.last[0], (unknowns, "d"), |values| {
-        let (vectors, matrices) = values.split_at(2 * n);
-        let vectors = ["residual", "increments"].into_iter().zip(vectors.chunks(n));
-        let matrices = ["matrix", "increments_by_d"].into_iter().zip(matrices.chunks(n * n));
-        let vectors = vectors.map(|(name, values)| write(name, &places, values));
-        let matrices = matrices.map(|(name, values)| write(name, &square(&places), values));
-        quote!(#(#vectors)* #(#matrices)*)
+        write_derivatives(&places, (&["residual", "increments"], &["matrix", "increments_by_d"]), &values)
     });
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: Real> ContactGraded<R> for #name {
             type Proof = ();
@@ -137,23 +127,14 @@ fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &Step
         impl<R: Real> ContactPolarised<R> for #name {
             type Proof = ();
             type Unknown = #unknown;
-            type Parameters = [R; #prepared];
-            type Start = [R; #started];
+            #types
 
-            #[inline]
-            fn parameters(&self, h: R) -> [R; #prepared] {
-                #parameters
-            }
-            #[inline(always)]
-            fn begin(&self, prepared: &[R; #prepared], t: R, z: &#phase, s: &R, v: &#array) -> [R; #started] {
-                #parts
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn equation(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#unknown,
                 [residual, increments]: [&mut #unknown; 2],
                 [matrix, increments_by_d]: [&mut Square<#unknown>; 2],

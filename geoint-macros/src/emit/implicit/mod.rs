@@ -7,10 +7,11 @@ mod constraints;
 mod contact;
 mod discrete;
 mod herglotz;
+mod prepared;
 mod velocities;
 
 use super::kernel::{Context, write};
-use super::system::self_type;
+use super::structure::self_type;
 use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
 use crate::schedule::{Block, Operand, Plan};
@@ -62,6 +63,20 @@ fn field(context: &Context<'_>, graph: &Graph, (field, proven): (&FieldKernels<P
 /// The places of a square matrix, row by row.
 pub(super) fn square(places: &[Vec<usize>]) -> Vec<Vec<usize>> {
     places.iter().flat_map(|row| places.iter().map(move |column| [&row[..], &column[..]].concat())).collect()
+}
+
+/// The statements that write vectors, then matrices, from all their entries in a row.
+pub(super) fn write_derivatives(
+    places: &[Vec<usize>],
+    (vectors, matrices): (&[&str], &[&str]),
+    values: &[TokenStream],
+) -> TokenStream {
+    let n = places.len();
+    let (of_vectors, of_matrices) = values.split_at(vectors.len() * n);
+    let vectors = vectors.iter().zip(of_vectors.chunks(n)).map(|(name, entries)| write(name, places, entries));
+    let squares = square(places);
+    let matrices = matrices.iter().zip(of_matrices.chunks(n * n)).map(|(name, entries)| write(name, &squares, entries));
+    quote!(#(#vectors)* #(#matrices)*)
 }
 
 /// The statements that write f and its derivative, the results of a block. Of many unknowns most depend on few others: entries that are

@@ -1,33 +1,30 @@
 //! A Lagrangian by its derivatives, for steps with velocities as unknowns.
 
-use super::{square, write_field};
+use super::prepared::Prepared;
+use super::{write_derivatives, write_field};
 use crate::derive::{MassKernels, Missing, VelocityKernels};
 use crate::emit::kernel::{Context, write};
 use crate::emit::missing::unsatisfied;
-use crate::emit::system::{cotangent, keeps_energy, self_type};
+use crate::emit::structure::self_type;
+use crate::emit::system::{cotangent, keeps_energy};
 use crate::ir::{Graph, Symbol};
 use crate::schedule::Plan;
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
+
+/// What a stage computes beside one another: ∂L/∂v, ∂L/∂q, and derivatives of both by q and v.
+pub(super) const DERIVED: [&str; 2] = ["momentum", "force"];
+pub(super) const DERIVATIVES: [&str; 4] = ["momentum_by_q", "mass", "force_by_q", "force_by_v"];
 
 /// `impl VelocityForm` and `impl PolarisedForm`, and which steps they are for.
 pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &VelocityKernels<Plan>) -> TokenStream {
     let VelocityKernels { increments, mass, stage, polarised, keeps, .. } = kernels;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
-    let squares = square(&places);
-    let n = places.len();
     let mass = mass_form(context, mass);
-    let constants = context.stored(stage, 0);
-    let prepared = Literal::usize_unsuffixed(stage.slots[0]);
+    let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
-    let stage = context.planned(&stage.last[0], (&[], ""), |values| {
-        let (vectors, matrices) = values.split_at(2 * n);
-        let (momentum, force) = (write("momentum", &places, &vectors[..n]), write("force", &places, &vectors[n..]));
-        let names = ["momentum_by_q", "mass", "force_by_q", "force_by_v"];
-        let matrices =
-            names.into_iter().zip(matrices.chunks(n * n)).map(|(name, entries)| write(name, &squares, entries));
-        quote!(#momentum #force #(#matrices)*)
-    });
+    let stage = context
+        .planned(&stage.last[0], (&[], ""), |values| write_derivatives(&places, (&DERIVED, &DERIVATIVES), &values));
     let polarised = match polarised {
         Ok(plan) => self::polarised(context, increments, plan),
         Err(missing) => not_polarised(context, graph, *missing),
@@ -44,16 +41,13 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
         }
         impl<R: Real> VelocityForm<R> for #name {
             type Proof = ();
-            type Constants = [R; #prepared];
+            #types
 
-            #[inline]
-            fn constants(&self) -> [R; #prepared] {
-                #constants
-            }
+            #functions
             #[inline(always)]
             fn stage(
                 &self,
-                prepared: &[R; #prepared],
+                prepared: &#prepared,
                 t: R,
                 q: &#array,
                 v: &#array,
@@ -63,7 +57,7 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
                 #stage
             }
             #[inline(always)]
-            fn force(&self, prepared: &[R; #prepared], t: R, q: &#array, v: &#array) -> #array {
+            fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
                 let mut force = <#array as Array>::zero();
                 #force
                 force
@@ -111,19 +105,12 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> T
 fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> TokenStream {
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let (phase, parts) = (context.phase(), context.parts());
-    let parameters = context.stored(plan, 0);
-    let begin = context.planned(&plan.stores[1], (&[], ""), |values| quote!([#(#values),*]));
-    let given = (increments, "d");
-    let (n, squares) = (places.len(), square(&places));
-    let equation = context.planned(&plan.last[0], given, |values| {
-        let (vectors, matrices) = values.split_at(2 * n);
-        let vectors = ["residual", "impulse"].into_iter().zip(vectors.chunks(n));
-        let matrices = ["matrix", "impulse_by_d"].into_iter().zip(matrices.chunks(n * n));
-        let vectors = vectors.map(|(name, values)| write(name, &places, values));
-        let matrices = matrices.map(|(name, values)| write(name, &squares, values));
-        quote!(#(#vectors)* #(#matrices)*)
+    let names = [["Parameters", "parameters"], ["Start", "begin"]];
+    let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, v: &#array));
+    let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
+    let equation = context.planned(&plan.last[0], (increments, "d"), |values| {
+        write_derivatives(&places, (&["residual", "impulse"], &["matrix", "impulse_by_d"]), &values)
     });
-    let [prepared, started] = [plan.slots[0], plan.slots[1]].map(Literal::usize_unsuffixed);
     quote! {
         impl<R: Real> Graded<R> for #name {
             type Proof = ();
@@ -131,23 +118,14 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
         }
         impl<R: Real> PolarisedForm<R> for #name {
             type Proof = ();
-            type Parameters = [R; #prepared];
-            type Start = [R; #started];
+            #types
 
-            #[inline]
-            fn parameters(&self, h: R) -> [R; #prepared] {
-                #parameters
-            }
-            #[inline(always)]
-            fn begin(&self, prepared: &[R; #prepared], t: R, z: &#phase, v: &#array) -> [R; #started] {
-                #parts
-                #begin
-            }
+            #functions
             #[inline(always)]
             fn equation(
                 &self,
-                prepared: &[R; #prepared],
-                start: &[R; #started],
+                prepared: &#prepared,
+                start: &#started,
                 d: &#array,
                 [residual, impulse]: [&mut #array; 2],
                 [matrix, impulse_by_d]: [&mut Square<#array>; 2],

@@ -9,7 +9,7 @@ mod numbers;
 mod rules;
 
 use super::kernel::{Context, element};
-use super::system::{self_type, state};
+use super::structure::{self_type, state};
 use crate::derive::JetKernel;
 use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;

@@ -35,7 +35,6 @@ fn structure<F: Fn(Symbol) -> String>(
     let graph = printer.graph();
     writeln!(text, "H = {}", printer.formula(energy))?;
     writeln!(text, "\nStructure")?;
-    let reads = analyze::reads(graph, gradient.s);
     let explicit = if analyze::reads(graph, energy).t { " + ∂H/∂t" } else { "" };
     match graph.is_zero(gradient.s) {
         true => {
@@ -43,7 +42,7 @@ fn structure<F: Fn(Symbol) -> String>(
         }
         false => writeln!(text, "- ∂H/∂s = {}, and H' = −H ∂H/∂s{explicit}", printer.excerpt(gradient.s))?,
     }
-    match reads.state() {
+    match analyze::acts_back(graph, gradient.s, gradient.q.iter().chain(&gradient.p).copied()) {
         true => writeln!(text, "- s acts back on positions or momenta")?,
         false => writeln!(text, "- positions and momenta move without s: `without_action` leaves it out")?,
     }

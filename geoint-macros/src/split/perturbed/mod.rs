@@ -104,7 +104,7 @@ pub(crate) fn divided(
         Split::Separable(parts) => parts,
         Split::Coupled(term) => return coupled(graph, structure.energy, *term, degrees),
     };
-    if let Some((coordinates, _)) = energy.inner {
+    if let Some((coordinates, _)) = energy.options.coordinates {
         let frame = match coordinates {
             Coordinates::Jacobi => JACOBI,
             Coordinates::Heliocentric => HELIOCENTRIC,

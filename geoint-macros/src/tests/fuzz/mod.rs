@@ -4,6 +4,7 @@
 mod damage;
 mod functions;
 mod stacks;
+mod written;
 
 use crate::expand;
 use crate::parse::Form;

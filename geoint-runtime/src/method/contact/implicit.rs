@@ -2,7 +2,7 @@
 
 use super::{ContactDiscreteGradient, ContactMidpoint};
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
@@ -121,6 +121,11 @@ macro_rules! steps {
             }
 
             #[inline(always)]
+            fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+                newton.follow(before.map(|earlier| earlier.of_increments(|newton| newton)));
+            }
+
+            #[inline(always)]
             fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
                 prepared: &Self::Prepared,
                 memory: &mut Self::Memory,
@@ -162,6 +167,11 @@ macro_rules! methods {
 
             fn memory() -> Self::Memory {
                 <S::$of as StepsOf<$method, S, R>>::memory()
+            }
+
+            #[inline(always)]
+            fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+                <S::$of as StepsOf<$method, S, R>>::follow(memory, before);
             }
 
             #[inline(always)]

@@ -1,7 +1,7 @@
 //! Steps of the polarised discrete gradient of a Lagrangian with an action: see [`ContactPolarised`].
 
 use super::ContactDiscreteGradient;
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -51,6 +51,11 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
 
     fn memory() -> Self::Memory {
         Memory { newton: Newton::new(S::Array::LEN, 2), orientation: Orientation::unknown(), v: S::Array::zero() }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -28,6 +28,11 @@ where
 
     fn memory() -> Self::Memory {
         Newton::new(Y::State::ALIKE, Y::Phase::LEN / Y::State::ALIKE)
+    }
+
+    #[inline(always)]
+    fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        newton.follow(before.map(|earlier| earlier.of_increments(|newton| newton)));
     }
 
     #[inline(always)]

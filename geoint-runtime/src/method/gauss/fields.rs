@@ -4,7 +4,7 @@ use super::prepared::Prepared;
 use super::stages::Stages;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Snapshot, Summation};
@@ -44,6 +44,11 @@ where
 
     fn memory() -> Self::Memory {
         Newton::new(Y::State::ALIKE, Y::Unknown::LEN / Y::State::ALIKE)
+    }
+
+    #[inline(always)]
+    fn follow(newton: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        newton.follow(before.map(|earlier| earlier.of_rates(|newton| newton)));
     }
 
     #[inline(always)]

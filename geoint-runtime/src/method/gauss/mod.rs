@@ -31,7 +31,7 @@ pub(in crate::method) mod velocities;
 pub use tableau::GaussTableau;
 
 use crate::method::composition::{Composed, Composition, SymmetricMap};
-use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::method::{And, Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::Collocated;
@@ -79,6 +79,11 @@ where
     }
 
     #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        <Y::Stages as StepsOf<Self, Y, R>>::follow(memory, before);
+    }
+
+    #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
@@ -110,6 +115,11 @@ where
 
     fn memory() -> Self::Memory {
         <Gauss<1> as Method<Y, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        <Gauss<1> as Method<Y, R>>::follow(memory, before);
     }
 
     #[inline(always)]

@@ -4,7 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -50,6 +50,11 @@ where
 
     fn memory() -> Self::Memory {
         Memory { newton: Newton::new(Y::Array::LEN, 1), orientation: Orientation::unknown() }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_rates(|memory| &memory.newton)));
     }
 
     #[inline(always)]

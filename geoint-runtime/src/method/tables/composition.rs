@@ -75,7 +75,7 @@ pub const KahanLi8_17a: Composition<17> = Composition::palindrome(
 );
 
 /// Order 10, 35 maps. M. Sofroniou & G. Spaletta, Optim. Methods Softw. 20 (2005) 597; Hairer, Lubich & Wanner
-/// (V.3.14). 2 free parameters.
+/// (V.3.14). 2 free parameters. Of kicks and drifts, drifts first: `SofroniouSpaletta10_35.of(PositionVerlet)`.
 pub const SofroniouSpaletta10_35: Composition<35> = Composition::palindrome(
     "SofroniouSpaletta10_35",
     10,

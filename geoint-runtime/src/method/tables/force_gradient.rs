@@ -80,6 +80,28 @@ pub const Omelyan4_5F2GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::pa
 )
 .with_inner_gradients([0.0, 0.00096289052120248727073399465605175630290592445062592, 0.0]);
 
+/// Kick first. Order 6, 5 forces and 4 gradients, in closed form. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003)
+/// 272, (63), (64).
+pub const Omelyan6_5F4GV: Splitting<5, KickFirst<WithGradient>> = Splitting::palindrome(
+    "Omelyan6_5F4GV",
+    6,
+    [
+        0.083333333333333333333333333333333333333333333333333,
+        0.0016836191862032877664025631003604907651583823508923,
+        0.41498304748046337890026410356630617590150828431577,
+    ],
+    [
+        0.72360679774997896964091736687312762354406183596115,
+        -0.44721359549995793928183473374625524708812367192231,
+        0.44721359549995793928183473374625524708812367192231,
+    ],
+)
+.with_outer_gradients([
+    0.0,
+    -0.000064083903251418975073062361388147247495134660680175,
+    0.0035363061254736411972952845836103694697173568829024,
+]);
+
 /// Drift first. Order 6, 5 forces and 3 gradients. I. P. Omelyan, I. M. Mryglod & R. Folk, Comput. Phys. Commun. 151 (2003) 272, (72),
 /// (76). Isolated solution of the order conditions.
 pub const Omelyan6_5F3GP: Splitting<5, DriftFirst<WithGradient>> = Splitting::palindrome(

@@ -1,6 +1,7 @@
 //! How one equation is solved: by how many iterations, from how many guesses.
 
-use super::predictor;
+use super::guess::Guesses;
+use super::predictor::Predictor;
 use super::{Found, MOST_UNKNOWNS, Newton, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
@@ -8,7 +9,7 @@ use crate::solving::damped;
 use crate::solving::equation::{Distant, Evaluate, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
 use crate::solving::size::Sizes;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
@@ -19,34 +20,25 @@ const LEAST_CURVATURE: f64 = 1e-3;
 /// Of so many steps one looks a second time, to see that factor again.
 const SECOND_LOOK: u32 = 64;
 
-/// The factor by which corrections of the fixed point must shrink.
-const SHRINKING: f64 = 0.3;
-
-/// Of so many steps one tries the fixed point again.
-const ANOTHER_TRY: u32 = 256;
+/// Corrections of which no more is asked than whether they are the last one. Where they are not after so many, something is else than before.
+const UNJUDGED: u32 = 3;
 
 /// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
 /// solution of another branch.
 const FAR_OFF: f64 = 1.0 / 64.0;
 
-/// Iterations after which a guess was no good.
-const ROUGH: u32 = 3;
-
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
-    sizes: Sizes<A>,
+    pub(super) sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
     kinds: [usize; 2],
-    /// Steps until there are increments enough to extrapolate.
-    missing: usize,
-    /// That is so, or steps are too long to be extrapolated.
-    rough: bool,
+    pub(super) guesses: Guesses,
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
-    steps: u32,
+    pub(super) steps: u32,
     /// The fixed point attracts too weakly.
-    stiff: bool,
+    pub(super) stiff: bool,
 }
 
 /// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
@@ -55,12 +47,12 @@ pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         // Kinds follow from the method.
-        let Iteration { sizes, kinds: _, missing, rough, reach, steps, stiff } = self;
-        let mut counts = [*missing as u64, u64::from(*steps)];
+        let Iteration { sizes, kinds: _, guesses, reach, steps, stiff } = self;
         sizes.record(tape);
-        counts.iter_mut().for_each(|n| tape.count(n));
-        (*missing, *steps) = ((counts[0] as usize).min(predictor::POINTS), counts[1] as u32);
-        tape.flag(rough);
+        guesses.record(tape);
+        let mut count = u64::from(*steps);
+        tape.count(&mut count);
+        *steps = count as u32;
         tape.number(reach);
         tape.flag(stiff);
     }
@@ -72,18 +64,11 @@ impl<A: Array> Iteration<A> {
         Iteration {
             sizes: Sizes::new(),
             kinds: [n, kinds],
-            missing: predictor::POINTS,
-            rough: true,
+            guesses: Guesses::new(),
             reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
             stiff: A::LEN <= MOST_UNKNOWNS,
         }
-    }
-
-    /// Whether nothing can be extrapolated from the increments before.
-    #[inline(always)]
-    pub(super) fn is_rough(&self) -> bool {
-        self.rough
     }
 
     /// The sizes of increments so far.
@@ -98,34 +83,16 @@ impl<A: Array> Iteration<A> {
         self.steps = self.steps.wrapping_add(1);
     }
 
-    /// Whether nothing is left to correct after the first correction of a step. Convergence is quadratic, and C is known from a step
-    /// before.
+    /// Whether nothing is left to correct after this correction. Convergence is quadratic, and C is known from a step before.
     #[inline(always)]
     pub(super) fn is_last(&self, delta: &A) -> bool {
-        self.sizes.exceed(delta, self.reach) && !self.steps.is_multiple_of(SECOND_LOOK)
+        self.sizes.exceed(delta, self.reach) && !self.looks()
     }
 
-    /// Solves an equation for many unknowns: by the fixed point if that attracts.
+    /// Whether this step looks at what others take as known.
     #[inline(always)]
-    pub(super) fn of_many<W: ?Sized, E: StepEquation<A, W>>(
-        &mut self,
-        start: Start<A>,
-        equation: &E,
-        watch: &mut W,
-    ) -> Found<A> {
-        if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
-            let guess = start.0.unwrap_or_else(|| explicit(*equation));
-            let found = self.fixed_point(guess, equation, watch);
-            self.stiff = found.is_none();
-            if let Some(x) = found {
-                self.missing = self.missing.saturating_sub(1);
-                self.rough &= self.missing > 0;
-                return Found::solution(x, A::zero());
-            }
-        }
-        let found;
-        (*self, found) = self.search(start, *equation, watch);
-        found
+    fn looks(&self) -> bool {
+        self.steps.is_multiple_of(SECOND_LOOK)
     }
 
     /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
@@ -149,7 +116,6 @@ impl<A: Array> Iteration<A> {
     }
 
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
-    #[cold]
     #[inline(never)]
     pub(super) fn search<W: ?Sized, E: StepEquation<A, W>>(
         mut self,
@@ -157,7 +123,6 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> (Self, Found<A>) {
-        let fills = self.missing > 0;
         let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
@@ -175,9 +140,8 @@ impl<A: Array> Iteration<A> {
             let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
             match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
                 Ok((x, lost, iterations)) => {
-                    self.missing = self.missing.saturating_sub(1);
-                    // As long as some are missing, nothing follows from the number of iterations.
-                    self.rough = self.missing > 0 || iterations >= ROUGH && !fills;
+                    let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
+                    self.guesses.count(!extrapolated || self.guesses.disappoint(iterations, self.looks()));
                     return (self, Found::solution(x, lost));
                 }
                 Err(refusal) => {
@@ -191,6 +155,17 @@ impl<A: Array> Iteration<A> {
                 }
             }
         }
+    }
+
+    /// Chooses what the next guess is made of, by what each would have missed this solution.
+    #[cold]
+    #[inline(never)]
+    pub(super) fn choose(&self, predictor: &Predictor<A>, origin: A, x: A) -> Guesses {
+        self.guesses.choose(predictor, |guess| {
+            let missed = difference(&x, guess);
+            // What one correction makes good is good enough.
+            if self.sizes.exceed(&missed, self.reach) { 0.0 } else { self.sizes.relative(&missed, &origin, &x) }
+        })
     }
 
     /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
@@ -222,8 +197,11 @@ impl<A: Array> Iteration<A> {
                 return Err(corrections.not_converged());
             }
             let lost = subtract(&mut x, &delta);
-            if iterations == 1 && self.is_last(&delta) {
-                return if positive { Ok((x, lost, 1)) } else { Err(Refusal::Singular) };
+            if self.is_last(&delta) {
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            }
+            if iterations <= UNJUDGED && !self.looks() {
+                continue;
             }
             let correction = self.sizes.relative(&delta, &origin, &x);
             if iterations == 2 {
@@ -260,27 +238,6 @@ impl<A: Array> Iteration<A> {
         noise::explains(&noise, &residual(&x), &sizes)
     }
 
-    /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
-    #[inline(always)]
-    fn fixed_point<W: ?Sized, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
-        let (origin, mut x) = (equation.origin(), guess);
-        let mut corrections = Corrections::of_order(1);
-        loop {
-            let next = equation.image(watch, &x);
-            let delta = difference(&x, &next);
-            x = next;
-            let correction = self.sizes.relative(&delta, &origin, &x);
-            let before = corrections.last();
-            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
-                self.sizes.include(&origin, &x);
-                return Some(x);
-            }
-            if correction.is_nan() || correction > SHRINKING * before {
-                return is_rounding::<A::Real>(correction).then_some(x);
-            }
-        }
-    }
-
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
     fn see(&mut self, correction: f64, before: f64) {
@@ -310,7 +267,7 @@ enum Attempt<A> {
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
+pub(super) fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }

@@ -1,5 +1,7 @@
 //! The iteration for the increment of an implicit step: Newton's; or, in many unknowns, that of the fixed point.
 
+mod fixed_point;
+mod guess;
 mod iteration;
 mod predictor;
 
@@ -68,6 +70,18 @@ impl<A: Array> Newton<A> {
         Newton { predictor: Predictor::new(), iteration: Iteration::new(n, kinds) }
     }
 
+    /// The next equation is that of a substep, and these are those of the two substeps before it, with the weights by which unknowns of
+    /// both are extrapolated to it. What few increments miss is smooth along substeps as well.
+    #[inline(always)]
+    pub(crate) fn follow(&mut self, before: [(A::Real, &Self); 2]) {
+        let knows = |(_, other): &(_, &Self)| other.iteration.guesses.knows_difference();
+        if !self.iteration.guesses.sure() && before.iter().all(knows) {
+            self.predictor.expect(before.map(|(weight, other)| (weight, &other.predictor)));
+        } else {
+            self.predictor.expect_nothing();
+        }
+    }
+
     /// Solves an equation to rounding, from the increments before or from its explicit guess.
     ///
     /// The iteration does not stop at a tolerance but where the next correction is bound to be below the rounding of `origin + x`:
@@ -86,19 +100,21 @@ impl<A: Array> Newton<A> {
 
     #[inline(always)]
     fn solution<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
-        let extrapolates = !self.iteration.is_rough();
-        if E::PATIENT {
-            let guess = extrapolates.then(|| self.predictor.predict());
-            return self.iteration.patient(guess, *equation, watch);
-        }
-        if Self::MANY {
-            let guess = extrapolates.then(|| self.predictor.predict());
-            return self.iteration.of_many((guess, None), equation, watch);
+        let guesses = self.iteration.guesses;
+        if E::PATIENT || Self::MANY {
+            let guess = guesses.extrapolated(&self.predictor);
+            let found = if E::PATIENT {
+                self.iteration.patient(guess, *equation, watch)
+            } else {
+                self.iteration.of_many((guess, None), equation, watch)
+            };
+            self.choose(equation.origin(), found.x);
+            return found;
         }
         // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
         let start = 'start: {
-            if !extrapolates {
-                break 'start (None, None);
+            if !guesses.all() {
+                break 'start (guesses.extrapolated(&self.predictor), None);
             }
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
@@ -116,7 +132,16 @@ impl<A: Array> Newton<A> {
         };
         let found;
         (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        self.choose(equation.origin(), found.x);
         found
+    }
+
+    /// What the next guess is made of, if another one than this time may be better.
+    #[inline(always)]
+    fn choose(&mut self, origin: A, x: A) {
+        if self.iteration.guesses.due() {
+            self.iteration.guesses = self.iteration.choose(&self.predictor, origin, x);
+        }
     }
 }
 

@@ -11,19 +11,27 @@ pub(crate) const POINTS: usize = 11;
 /// sequence is zero.
 const WEIGHTS: [f64; 5] = [11.0, -55.0, 165.0, -330.0, 462.0];
 
+/// How many increments are extrapolated where steps are too long for all: differences of higher order are larger than these there.
+pub(crate) const FEW: usize = 4;
+
+/// (−1)ʲ (4 choose j).
+const DIFFERENCE: [f64; FEW + 1] = [1.0, -4.0, 6.0, -4.0, 1.0];
+
 /// Extrapolates a smooth sequence by a polynomial through its last terms.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Predictor<A> {
     /// The latest first.
     terms: [A; POINTS],
+    /// What the polynomial through few terms is expected to miss by.
+    expected: A,
 }
 
 impl<A: Array> Predictor<A> {
     pub(crate) fn new() -> Self {
-        Predictor { terms: [A::zero(); POINTS] }
+        Predictor { terms: [A::zero(); POINTS], expected: A::zero() }
     }
 
-    /// The terms, the latest first.
+    /// The terms, the latest first. What is expected is not recorded: it is computed before each step that has it.
     pub(crate) fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         self.terms.iter_mut().for_each(|term| tape.array(term));
     }
@@ -41,6 +49,38 @@ impl<A: Array> Predictor<A> {
         }
         sum.add_scaled(A::Real::from_f64(WEIGHTS[0]), latest);
         sum
+    }
+
+    /// The next term by a polynomial through few terms, and by what that is expected to miss.
+    pub(crate) fn predict_by_few(&self) -> A {
+        let mut sum = self.expected;
+        for (weight, term) in DIFFERENCE[1..].iter().zip(&self.terms) {
+            sum.add_scaled(A::Real::from_f64(-weight), term);
+        }
+        sum
+    }
+
+    /// What the polynomial through few terms has missed the latest term by.
+    fn missed(&self) -> A {
+        let mut sum = A::zero();
+        for (weight, term) in DIFFERENCE.iter().zip(&self.terms) {
+            sum.add_scaled(A::Real::from_f64(*weight), term);
+        }
+        sum
+    }
+
+    /// Expects these multiples of what the polynomials of other sequences have missed last.
+    pub(crate) fn expect(&mut self, others: [(A::Real, &Self); 2]) {
+        self.expected = A::zero();
+        for (weight, other) in others {
+            self.expected.add_scaled(weight, &other.missed());
+        }
+    }
+
+    /// Expects nothing.
+    #[inline(always)]
+    pub(crate) fn expect_nothing(&mut self) {
+        self.expected = A::zero();
     }
 
     /// The sequence goes on.

@@ -1,9 +1,11 @@
 //! Systems with friction: an oscillator, an orbit that is braked and driven, Van der Pol's.
 
-use super::{Field, Problem, Way, by_hand, reference};
+use super::{AT_THE_END, Problem, Way, by_hand, reference};
+use crate::by_hand::damped_oscillator::DampedOscillator;
 use crate::by_hand::perturbed_kepler::PerturbedKepler;
 use crate::entry::{Entry, Whose};
-use crate::rivals::of_field;
+use crate::field::Field;
+use crate::rivals::{Seen, of_field};
 use crate::systems::DrivenKepler;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Jets, Rates, StateOf};
@@ -24,18 +26,30 @@ fn damped_in_two(q: f64, p: f64, s: f64, gamma: f64) -> f64 {
     p * p / 2.0 + q * q / 2.0 + gamma * s
 }
 
-/// Steps of one length, without the action: errors are those of positions and momenta.
+/// Steps of one length, without the action: errors are those of positions and momenta, the first `n` numbers.
 fn plain<S: Conformal + 'static, M: Method<S> + 'static>(
     family: &'static str,
     (system, method): (S, M),
-    way: Way<StateOf<S, f64>>,
+    (way, n): (Way<StateOf<S, f64>>, usize),
     first: u64,
 ) -> Entry {
-    Entry::steps(Whose::Ours, family, method.name().to_string(), first, move |n| {
-        let sim = Integrator::new(black_box(system), method, way.duration / n as f64, black_box(way.start));
-        let mut sim = sim.without_action();
-        sim.advance(n).ok()?;
-        Some(flat(&sim.state()))
+    Entry::steps(Whose::Ours, family, method.name().to_string(), first, move |steps| {
+        way.steps(
+            steps,
+            |h| Integrator::new(black_box(system), method, h, black_box(way.start)).without_action(),
+            |sim, _, steps| {
+                sim.advance(steps).ok()?;
+                Some(flat(&sim.state())[..n].to_vec())
+            },
+        )
+    })
+}
+
+/// Taylor series, of which the first `n` numbers are compared.
+fn taylors<S: Jets + Rates + 'static>(system: S, (way, n): (Way<StateOf<S, f64>>, usize)) -> [Entry; 3] {
+    super::taylors(system, way).map(|Entry { whose, family, name, efforts, run }| {
+        let run = Box::new(move |effort| run(effort).map(|state| state[..n].to_vec()));
+        Entry { whose, family, name, efforts, run }
     })
 }
 
@@ -52,7 +66,7 @@ impl Field<2> for Fading {
     fn start(&self) -> [f64; 2] {
         [1.0, 0.5]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         *dy = [y[1], -y[0] - R::from_f64(0.1) * y[1]];
     }
 }
@@ -60,19 +74,32 @@ impl Field<2> for Fading {
 pub(super) fn damped_oscillator() -> Problem {
     let duration = 50.0;
     let (judge, reference) = reference(Fading, duration, 2.0);
-    let way = Way { start: ContactState::new(1.0, 0.5, 0.0), duration };
+    let way = (Way::new(ContactState::new(1.0, 0.5, 0.0), duration), 2);
     let mut entries = vec![];
     ours! { entries, Damped { gamma: 0.1 }, way; "one exact piece" from 1: ContactSplitting; }
+    entries[0].name += ", one piece";
     ours! { entries, DampedInTwo { gamma: 0.1 }, way;
         "two pieces" from 50: ContactSplitting, BlanesMoan4, KahanLi8_17a.of(ContactSplitting);
         "Nyström" from 50: BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
         "contact Gauss" from 50: ContactGauss::<2>, ContactGauss::<4>;
         "law of decay" from 100: ContactDiscreteGradient;
     }
-    entries.push(taylor(DampedInTwo { gamma: 0.1 }, way, 2));
-    entries.extend(of_field(Fading, duration));
+    entries.extend(taylors(DampedInTwo { gamma: 0.1 }, way));
+    let by = || DampedOscillator { gamma: black_box(0.1) };
+    let (from, list) = (Way::new(Fading.start(), duration), |z: [f64; 2]| z.to_vec());
+    entries.push(by_hand("ContactSplitting", 50, from, list, move |h, n, z| by().steps(h, n, z)));
+    entries.extend(of_field(Fading, duration, Seen::End));
     let note = "γ = 0.1, q = 1, p = 0.5, T = 50".into();
-    Problem { name: "damped_oscillator", title: "Damped oscillator", note, duration, reference, entries, judge }
+    Problem {
+        name: "damped_oscillator",
+        title: "Damped oscillator",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }
 
 #[derive(Clone, Copy)]
@@ -84,7 +111,7 @@ impl Field<4> for Braked {
     fn start(&self) -> [f64; 4] {
         [0.6, 0.0, 0.0, 1.5]
     }
-    fn rate<R: Scalar>(&self, t: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(t: R, y: &[R; 4], dy: &mut [R; 4]) {
         let square = y[0] * y[0] + y[1] * y[1];
         let factor = R::from_f64(-1.0) / (square * Real::sqrt(square));
         let friction = R::from_f64(-0.07) * (R::from_f64(FREQUENCY) * t).sin();
@@ -95,7 +122,7 @@ impl Field<4> for Braked {
 pub(super) fn perturbed_kepler() -> Problem {
     let (duration, system) = (100.0, DrivenKepler { mu: 1.0, alpha: -0.07, omega: FREQUENCY });
     let (judge, reference) = reference(Braked, duration, 20.0);
-    let way = Way { start: ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0), duration };
+    let way = (Way::new(ContactState::new([0.6, 0.0], [0.0, 1.5], 0.0), duration), 4);
     let mut entries = vec![];
     ours! { entries, system, way;
         "contact splitting" from 1000: ContactSplitting, Suzuki4.of(ContactSplitting), BlanesMoan4X, BlanesMoan4, BlanesMoan6,
@@ -103,28 +130,22 @@ pub(super) fn perturbed_kepler() -> Problem {
         "contact Gauss" from 500: ContactGauss::<2>, ContactGauss::<3>, ContactGauss::<4>;
         "law of decay" from 1000: ContactDiscreteGradient;
     }
-    entries.push(taylor(system, way, 4));
+    entries.extend(taylors(system, way));
     let by = || PerturbedKepler { mu: black_box(1.0), alpha: black_box(-0.07), omega: black_box(FREQUENCY) };
-    entries.push(by_hand("contact S2 by hand", 1000, move |n| {
-        by().driven(duration / n as f64, n, black_box([0.6, 0.0, 0.0, 1.5, 0.0])).to_vec()
-    }));
-    entries.extend(of_field(Braked, duration));
+    let (from, list) = (Way::new([0.6, 0.0, 0.0, 1.5, 0.0], duration), |z: [f64; 5]| z[..4].to_vec());
+    entries.push(by_hand("ContactSplitting", 1000, from, list, move |h, n, z| by().driven(h, n, z)));
+    entries.extend(of_field(Braked, duration, Seen::End));
     let note = "α = −0.07, Ω = 2π, q = (0.6, 0), p = (0, 1.5), T = 100".into();
     Problem {
         name: "perturbed_kepler",
         title: "Kepler with friction that comes and goes",
         note,
         duration,
+        measured: AT_THE_END,
         reference,
         entries,
         judge,
     }
-}
-
-/// Taylor series, of which the first `n` numbers are compared.
-fn taylor<S: Jets + Rates + 'static>(system: S, way: Way<StateOf<S, f64>>, n: usize) -> Entry {
-    let Entry { whose, family, name, efforts, run } = super::taylor(system, way);
-    Entry { whose, family, name, efforts, run: Box::new(move |effort| run(effort).map(|state| state[..n].to_vec())) }
 }
 
 const EPSILON: f64 = 5.0;
@@ -148,7 +169,7 @@ impl Field<2> for Relaxation {
     fn start(&self) -> [f64; 2] {
         [2.0, 0.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         let [q, s] = *y;
         *dy = [s, R::from_f64(EPSILON) * (R::from_f64(1.0) - q * q) * s - q];
     }
@@ -172,13 +193,22 @@ pub(super) fn van_der_pol() -> Problem {
         )+ };
     }
     lifted!(500: ContactSplitting, Suzuki4.of(ContactSplitting), BlanesMoan4X, KahanLi8_17a.of(ContactSplitting));
-    let way = Way { start: FlowState::new([2.0, 0.0]), duration };
+    let way = Way::new(FlowState::new([2.0, 0.0]), duration);
     entries.push(super::fixed("Gauss", (field, Gauss::<3>), way, 500));
     entries.push(super::fixed("Gauss", (field, Gauss::<6>), way, 300));
     entries.push(super::fixed("Runge–Kutta", (field, DOP853), way, 300));
     entries.push(super::adaptive((field, DOP853), way));
-    entries.push(super::taylor(field, way));
-    entries.extend(of_field(Relaxation, duration));
+    entries.extend(super::taylors(field, way));
+    entries.extend(of_field(Relaxation, duration, Seen::End));
     let note = "ε = 5, q = 2, q' = 0, T = 50".into();
-    Problem { name: "van_der_pol", title: "Van der Pol", note, duration, reference, entries, judge }
+    Problem {
+        name: "van_der_pol",
+        title: "Van der Pol",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

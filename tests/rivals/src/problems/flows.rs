@@ -1,8 +1,9 @@
 //! A free body.
 
-use super::{Field, Problem, Way, adaptive, by_hand, ours, reference, taylor};
+use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylors};
 use crate::by_hand::free_body::FreeBody;
-use crate::rivals::of_field;
+use crate::field::Field;
+use crate::rivals::{Seen, of_field};
 use crate::systems::FreeMomentum;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
@@ -17,7 +18,7 @@ impl Field<3> for Top {
     fn start(&self) -> [f64; 3] {
         [0.5, 1.6, -1.2]
     }
-    fn rate<R: Scalar>(&self, _: R, m: &[R; 3], dm: &mut [R; 3]) {
+    fn rate<R: Scalar>(_: R, m: &[R; 3], dm: &mut [R; 3]) {
         let w: [R; 3] = std::array::from_fn(|i| m[i] / R::from_f64(INERTIA[i]));
         *dm = [m[1] * w[2] - m[2] * w[1], m[2] * w[0] - m[0] * w[2], m[0] * w[1] - m[1] * w[0]];
     }
@@ -26,7 +27,7 @@ impl Field<3> for Top {
 pub(super) fn euler_top() -> Problem {
     let (duration, system) = (200.0, FreeMomentum { inertia: INERTIA });
     let (judge, reference) = reference(Top, duration, 3.0);
-    let way = Way { start: FlowState::new(Top.start()), duration };
+    let way = Way::new(FlowState::new(Top.start()), duration);
     let mut entries = vec![];
     ours! { entries, system, way;
         "rotations" from 500: PoissonSplitting, BlanesMoan4X.of(PoissonSplitting), KahanLi8_17a.of(PoissonSplitting),
@@ -37,13 +38,12 @@ pub(super) fn euler_top() -> Problem {
         "Runge–Kutta" from 200: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
-    entries.push(by_hand("discrete gradient by hand", 300, move |n| {
-        FreeBody { inertia: black_box(INERTIA) }
-            .discrete_gradient::<false>(duration / n as f64, n, black_box(Top.start()))
-            .to_vec()
+    entries.extend(taylors(system, way));
+    let (from, list) = (Way::new(Top.start(), duration), |m: [f64; 3]| m.to_vec());
+    entries.push(by_hand("DiscreteGradient", 300, from, list, move |h, n, m| {
+        FreeBody { inertia: black_box(INERTIA) }.discrete_gradient::<false>(h, n, m)
     }));
-    entries.extend(of_field(Top, duration));
+    entries.extend(of_field(Top, duration, Seen::End));
     let note = "moments 1, 2, 3, angular momentum (0.5, 1.6, −1.2), T = 200".into();
-    Problem { name: "euler_top", title: "Euler's top", note, duration, reference, entries, judge }
+    Problem { name: "euler_top", title: "Euler's top", note, duration, measured: AT_THE_END, reference, entries, judge }
 }

@@ -1,9 +1,10 @@
-//! One and two degrees of freedom: pendulum, Kepler, Hénon and Heiles, double pendulum.
+//! One and two degrees of freedom: pendulum, Kepler, double pendulum.
 
-use super::{Field, Problem, Way, adaptive, by_hand, ours, reference, taylor};
-use crate::by_hand as hand;
-use crate::rivals::{of_field, of_separable};
-use crate::systems::{DoublePendulum, HenonHeiles, Kepler, Pendulum};
+use super::{AT_THE_END, Problem, Way, adaptive, by_hand, ours, reference, taylors};
+use crate::by_hand::{self as hand, Stages};
+use crate::field::Field;
+use crate::rivals::{Seen, of_field, of_separable};
+use crate::systems::{DoublePendulum, Kepler, Pendulum};
 use geoint_runtime::Real;
 use geoint_runtime::prelude::*;
 use geoint_tests::scalars::Scalar;
@@ -17,7 +18,7 @@ impl Field<2> for Swing {
     fn start(&self) -> [f64; 2] {
         [1.5, 0.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 2], dy: &mut [R; 2]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 2], dy: &mut [R; 2]) {
         *dy = [y[1], -y[0].sin()];
     }
 }
@@ -25,35 +26,35 @@ impl Field<2> for Swing {
 /// q'' = −sin q.
 pub(super) fn pendulum() -> Problem {
     let (duration, system) = (1000.0, Pendulum { m: 1.0, l: 1.0, g: 1.0 });
-    let (judge, reference) = reference(Swing, duration, 3.0);
-    let way = Way { start: State::new(1.5, 0.0), duration };
+    let (judge, reference) = reference(Swing, duration, 1.5);
+    let way = Way::new(State::new(1.5, 0.0), duration);
     let mut entries = vec![];
     ours! { entries, system, way;
         "Verlet" from 2000: StormerVerlet;
-        "splitting" from 1000: BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "splitting" from 1000: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
+        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Gauss" from 500: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
         "energy kept" from 1000: DiscreteGradient, FourthOrder(DiscreteGradient), Suzuki4.of(DiscreteGradient);
         "Runge–Kutta" from 500: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by = || hand::pendulum::Pendulum { m: black_box(1.0), l: black_box(1.0), g: black_box(1.0) };
-    let list = |(q, p): (f64, f64)| vec![q, p];
-    entries.push(by_hand("Verlet by hand", 2000, move |n| {
-        list(by().verlet(duration / n as f64, n, black_box((1.5, 0.0))))
-    }));
-    entries.push(by_hand("BlanesMoan4 by hand", 1000, move |n| {
-        list(by().blanes_moan_4(duration / n as f64, n, black_box((1.5, 0.0))))
-    }));
-    entries.push(by_hand("discrete gradient by hand", 1000, move |n| {
-        list(by().discrete_gradient::<false>(duration / n as f64, n, black_box((1.5, 0.0))))
-    }));
-    entries.extend(of_field(Swing, duration));
-    entries.extend(of_separable(Swing, duration, 2000));
+    let (from, list) = (Way::new((1.5, 0.0), duration), |(q, p): (f64, f64)| vec![q, p]);
+    entries.extend([
+        by_hand("StormerVerlet", 2000, from, list, move |h, n, z| by().verlet(h, n, z)),
+        by_hand("ForestRuth4", 1000, from, list, move |h, n, z| by().drifts_first(Stages::of(&ForestRuth4), h, n, z)),
+        by_hand("BlanesMoan4", 1000, from, list, move |h, n, z| by().kicks_first(Stages::of(&BlanesMoan4), h, n, z)),
+        by_hand("KahanLi8_17a of StormerVerlet", 1000, from, list, move |h, n, z| {
+            by().kicks_first(Stages::composed(&KahanLi8_17a), h, n, z)
+        }),
+        by_hand("DiscreteGradient", 1000, from, list, move |h, n, z| by().discrete_gradient::<false>(h, n, z)),
+    ]);
+    entries.extend(of_field(Swing, duration, Seen::End));
+    entries.extend(of_separable(Swing, duration, 2000, Seen::End));
     let note = "q = 1.5, p = 0, T = 1000".into();
-    Problem { name: "pendulum", title: "Pendulum", note, duration, reference, entries, judge }
+    Problem { name: "pendulum", title: "Pendulum", note, duration, measured: AT_THE_END, reference, entries, judge }
 }
 
 #[derive(Clone, Copy)]
@@ -63,7 +64,7 @@ impl Field<4> for Orbit {
     fn start(&self) -> [f64; 4] {
         [0.4, 0.0, 0.0, 2.0]
     }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 4], dy: &mut [R; 4]) {
         let square = y[0] * y[0] + y[1] * y[1];
         let factor = R::from_f64(-1.0) / (square * Real::sqrt(square));
         *dy = [y[2], y[3], factor * y[0], factor * y[1]];
@@ -74,82 +75,34 @@ impl Field<4> for Orbit {
 pub(super) fn kepler() -> Problem {
     let (duration, system) = (200.0 * PI, Kepler { m: 1.0, mu: 1.0 });
     let (judge, reference) = reference(Orbit, duration, 6.0);
-    let way = Way { start: State::new([0.4, 0.0], [0.0, 2.0]), duration };
+    let way = Way::new(State::new([0.4, 0.0], [0.0, 2.0]), duration);
     let mut entries = vec![];
     ours! { entries, system, way;
         "Verlet" from 10_000: StormerVerlet;
-        "splitting" from 4000: BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 3000: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 3000: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
+        "splitting" from 4000: ForestRuth4, BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
+        "Nyström" from 3000: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8, BceRkn19_8;
+        "force gradients" from 3000: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP;
         "Gauss" from 2000: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
         "energy kept" from 5000: DiscreteGradient, FourthOrder(DiscreteGradient);
         "Runge–Kutta" from 2000: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by = || hand::kepler::Kepler { m: black_box(1.0), mu: black_box(1.0) };
-    let start = [0.4, 0.0, 0.0, 2.0];
-    entries.push(by_hand("Verlet by hand", 10_000, move |n| {
-        by().verlet(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.push(by_hand("BlanesMoan4 by hand", 4000, move |n| {
-        by().blanes_moan_4(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.push(by_hand("discrete gradient by hand", 5000, move |n| {
-        by().discrete_gradient::<false>(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.extend(of_field(Orbit, duration));
-    entries.extend(of_separable(Orbit, duration, 10_000));
+    let (from, list) = (Way::new(Orbit.start(), duration), |z: [f64; 4]| z.to_vec());
+    entries.extend([
+        by_hand("StormerVerlet", 10_000, from, list, move |h, n, z| by().verlet(h, n, z)),
+        by_hand("ForestRuth4", 4000, from, list, move |h, n, z| by().drifts_first(Stages::of(&ForestRuth4), h, n, z)),
+        by_hand("BlanesMoan4", 4000, from, list, move |h, n, z| by().kicks_first(Stages::of(&BlanesMoan4), h, n, z)),
+        by_hand("KahanLi8_17a of StormerVerlet", 4000, from, list, move |h, n, z| {
+            by().kicks_first(Stages::composed(&KahanLi8_17a), h, n, z)
+        }),
+        by_hand("DiscreteGradient", 5000, from, list, move |h, n, z| by().discrete_gradient::<false>(h, n, z)),
+    ]);
+    entries.extend(of_field(Orbit, duration, Seen::End));
+    entries.extend(of_separable(Orbit, duration, 10_000, Seen::End));
     let note = "e = 0.6, 100 revolutions".into();
-    Problem { name: "kepler", title: "Kepler", note, duration, reference, entries, judge }
-}
-
-#[derive(Clone, Copy)]
-struct Galaxy;
-
-impl Field<4> for Galaxy {
-    fn start(&self) -> [f64; 4] {
-        [0.1, 0.15, 0.3, 0.0]
-    }
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
-        let [a, b, ..] = *y;
-        *dy = [y[2], y[3], -a - R::from_f64(2.0) * a * b, -b - a * a + b * b];
-    }
-}
-
-/// A regular orbit of Hénon and Heiles.
-pub(super) fn henon_heiles() -> Problem {
-    let (duration, system) = (1000.0, HenonHeiles { lambda: 1.0 });
-    let (judge, reference) = reference(Galaxy, duration, 2.0);
-    let way = Way { start: State::new([0.1, 0.15], [0.3, 0.0]), duration };
-    let mut entries = vec![];
-    ours! { entries, system, way;
-        "Verlet" from 2000: StormerVerlet;
-        "splitting" from 1000: BlanesMoan4, BlanesMoan6, KahanLi8_17a.of(StormerVerlet), SofroniouSpaletta10_35.of(StormerVerlet);
-        "Nyström" from 700: BlanesMoanSrkn6b, BlanesMoanSrkn11b, BlanesMoanSrkn14a, BceRkn17_8;
-        "force gradients" from 700: Chin4C, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan8_11F11GP;
-        "exact oscillators" from 500: Rnia10_8_6, Aba8_6_4, Perturbation(BlanesMoanSrkn14a);
-        "Gauss" from 500: Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
-        "energy kept" from 1000: DiscreteGradient, FourthOrder(DiscreteGradient);
-        "Runge–Kutta" from 500: DOP853;
-    }
-    entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
-    let by = || hand::henon_heiles::HenonHeiles { lambda: black_box(1.0) };
-    let start = [0.1, 0.15, 0.3, 0.0];
-    entries.push(by_hand("Verlet by hand", 2000, move |n| {
-        by().verlet::<false>(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.push(by_hand("BlanesMoan4 by hand", 1000, move |n| {
-        by().blanes_moan_4::<false>(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.push(by_hand("discrete gradient by hand", 1000, move |n| {
-        by().discrete_gradient::<false>(duration / n as f64, n, black_box(start)).to_vec()
-    }));
-    entries.extend(of_field(Galaxy, duration));
-    entries.extend(of_separable(Galaxy, duration, 2000));
-    let note = "q = (0.1, 0.15), p = (0.3, 0), a regular orbit, T = 1000".into();
-    Problem { name: "henon_heiles", title: "Hénon–Heiles", note, duration, reference, entries, judge }
+    Problem { name: "kepler", title: "Kepler", note, duration, measured: AT_THE_END, reference, entries, judge }
 }
 
 #[derive(Clone, Copy)]
@@ -160,7 +113,7 @@ impl Field<4> for Rods {
         [0.9, -0.4, 0.3, 0.2]
     }
     /// Unit masses and lengths: H = (p₀² + 2p₁² − 2p₀p₁ cos δ)/(2(1 + sin² δ)) − 2g cos q₀ − g cos q₁.
-    fn rate<R: Scalar>(&self, _: R, y: &[R; 4], dy: &mut [R; 4]) {
+    fn rate<R: Scalar>(_: R, y: &[R; 4], dy: &mut [R; 4]) {
         let [a, b, u, v] = *y;
         let (two, g) = (R::from_f64(2.0), R::from_f64(9.81));
         let (sin, cos) = ((a - b).sin(), (a - b).cos());
@@ -176,7 +129,7 @@ impl Field<4> for Rods {
 pub(super) fn double_pendulum() -> Problem {
     let (duration, system) = (50.0, DoublePendulum { m: [1.0; 2], l: [1.0; 2], g: 9.81 });
     let (judge, reference) = reference(Rods, duration, 20.0);
-    let way = Way { start: State::new([0.9, -0.4], [0.3, 0.2]), duration };
+    let way = Way::new(State::new([0.9, -0.4], [0.3, 0.2]), duration);
     let mut entries = vec![];
     ours! { entries, system, way;
         "Gauss" from 400: ImplicitMidpoint, Gauss::<2>, Gauss::<3>, Gauss::<4>, Gauss::<6>;
@@ -185,13 +138,26 @@ pub(super) fn double_pendulum() -> Problem {
         "Runge–Kutta" from 200: DOP853;
     }
     entries.push(adaptive((system, DOP853), way));
-    entries.push(taylor(system, way));
+    entries.extend(taylors(system, way));
     let by =
         || hand::double_pendulum::DoublePendulum { m: black_box([1.0; 2]), l: black_box([1.0; 2]), g: black_box(9.81) };
-    entries.push(by_hand("midpoint by hand", 400, move |n| {
-        by().implicit_midpoint(duration / n as f64, n, black_box([0.9, -0.4, 0.3, 0.2])).to_vec()
-    }));
-    entries.extend(of_field(Rods, duration));
+    let (from, list) = (Way::new(Rods.start(), duration), |z: [f64; 4]| z.to_vec());
+    entries.extend([
+        by_hand("ImplicitMidpoint", 400, from, list, move |h, n, z| by().implicit_midpoint(h, n, z)),
+        by_hand("KahanLi8_17a of ImplicitMidpoint", 200, from, list, move |h, n, z| {
+            by().composed(KahanLi8_17a.weights(), h, n, z)
+        }),
+    ]);
+    entries.extend(of_field(Rods, duration, Seen::End));
     let note = "unit rods, angles 0.9 and −0.4, momenta 0.3 and 0.2, T = 50".into();
-    Problem { name: "double_pendulum", title: "Double pendulum", note, duration, reference, entries, judge }
+    Problem {
+        name: "double_pendulum",
+        title: "Double pendulum",
+        note,
+        duration,
+        measured: AT_THE_END,
+        reference,
+        entries,
+        judge,
+    }
 }

@@ -18,6 +18,11 @@ const SOURCES: &[(&str, &str, &str)] = &[
         "the same table; J. Wisdom & M. Holman, Astron. J. 102 (1991) 1528",
     ),
     (
+        "fput",
+        "the energy of one wave, nearly all of it back after 157 periods",
+        "E. Fermi, J. Pasta & S. Ulam, Los Alamos report LA-1940 (1955), figure 1",
+    ),
+    (
         "mercury",
         "42.98″ in a century",
         "A. M. Nobili & I. W. Roxburgh, *Relativity in Celestial Mechanics and Astrometry* (1986) 105",

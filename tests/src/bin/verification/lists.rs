@@ -1,25 +1,50 @@
 //! Which list of the catalogue is measured on which scenes, over which time, with which step for what is kept.
 
 use crate::methods::{Forms, List, Orders, Runs};
-use geoint_runtime::method::catalogue;
+use geoint_runtime::method::{Visitor, catalogue};
+use geoint_runtime::prelude::*;
 use geoint_tests::problems::*;
 use geoint_tests::scene::Scene;
 use geoint_tests::scenes::*;
 use std::marker::PhantomData;
 
+/// A list that `$show!` shows to a visitor, measured.
+macro_rules! measured {
+    ($show:ident, $name:expr, $about:literal: $First:ident over $first:literal by $h:literal, $Second:ident over $second:literal) => {{
+        let mut list = List::new($name, $about, [<$First as Scene>::NAME, <$Second as Scene>::NAME]);
+        $show!(Orders::<$First>::over(&mut list, $first));
+        $show!(Orders::<$Second>::over(&mut list, $second));
+        $show!(Forms::<$First> { list: &mut list, h: $h, scene: PhantomData });
+        $show!(Runs::<$First> { list: &mut list, h: $h, scene: PhantomData });
+        eprintln!("{}: {}", list.name, list.rows.len());
+        list
+    }};
+}
+
+/// Methods that keep first integrals: no list of the catalogue, since each asks for something else.
+macro_rules! integrals {
+    ($visitor:expr) => {{
+        let mut visitor = $visitor;
+        catalogue::discrete_gradient(&mut visitor);
+        visitor.visit(FourthOrder(DiscreteGradient));
+        visitor.visit(Projection(RK4, Integrals));
+        visitor.visit(Projection(DOP853, Integrals));
+    }};
+}
+
 macro_rules! lists {
     ($($list:ident, $about:literal: $First:ident over $first:literal by $h:literal, $Second:ident over $second:literal;)*) => {
         /// All lists, measured.
         pub(crate) fn all() -> Vec<List> {
-            vec![$( {
-                let mut list = List::new(stringify!($list), $about, [<$First as Scene>::NAME, <$Second as Scene>::NAME]);
-                catalogue::$list(&mut Orders::<$First>::over(&mut list, $first));
-                catalogue::$list(&mut Orders::<$Second>::over(&mut list, $second));
-                catalogue::$list(&mut Forms::<$First> { list: &mut list, h: $h, scene: PhantomData });
-                catalogue::$list(&mut Runs::<$First> { list: &mut list, h: $h, scene: PhantomData });
-                eprintln!("{}: {}", stringify!($list), list.rows.len());
-                list
-            } ),*]
+            vec![
+                $( {
+                    macro_rules! show {
+                        ($visitor:expr) => { catalogue::$list(&mut $visitor) };
+                    }
+                    measured!(show, concat!("`catalogue::", stringify!($list), "`"), $about: $First over $first by $h, $Second over $second)
+                }, )*
+                measured!(integrals, "Fields with integrals", "x' = f(x), and what it keeps.": Turns over 2.3 by 0.1, Chains over 2.3),
+            ]
         }
     };
 }
@@ -72,5 +97,7 @@ lists! {
     poisson, "x' = S(x) ∇H, in terms with flows in closed form.":
         Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
     planar, "Fields that have planar parts.":
+        Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
+    solved_planes, "The same, where each plane is solved for.":
         Spins over 2.3 by 0.1, TwoSpeciesMeet over 2.3;
 }

@@ -6,9 +6,12 @@ use std::process::ExitCode;
 
 /// What has been written so far.
 pub(crate) struct Page {
+    /// The page in the repository.
+    before: String,
     text: String,
     failures: Vec<String>,
     /// What is known not to hold, and is said on the page.
+    #[cfg(not(debug_assertions))]
     open: Vec<String>,
 }
 
@@ -20,12 +23,41 @@ const OPENING: &str = "# Verification\n\n\
     which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
     report has no row here. `.ci/verification` writes it anew: digits may move, words may not.\n";
 
+/// Where what is measured begins and ends, and what does not hold.
+#[cfg(debug_assertions)]
+const METHODS: &str = "\n## Methods\n";
+#[cfg(debug_assertions)]
+const EXAMPLES: &str = "\n## Examples\n";
+#[cfg(debug_assertions)]
+const DOES_NOT_HOLD: &str = "\n## What does not hold\n";
+
+#[cfg(not(debug_assertions))]
 const OPEN: &str = "With constraints, what a position is rounded by, divided by the length of a step, is seen in the momentum, and compositions have \
     short steps: the discrete gradient is symmetric to that.";
 
 impl Page {
     pub(crate) fn new() -> Self {
-        Page { text: OPENING.into(), failures: vec![], open: vec![] }
+        let before = std::fs::read_to_string(sources::root().join(FILE)).unwrap_or_default();
+        Page {
+            before,
+            text: OPENING.into(),
+            failures: vec![],
+            #[cfg(not(debug_assertions))]
+            open: vec![],
+        }
+    }
+
+    /// What has been written so far.
+    pub(crate) fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What is measured as it stands in the repository.
+    #[cfg(debug_assertions)]
+    pub(crate) fn copy_measured(&mut self) {
+        let measured = self.before.split_once(METHODS).and_then(|(_, rest)| rest.split_once(EXAMPLES));
+        self.text += METHODS;
+        self.text += measured.map_or("", |measured| measured.0);
     }
 
     /// A heading and what is said below it.
@@ -55,23 +87,35 @@ impl Page {
     }
 
     /// Something does not hold, and the page says so.
+    #[cfg(not(debug_assertions))]
     pub(crate) fn open(&mut self, what: impl Display) {
         self.open.push(what.to_string());
     }
 
-    /// Writes the page.
-    pub(crate) fn finish(mut self) -> ExitCode {
+    /// What does not hold, from what was measured; and the page.
+    #[cfg(not(debug_assertions))]
+    fn close(&mut self) {
         self.section(2, "What does not hold", OPEN);
         let open = self.open.iter().map(|what| format!("- {what}\n")).collect::<String>();
         self.text += &format!("\n{open}");
         self.claim(!self.open.is_empty(), "all of it holds now: the section is to go");
-        let path = sources::root().join(FILE);
-        let before = std::fs::read_to_string(&path).unwrap_or_default();
+    }
+
+    /// What does not hold as it stands in the repository.
+    #[cfg(debug_assertions)]
+    fn close(&mut self) {
+        let open = self.before.split_once(DOES_NOT_HOLD).map_or("", |(_, open)| open);
+        self.text += &format!("{DOES_NOT_HOLD}{open}");
+    }
+
+    /// Compares with the page in the repository, and writes it.
+    pub(crate) fn finish(mut self) -> ExitCode {
+        self.close();
         self.claim(
-            words(&before) == words(&self.text),
+            words(&self.before) == words(&self.text),
             format_args!("{FILE} had other words: it is to be committed anew"),
         );
-        if let Err(error) = std::fs::write(&path, &self.text) {
+        if let Err(error) = std::fs::write(sources::root().join(FILE), &self.text) {
             self.failures.push(format!("{FILE}: {error}"));
         }
         for failure in &self.failures {
@@ -89,6 +133,7 @@ fn words(text: &str) -> String {
 }
 
 /// A number with two digits.
+#[cfg(not(debug_assertions))]
 pub(crate) fn short(x: f64) -> String {
     if x == 0.0 {
         "0.0".into()

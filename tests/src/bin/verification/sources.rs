@@ -31,10 +31,12 @@ pub(crate) fn below(folder: &str) -> Vec<String> {
     found
 }
 
-/// Whether `path::test` names a file below the root and a function in it.
+/// Whether `folder::test` names a function in a file below a folder.
 pub(crate) fn is_test(place: &str) -> bool {
-    place.rsplit_once("::").is_some_and(|(path, test)| {
-        let text = fs::read_to_string(root().join(path)).unwrap_or_default();
-        [format!("fn {test}("), format!("{test}:"), format!("{{ {test},")].iter().any(|text_of| text.contains(text_of))
+    let Some((folder, test)) = place.rsplit_once("::") else { return false };
+    let names = [format!("fn {test}("), format!("{test}:"), format!("{{ {test},")];
+    below(folder).iter().any(|path| {
+        let text = read(path);
+        names.iter().any(|name| text.contains(name))
     })
 }

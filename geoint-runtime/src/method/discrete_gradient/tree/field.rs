@@ -2,7 +2,7 @@
 
 use super::DiscreteGradient;
 use super::equation::{Coefficients, Equation};
-use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
+use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::Inverse;
 use crate::solving::newton::{Found, Newton};
@@ -45,6 +45,11 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
 
     fn memory() -> Memory<S, R> {
         Memory { newton: Newton::new(S::State::ALIKE, S::Phase::LEN / S::State::ALIKE), sums: Compensated::new() }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
     }
 
     #[inline(always)]

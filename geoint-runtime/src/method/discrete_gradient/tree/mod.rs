@@ -7,7 +7,7 @@ mod polarised;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step, StepsOf};
+use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
 use crate::space::Summation;
 use crate::system::{Conservative, DiscreteField, Graded};
@@ -46,6 +46,11 @@ where
 
     fn memory() -> Self::Memory {
         <S::Gradient as StepsOf<Self, S, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        <S::Gradient as StepsOf<Self, S, R>>::follow(memory, before);
     }
 
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! Steps of the polarised discrete gradient of a Lagrangian that is quadratic in v: see [`PolarisedForm`].
 
 use super::DiscreteGradient;
-use crate::method::{Deciding, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
+use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -76,6 +76,11 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
             last: None,
             sums: Compensated::new(),
         }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_increments(|memory| &memory.newton)));
     }
 
     #[inline(always)]

@@ -1,112 +1,26 @@
-//! Stages of a Lagrangian with an action, solved for their velocities: with qᵢ = q₀ + h Σ aᵢⱼ vⱼ,
-//!
-//! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with f = ∂L/∂q and σ = −∂L/∂s.
+//! The equations of all stages for their velocities, and what a solution of them adds.
 
-use super::ContactGauss;
-use super::factors::Factors;
-use crate::method::contact::ContactMidpoint;
+use super::varying;
+use crate::method::Probe;
+use crate::method::contact::gauss::factors::Factors;
 use crate::method::gauss::prepared::Prepared;
-use crate::method::gauss::velocities::{Memory, PreparedVelocities};
-use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
-use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum, sum_of_products};
-use crate::space::{Array, PerCoordinate, Square, Summation};
-use crate::system::{ByVelocities, ContactStage, ContactVelocities, Orientation, row_scale, velocity_near};
-
-/// One stage is the midpoint rule.
-impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelocities {
-    type Prepared = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Prepared;
-    type Memory = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Memory;
-
-    fn prepare(system: &Y, h: R) -> Self::Prepared {
-        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::prepare(system, h)
-    }
-
-    fn memory() -> Self::Memory {
-        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::memory()
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::step(prepared, memory, step)
-    }
-}
-
-impl<Y: ContactVelocities<R>, R: Real, const S: usize> StepsOf<ContactGauss<S>, Y, R> for ByVelocities
-where
-    Gauss<S>: GaussTableau<S>,
-{
-    type Prepared = PreparedVelocities<Y::StageConstants, R, S>;
-    type Memory = Memory<Y::Moved, S>;
-
-    fn prepare(system: &Y, h: R) -> Self::Prepared {
-        PreparedVelocities {
-            stages: Prepared::new(system, system.stage_constants(), h),
-            semidefinite: system.is_semidefinite(),
-        }
-    }
-
-    fn memory() -> Self::Memory {
-        // Each unknown of a stage is of a kind of its own.
-        Memory { newton: Newton::new(1, Y::Moved::LEN), orientation: Orientation::unknown() }
-    }
-
-    #[inline(always)]
-    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
-        Memory { newton, orientation }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
-    ) -> Result<(), Refusal> {
-        let (none, z, s) = (Y::Array::zero(), x.z, x.s);
-        probe.visit(t, &z, &s);
-        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &s, none)?.1))?;
-        let Prepared { poles, h, coupling, nodes, constants, .. } = prepared;
-        let known = if varying::<Y, R>() {
-            None
-        } else {
-            let decay = nodes.map(|node| ContactVelocities::force(system, constants, t + node, &none, &none, &s).1);
-            Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
-        };
-        let equation = StageVelocities { system, prepared, t, z, s, sign, known };
-        let mut seen = Seen { probe, d: [Y::Moved::zero(); S], stages: [ContactStage::none(); S] };
-        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
-
-        let Seen { probe, d: last, stages } = seen;
-        let end = equation.end(&d, &last, &stages).ok_or(Refusal::Singular)?;
-        let before = start::<Y, R, C>(x);
-        x.add_everywhere(&end);
-        // The end has a velocity, and the mass matrix has not changed its orientation.
-        if !semidefinite {
-            let end = velocity_near(system, t + *h, &x.z, &x.s, equation.apart(&d[S - 1]).0);
-            orientation.agrees(end.map(|(_, positive)| positive))?;
-        }
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
-    }
-}
-
-/// Whether the factors, and s, depend on what is solved for: where L = L₀(q, v, t) − g(t)·s they do not.
-const fn varying<Y: ContactVelocities<R>, R: Real>() -> bool {
-    Y::Moved::LEN > Y::Array::LEN
-}
+use crate::space::{Array, PerCoordinate, Square};
+use crate::system::{ContactStage, ContactVelocities, row_scale, velocity_near};
 
 /// The equations of all stages for their velocities, and for the increments of s if they read it.
-struct StageVelocities<'a, Y: ContactVelocities<R>, R: Real, const S: usize> {
-    system: &'a Y,
-    prepared: &'a Prepared<Y::StageConstants, R, S>,
-    t: R,
-    z: Y::Phase,
-    s: R,
+pub(super) struct StageVelocities<'a, Y: ContactVelocities<R>, R: Real, const S: usize> {
+    pub(super) system: &'a Y,
+    pub(super) prepared: &'a Prepared<Y::StageConstants, R, S>,
+    pub(super) t: R,
+    pub(super) z: Y::Phase,
+    pub(super) s: R,
     /// Of the determinant of the mass matrix.
-    sign: R,
+    pub(super) sign: R,
     /// The factors, where they do not depend on what is solved for.
-    known: Option<Factors<R, S>>,
+    pub(super) known: Option<Factors<R, S>>,
 }
 
 impl<Y: ContactVelocities<R>, R: Real, const S: usize> Clone for StageVelocities<'_, Y, R, S> {
@@ -120,7 +34,7 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> Copy for StageVelocities<
 impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R, S> {
     /// The velocity of a stage, and the increment of s.
     #[inline(always)]
-    fn apart(&self, d: &Y::Moved) -> (Y::Array, R) {
+    pub(super) fn apart(&self, d: &Y::Moved) -> (Y::Array, R) {
         let mut v = Y::Array::zero();
         for (v, d) in v.as_mut_slice().iter_mut().zip(d.as_slice()) {
             *v = *d;
@@ -154,7 +68,7 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
     /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
     /// would not be multiplied by a positive number.
     #[inline(always)]
-    fn end(
+    pub(super) fn end(
         &self,
         d: &[Y::Moved; S],
         last: &[Y::Moved; S],
@@ -199,10 +113,10 @@ fn after<A: Array>(stage: &ContactStage<A>, dq: &A, (dv, ds): (A, A::Real)) -> (
 }
 
 /// Who watches, and what was evaluated last, for which unknowns.
-struct Seen<'a, P, D, A: Array, const S: usize> {
-    probe: &'a mut P,
-    d: [D; S],
-    stages: [ContactStage<A>; S],
+pub(super) struct Seen<'a, P, D, A: Array, const S: usize> {
+    pub(super) probe: &'a mut P,
+    pub(super) d: [D; S],
+    pub(super) stages: [ContactStage<A>; S],
 }
 
 impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>

@@ -1,5 +1,8 @@
 //! How long the next step is, where it leads, and whether it is taken.
 
+mod expansion;
+mod switches;
+
 use crate::method::Clock;
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
@@ -7,8 +10,10 @@ use crate::scalar::{Real, signed, zero};
 use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point, Snapshot};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
-use crate::system::{Jets, StateOf};
+use crate::system::Jets;
 use crate::taylor::{self, Estimate, TaylorMethod};
+pub(in crate::running) use expansion::Expansion;
+use switches::STUCK;
 
 /// A point whose sums compensate.
 type Carried<S, R> = Point<
@@ -16,18 +21,6 @@ type Carried<S, R> = Point<
     Compensated<<S as crate::system::PhaseSpace<R>>::Phase>,
     <S as crate::system::PhaseSpace<R>>::Action,
 >;
-
-/// The coefficients at a point.
-#[derive(Clone, Copy, Debug)]
-pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
-    pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
-    /// The unit of time in the coefficients, a power of two.
-    pub(in crate::running) unit: f64,
-    /// From order 1 on.
-    pub(in crate::running) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
-    /// From order 0 on.
-    pub(in crate::running) switches: M::Orders<S::Switches>,
-}
 
 /// A system, and all that decides on the next step.
 #[derive(Clone, Copy)]
@@ -53,20 +46,6 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
     /// Steps in a row that a switch has ended where they began.
     stuck: u32,
 }
-
-/// A condition that changes sides.
-#[derive(Clone, Copy)]
-struct Switch {
-    /// Which one.
-    place: usize,
-    /// When, as a part of the step; at 0 it is on the wrong side of where it goes.
-    at: f64,
-    /// What decides it has this sign afterwards.
-    sign: f64,
-}
-
-/// So many steps in a row that a switch has ended where they began are no accident.
-const STUCK: u32 = 16;
 
 impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     pub(in crate::running) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
@@ -139,38 +118,6 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
 
     pub(in crate::running) fn last_step(&self) -> f64 {
         self.last.1
-    }
-
-    /// The coefficients at a point into a place, for steps of about this length.
-    #[inline(always)]
-    fn expand(&mut self, place: usize, h: f64, t: R, x: PerCoordinate<S::Phase, S::Action>) {
-        let expansion = &mut self.expansions[place];
-        let unit = power_of_two(h);
-        (expansion.x, expansion.unit) = (x, unit);
-        let start = [R::from_f64(unit), t];
-        M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
-    }
-
-    /// The coefficients where a run starts, in a unit of time in which none of them overflows, or goes on, in the unit before.
-    #[cold]
-    fn begin(&mut self) {
-        let (t, x) = (self.time(), PerCoordinate::of(&self.x));
-        self.expand(self.present, self.expansions[self.present].unit, t, x);
-        if self.taken == 0 {
-            self.expand(self.present, self.guess(), t, x);
-        }
-        self.known = true;
-    }
-
-    /// The coefficients at the present.
-    fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
-        &self.expansions[self.present].jet.as_ref()[..self.order]
-    }
-
-    /// A length in the unit of the coefficients at the present.
-    #[inline(always)]
-    fn in_units(&self, h: f64) -> f64 {
-        h / self.expansions[self.present].unit
     }
 
     /// The length of the next step, without regard to where it leads.
@@ -281,42 +228,6 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         Ok((x, clock))
     }
 
-    /// The first condition of the energy that changes sides within a step.
-    #[inline(always)]
-    fn switch(&self, h: f64) -> Option<Switch> {
-        if S::Switches::LEN == 0 { None } else { self.first_switch(h) }
-    }
-
-    #[inline(never)]
-    fn first_switch(&self, h: f64) -> Option<Switch> {
-        let switches = &self.expansions[self.present].switches.as_ref()[..self.order];
-        let h = self.in_units(h);
-        let mut first: Option<Switch> = None;
-        for place in 0..S::Switches::LEN {
-            let g = taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), h);
-            let roots = taylor::roots(&g[..self.order.min(taylor::MOST)]);
-            let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
-            let at = match roots.as_slice() {
-                // It is zero all along.
-                _ if roots.sign == 0.0 => continue,
-                // It leaves zero, or the side that it is on by rounding.
-                _ if here != roots.sign => Switch { place, at: 0.0, sign: roots.sign },
-                [] => continue,
-                [at, ..] => Switch { place, at: *at, sign: -roots.sign },
-            };
-            if first.is_none_or(|first| at.at < first.at) {
-                first = Some(at);
-            }
-        }
-        first
-    }
-
-    /// Whether the point that was reached is behind a switch.
-    fn is_behind(&self, switch: Switch) -> bool {
-        let value = signed(self.expansions[1 - self.present].switches.as_ref()[0].as_slice()[switch.place]);
-        value * switch.sign > 0.0
-    }
-
     /// Why there is no step.
     #[cold]
     fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
@@ -355,38 +266,4 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             None => Ok(()),
         }
     }
-
-    /// The state at a time within the last step.
-    pub(in crate::running) fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        let (start, h) = &self.last;
-        let (after, before) = (start.left(t), self.clock.left(t));
-        if !self.within {
-            return None;
-        }
-        if t == self.time() {
-            return Some(S::State::of(t, self.x.z, self.x.s));
-        }
-        // Between the ends, in the direction of the step.
-        (after * h >= 0.0 && before * h <= 0.0 && *h != 0.0).then(|| self.inside(after, t))
-    }
-
-    /// The expansion of the last step, its start and its length.
-    pub(in crate::running) fn last_expansion(&self) -> (&Expansion<S, M, R>, R, f64) {
-        (&self.expansions[1 - self.present], self.last.0.now(zero()), self.last.1)
-    }
-
-    /// The state so long after the start of the last step, which is at the time `t`.
-    pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
-        let expansion = &self.expansions[1 - self.present];
-        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after / expansion.unit);
-        x.add_scaled(R::from_f64(1.0), &expansion.x);
-        S::State::of(t, x.z, x.s)
-    }
-}
-
-/// The largest power of two that a length is not below, 1 where there is none: to multiply with it and to divide by it is exact.
-#[inline(always)]
-fn power_of_two(h: f64) -> f64 {
-    let power = f64::from_bits(h.to_bits() & f64::INFINITY.to_bits());
-    if power > 0.0 && power < f64::INFINITY { power } else { 1.0 }
 }

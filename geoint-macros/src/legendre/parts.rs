@@ -1,0 +1,90 @@
+//! L taken apart: velocities that M couples, and how each such part follows from momenta.
+
+use super::{Flaw, Kinetic, Part, at_rest, conjugate, mass, quadratic};
+use crate::ir::{Graph, Id, Number, Symbol};
+use crate::{analyze, diff};
+
+/// From so many velocities on that a full mass matrix couples, H costs more than L with its velocities as unknowns: twice as much with 3,
+/// five times with 6.
+const FULL: usize = 3;
+
+/// L taken apart.
+pub(super) struct Parts {
+    pub(super) parts: Vec<Part>,
+    /// What is known of H in the momenta.
+    pub(super) kinetic: Id,
+    pub(super) potential: Id,
+    /// An entry of M for which H would be long.
+    pub(super) long: Option<Id>,
+}
+
+pub(super) fn parts(graph: &mut Graph, lagrangian: Id, (entries, shift): (&[Vec<Id>], &[Id])) -> Result<Parts, Flaw> {
+    let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
+    let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
+    for velocities in mass::blocks(graph, entries) {
+        let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
+        let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&entries[*i as usize])).collect();
+        if block.iter().flatten().any(|entry| analyze::reads(graph, *entry).v) {
+            others.push(velocities);
+            continue;
+        }
+        let shift = picked(shift);
+        let reduced = quadratic::reduced(graph, &velocities, &shift);
+        match quadratic::inverse_form(graph, &block, &reduced) {
+            Ok(mut form) => squares.append(&mut form),
+            Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
+            Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
+        }
+        if block.len() >= FULL {
+            long = long.or_else(|| block.iter().flatten().copied().find(|entry| moves(graph, *entry)));
+        }
+        rest = at_rest(graph, rest, |i| velocities.contains(&i));
+        parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
+    }
+    let squares = quadratic::sum(graph, &squares);
+    kinetic.push(graph.scale(Number::HALF, squares));
+    let conjugates = !others.is_empty();
+    for velocities in others {
+        let alone = at_rest(graph, rest, |i| !velocities.contains(&i));
+        let found = match conjugate::of(graph, alone, &velocities) {
+            Some(conjugate::Conjugate { term, energy, rule }) => {
+                kinetic.push(energy);
+                Kinetic::Conjugate { term, rule }
+            }
+            None => {
+                let picked = |i: &u32| velocities.iter().map(|j| entries[*i as usize][*j as usize]).collect();
+                let block: Vec<Vec<Id>> = velocities.iter().map(picked).collect();
+                let none = graph.zero();
+                let momenta = quadratic::reduced(graph, &velocities, &vec![none; block.len()]);
+                if let Err(quadratic::NoForm::Singular(combination)) = quadratic::inverse_form(graph, &block, &momenta)
+                {
+                    return Err(singular(graph, velocities, combination));
+                }
+                Kinetic::Open(alone)
+            }
+        };
+        parts.push(Part { velocities, kinetic: found });
+    }
+    // What has a conjugate goes with its velocities.
+    if conjugates {
+        let mut terms = conjugate::terms(graph, rest);
+        terms.retain(|term| !analyze::reads(graph, *term).v);
+        rest = graph.sum(&terms);
+    }
+    parts.sort_by_key(|part| part.velocities[0]);
+    let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));
+    Ok(Parts { parts, kinetic, potential, long })
+}
+
+/// w·p = 0 at every state says that wᵀM = 0.
+fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
+    let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
+    let direction = diff::jacobian(graph, &[combination], &momenta).concat();
+    Flaw::Singular(velocities, direction)
+}
+
+/// Whether a node reads the state or time.
+fn moves(graph: &Graph, id: Id) -> bool {
+    let reads = analyze::reads(graph, id);
+    reads.state() || reads.t
+}

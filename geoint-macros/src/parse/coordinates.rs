@@ -1,0 +1,186 @@
+//! Coordinates: positions with their momenta or velocities, x alone, or the attitudes of bodies.
+
+use super::arguments::{exists, is_called};
+use super::options::Options;
+use super::shape::{Leaf, Shape, plain};
+use super::{Argument, Form, Role};
+use crate::diagnostics::Diagnostics;
+use proc_macro2::Ident;
+use quote::{ToTokens, format_ident};
+use syn::ItemFn;
+
+/// The shape that q and p share.
+pub(super) fn coordinates(
+    form: Form,
+    item: &ItemFn,
+    options: &Options,
+    arguments: &[(Role, Argument)],
+    errors: &mut Diagnostics,
+) -> Option<Argument> {
+    let mut find = |role: Role, default: &str, missing: &dyn Fn(&mut Diagnostics)| {
+        let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
+        // A wrong name in the attribute, or a wrong type, has been reported.
+        let named = options.roles.iter().any(|(r, _)| *r == role);
+        let written = exists(item, &format_ident!("{default}")) || exists(item, &format_ident!("_{default}"));
+        if found.is_none() && !named && !written {
+            missing(errors);
+        }
+        found
+    };
+    if form == Form::Bodies {
+        return body(item, arguments, errors);
+    }
+    if form.is_flow() {
+        return find(Role::Position, "x", &|errors| {
+            let message = match form {
+                Form::Field => FIELD_COORDINATES,
+                _ => STRUCTURED_COORDINATES,
+            };
+            errors.at(&item.sig.ident, message);
+        });
+    }
+    let unstructured = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_called(name, "x"));
+    if let (Form::Hamiltonian, None, Some(x)) =
+        (form, arguments.iter().find(|(role, _)| [Role::Position, Role::Momentum].contains(role)), unstructured())
+    {
+        errors.at(x, WITHOUT_STRUCTURE);
+        return None;
+    }
+    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
+    if form == Form::Lagrangian {
+        let v = find(Role::Velocity, "v", &|errors| {
+            let mut names = arguments.iter().map(|(_, argument)| &argument.name);
+            match names.find(|name| is_velocity(name)) {
+                Some(name) => {
+                    errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
+                }
+                // Who has momenta in their place has been told.
+                None if exists(item, &format_ident!("p")) => {}
+                None => errors.at(&item.sig.ident, VELOCITIES),
+            }
+        });
+        return pair(q?, (&v?, "velocity"), errors);
+    }
+    let p = find(Role::Momentum, "p", &|errors| {
+        let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
+        match velocity {
+            Some(name) => errors.at(name, format!("`{name}` {VELOCITY}")),
+            None => errors.at(&item.sig.ident, MOMENTA),
+        }
+    });
+    if form == Form::Contact {
+        find(Role::Action, "s", &|errors| {
+            let rest = if options.lift.is_some() { UNREAD_ACTION } else { NO_ACTION };
+            errors.at(&item.sig.ident, format!("{MISSING_ACTION}; {rest}"));
+        });
+    }
+    pair(q?, (&p?, "momentum"), errors)
+}
+
+/// Whether an argument has the name that a velocity has in a Lagrangian.
+fn is_velocity(name: &Ident) -> bool {
+    let name = name.to_string();
+    let name = name.trim_start_matches('_');
+    ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
+}
+
+const FIELD_COORDINATES: &str = "the coordinates are missing: call an argument `x`, or name one with `x = …`; an energy H(q, p) goes under \
+                                 `#[hamiltonian]`";
+
+const STRUCTURED_COORDINATES: &str = "with `structure` the coordinates are one argument: call it `x`, or name one with `x = …`; an energy of \
+                                      positions `q` and momenta `p` goes without `structure`";
+
+const WITHOUT_STRUCTURE: &str = "an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H, `structure = so3` (also `se3`, \
+                                 `canonical`, `nambu(C)`, `|i, j| …` for i < j, or an array of arrays); positions and momenta are \
+                                 called `q` and `p`";
+
+const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
+
+const MOMENTA: &str = "momenta are missing: call an argument `p`, or name one with `p = …`";
+
+const VELOCITY: &str = "is the name of a velocity, but an energy is a function of momenta, `p`: put a Lagrangian L(q, v) under \
+                        `#[lagrangian]`, or write H = p·v − L with p = ∂L/∂v, which for L = m v²/2 − V(q) is p²/(2m) + V(q)";
+
+const VELOCITIES: &str = "velocities are missing: call an argument `v`, or name one with `v = …`";
+
+const MISSING_ACTION: &str = "the action is missing: call an argument `s`, or name one with `s = …`";
+
+const NO_ACTION: &str = "an energy without it is one for `#[hamiltonian]`";
+
+const UNREAD_ACTION: &str = "a lift of q' = X(q), which does not read it, has the argument `_s`";
+
+/// Positions, if momenta or velocities have their type.
+fn pair(q: Argument, (p, what): (&Argument, &str), errors: &mut Diagnostics) -> Option<Argument> {
+    if q.shape.leaf == Leaf::Quaternion {
+        errors.at(
+            &q.ty,
+            format!(
+                "`{}` is the attitude of a rigid body: say so, `attitude = {}`, and call its angular momentum `m`",
+                q.name, q.name
+            ),
+        );
+        return None;
+    }
+    if q.ty.to_token_stream().to_string() != p.ty.to_token_stream().to_string() {
+        errors.at(
+            &p.ty,
+            format!(
+                "`{}` must have the type of `{}`, `{}`: each position has its {what}",
+                p.name,
+                q.name,
+                plain(&q.ty)
+            ),
+        );
+    }
+    Some(q)
+}
+
+/// Attitudes as quaternions, one row a body, if angular momenta go with them; and as many rows for centres of mass.
+fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
+    let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
+    let r = find(Role::Attitude)?;
+    let Some(m) = find(Role::AngularMomentum) else {
+        errors.at(&item.sig.ident, ANGULAR_MOMENTUM);
+        return None;
+    };
+    if r.shape.leaf != Leaf::Quaternion {
+        errors.at(&r.ty, ATTITUDE);
+        return None;
+    }
+    let bodies = r.shape.len() / 4;
+    let vectors = Shape { extents: [&r.shape.extents[..r.shape.extents.len() - 1], &[3]].concat(), leaf: Leaf::Vector };
+    let [q, p] = [Role::Position, Role::Momentum].map(find);
+    let all = [
+        (Some(m), "the angular momentum of each body, in its own frame"),
+        (q, "where the centre of mass of each body is, in space"),
+        (p, "the momentum of each centre of mass, in space"),
+    ];
+    let wrong = all.into_iter().find_map(|(argument, what)| Some((argument.filter(|a| a.shape != vectors)?, what)));
+    if let Some((argument, what)) = wrong {
+        let scalar = if r.ty.to_token_stream().to_string().contains("f32") { "f32" } else { "f64" };
+        let ty = match r.shape.extents.len() {
+            1 => format!("Vector3<{scalar}>"),
+            _ => format!("[Vector3<{scalar}>; {bodies}]"),
+        };
+        errors.at(&argument.ty, format!("`{}` must be `{ty}`: {what}", argument.name));
+        return None;
+    }
+    let extents = match (q, p) {
+        (None, None) => vec![bodies, 4],
+        (Some(_), Some(_)) => vec![2, bodies, 4],
+        (Some(alone), None) | (None, Some(alone)) => {
+            errors.at(&alone.name, CENTRE_ALONE);
+            return None;
+        }
+    };
+    Some(Argument { shape: Shape { extents, leaf: Leaf::Quaternion }, ..r.clone() })
+}
+
+const ATTITUDE: &str =
+    "an attitude is `UnitQuaternion<f64>`, or an array of them: what turns vectors of a body into vectors of space";
+
+const CENTRE_ALONE: &str =
+    "centres of mass have positions `q` and momenta `p`: add the other, or, if this is a parameter, name it otherwise";
+
+const ANGULAR_MOMENTUM: &str =
+    "the angular momentum is missing: call an argument `m`, or name one with `m = …`; it is in the frame of the body";

@@ -1,0 +1,108 @@
+//! Stages of a Lagrangian with an action, solved for their velocities: with qᵢ = q₀ + h Σ aᵢⱼ vⱼ,
+//!
+//! rᵢ ∂L/∂v(qᵢ, vᵢ, sᵢ) = p₀ + h Σ aᵢⱼ rⱼ fⱼ, sᵢ = s₀ + h Σ aᵢⱼ Lⱼ, rᵢ = 1 + h Σ aᵢⱼ rⱼ σⱼ with f = ∂L/∂q and σ = −∂L/∂s.
+
+mod equation;
+
+use super::ContactGauss;
+use super::factors::Factors;
+use crate::method::contact::ContactMidpoint;
+use crate::method::gauss::prepared::Prepared;
+use crate::method::gauss::velocities::{Memory, PreparedVelocities};
+use crate::method::gauss::{Gauss, GaussTableau};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::scalar::Real;
+use crate::solving::newton::Newton;
+use crate::space::{Array, Summation};
+use crate::system::{ByVelocities, ContactStage, ContactVelocities, Orientation, velocity_near};
+use equation::{Seen, StageVelocities};
+
+/// One stage is the midpoint rule.
+impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelocities {
+    type Prepared = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Prepared;
+    type Memory = <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::Memory;
+
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::prepare(system, h)
+    }
+
+    fn memory() -> Self::Memory {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::memory()
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::follow(memory, before);
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        <ByVelocities as StepsOf<ContactGauss<1>, Y, R>>::step(prepared, memory, step)
+    }
+}
+
+impl<Y: ContactVelocities<R>, R: Real, const S: usize> StepsOf<ContactGauss<S>, Y, R> for ByVelocities
+where
+    Gauss<S>: GaussTableau<S>,
+{
+    type Prepared = PreparedVelocities<Y::StageConstants, R, S>;
+    type Memory = Memory<Y::Moved, S>;
+
+    fn prepare(system: &Y, h: R) -> Self::Prepared {
+        PreparedVelocities {
+            stages: Prepared::new(system, system.stage_constants(), h),
+            semidefinite: system.is_semidefinite(),
+        }
+    }
+
+    fn memory() -> Self::Memory {
+        // Each unknown of a stage is of a kind of its own.
+        Memory { newton: Newton::new(1, Y::Moved::LEN), orientation: Orientation::unknown() }
+    }
+
+    #[inline(always)]
+    fn follow(memory: &mut Self::Memory, before: [Earlier<'_, Self::Memory, R>; 2]) {
+        memory.newton.follow(before.map(|earlier| earlier.of_rates(|memory| &memory.newton)));
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
+        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
+        Memory { newton, orientation }: &mut Self::Memory,
+        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+    ) -> Result<(), Refusal> {
+        let (none, z, s) = (Y::Array::zero(), x.z, x.s);
+        probe.visit(t, &z, &s);
+        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &s, none)?.1))?;
+        let Prepared { poles, h, coupling, nodes, constants, .. } = prepared;
+        let known = if varying::<Y, R>() {
+            None
+        } else {
+            let decay = nodes.map(|node| ContactVelocities::force(system, constants, t + node, &none, &none, &s).1);
+            Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
+        };
+        let equation = StageVelocities { system, prepared, t, z, s, sign, known };
+        let mut seen = Seen { probe, d: [Y::Moved::zero(); S], stages: [ContactStage::none(); S] };
+        let (d, _) = newton.solve(&equation, &mut seen).checked()?;
+
+        let Seen { probe, d: last, stages } = seen;
+        let end = equation.end(&d, &last, &stages).ok_or(Refusal::Singular)?;
+        let before = start::<Y, R, C>(x);
+        x.add_everywhere(&end);
+        // The end has a velocity, and the mass matrix has not changed its orientation.
+        if !semidefinite {
+            let end = velocity_near(system, t + *h, &x.z, &x.s, equation.apart(&d[S - 1]).0);
+            orientation.agrees(end.map(|(_, positive)| positive))?;
+        }
+        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+    }
+}
+
+/// Whether the factors, and s, depend on what is solved for: where L = L₀(q, v, t) − g(t)·s they do not.
+const fn varying<Y: ContactVelocities<R>, R: Real>() -> bool {
+    Y::Moved::LEN > Y::Array::LEN
+}

@@ -1,0 +1,111 @@
+//! What is the next guess made of?
+
+use super::predictor::{FEW, POINTS, Predictor};
+use crate::space::{Array, Tape};
+
+/// The largest part that a guess may have missed by: after more the next one is explicit. It takes two evaluations, and at very long
+/// steps an extrapolated guess may lead to another solution.
+const NEAR: f64 = 1.0 / 32.0;
+
+/// What a guess is made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Guess {
+    /// The start of the step alone.
+    Explicit,
+    /// The last few increments.
+    Few,
+    /// All increments that are remembered.
+    All,
+}
+
+/// Which guess is the best, and which there are.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Guesses {
+    next: Guess,
+    /// The last one was good enough.
+    sure: bool,
+    /// So many increments there have been, as far as more than are remembered make no difference.
+    known: usize,
+    /// A better one is looked for.
+    due: bool,
+}
+
+impl Guesses {
+    pub(super) fn new() -> Self {
+        Guesses { next: Guess::Explicit, sure: false, known: 0, due: false }
+    }
+
+    pub(super) fn record<R>(&mut self, tape: &mut impl Tape<R>) {
+        let (mut known, mut next) = (self.known as u64, self.next as u64);
+        tape.count(&mut known);
+        tape.count(&mut next);
+        self.known = (known as usize).min(POINTS + 1);
+        self.next = match next {
+            0 => Guess::Explicit,
+            1 => Guess::Few,
+            _ => Guess::All,
+        };
+        tape.flag(&mut self.sure);
+    }
+
+    /// Whether all increments are extrapolated.
+    #[inline(always)]
+    pub(super) fn all(&self) -> bool {
+        self.next == Guess::All
+    }
+
+    /// Whether what few increments miss makes no difference to the next guess, nor to the choice after it.
+    #[inline(always)]
+    pub(super) fn sure(&self) -> bool {
+        self.sure && self.all()
+    }
+
+    /// Whether a difference of as many increments as are extrapolated where few are is known.
+    pub(super) fn knows_difference(&self) -> bool {
+        self.known > FEW
+    }
+
+    /// The next guess, if it is extrapolated.
+    #[inline(always)]
+    pub(super) fn extrapolated<A: Array>(&self, predictor: &Predictor<A>) -> Option<A> {
+        match self.next {
+            Guess::Explicit => None,
+            Guess::Few => Some(predictor.predict_by_few()),
+            Guess::All => Some(predictor.predict()),
+        }
+    }
+
+    /// A step is solved, and perhaps another guess would have been better.
+    pub(super) fn count(&mut self, due: bool) {
+        // As long as some are missing each step may have one that was not there before.
+        self.due = due || self.known <= POINTS;
+        self.sure = !self.due;
+        self.known = (self.known + 1).min(POINTS + 1);
+    }
+
+    /// Whether after so many iterations from the extrapolated guess another one may be better. One that takes two evaluations now may take one
+    /// in the next step if it is the longer one.
+    pub(super) fn disappoint(&self, iterations: u32, looks: bool) -> bool {
+        if self.all() { iterations > 2 } else { iterations > 3 || looks }
+    }
+
+    /// Whether another guess might be better.
+    #[inline(always)]
+    pub(super) fn due(&self) -> bool {
+        self.due
+    }
+
+    /// The guesses after a solution that is counted, and not remembered yet: by what part a guess has missed it is given.
+    pub(super) fn choose<A: Array>(&self, predictor: &Predictor<A>, missed: impl Fn(&A) -> f64) -> Self {
+        let of = |points: usize, guess: fn(&Predictor<A>) -> A| {
+            if self.known > points { missed(&guess(predictor)) } else { f64::INFINITY }
+        };
+        let (few, all) = (of(FEW, Predictor::predict_by_few), of(POINTS, Predictor::predict));
+        let next = match (all <= few, all.min(few) <= NEAR) {
+            (_, false) => Guess::Explicit,
+            (false, true) => Guess::Few,
+            (true, true) => Guess::All,
+        };
+        Guesses { next, due: false, ..*self }
+    }
+}

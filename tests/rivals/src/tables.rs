@@ -1,0 +1,102 @@
+//! The tables, once for both pages: rows of cells, some of which are marked.
+
+use crate::long::Long;
+use crate::page::Measured;
+use crate::winners::{self, SAME, WANTED, power, short};
+
+/// What stands in a table.
+pub struct Cell {
+    /// Its words.
+    pub text: String,
+    /// Whether it misses what is wanted.
+    pub marked: bool,
+}
+
+/// Headings and rows.
+pub struct Table {
+    headings: Vec<&'static str>,
+    rows: Vec<Vec<Cell>>,
+}
+
+fn cell(text: impl Into<String>) -> Cell {
+    Cell { text: text.into(), marked: false }
+}
+
+impl Table {
+    /// In Markdown, with marks in bold.
+    pub fn markdown(&self) -> String {
+        let line = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let shown = |cell: &Cell| if cell.marked { format!("**{}**", cell.text) } else { cell.text.clone() };
+        let mut text = line(self.headings.iter().map(|heading| (*heading).to_owned()).collect());
+        text += &format!("|{}\n", "---|".repeat(self.headings.len()));
+        text.extend(self.rows.iter().map(|row| line(row.iter().map(shown).collect())));
+        text
+    }
+
+    /// As it stands in a page.
+    pub fn html(&self) -> String {
+        let escaped = |text: &str| text.replace('&', "&amp;").replace('<', "&lt;");
+        let heading = |heading: &&str| format!("<th>{}", escaped(heading));
+        let shown =
+            |cell: &Cell| format!("<td{}>{}", if cell.marked { " class=\"slow\"" } else { "" }, escaped(&cell.text));
+        let mut text = String::from("<div class=\"wide\"><table>\n<tr>");
+        text.extend(self.headings.iter().map(heading));
+        for row in &self.rows {
+            text += "\n<tr>";
+            text.extend(row.iter().map(shown));
+        }
+        text + "\n</table></div>\n"
+    }
+}
+
+/// Winners of problems at all levels. Times are microseconds a unit of time.
+pub fn winners<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
+    let headings = vec!["problem", "error", "ours", "µs", "best other crate", "µs", "ratio", "by hand", "µs"];
+    let mut rows = vec![];
+    for measured in all {
+        for winner in winners::winners(measured) {
+            let best = [&winner.ours, &winner.rival, &winner.hand].map(|best| match best {
+                Some((name, time)) => [cell(name.clone()), cell(short(*time))],
+                None => [cell("–"), cell("–")],
+            });
+            let [ours, rival, hand] = best;
+            let ratio = Cell {
+                text: winner.ratio().map_or("–".into(), |ratio| format!("{ratio:.2}")),
+                marked: winner.is_lost() || winner.ratio().is_some_and(|ratio| ratio > WANTED),
+            };
+            let first = vec![cell(measured.problem.title), cell(power(winner.level))];
+            rows.push(first.into_iter().chain(ours).chain(rival).chain([ratio]).chain(hand).collect());
+        }
+    }
+    Table { headings, rows }
+}
+
+/// Generated steps beside the same ones by hand.
+pub fn twins<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
+    let mut rows = vec![];
+    for measured in all {
+        for (name, [generated, by_hand], ratio) in winners::twins(measured) {
+            let ratio = Cell { text: format!("{ratio:.2}"), marked: ratio > SAME };
+            rows.push(vec![
+                cell(measured.problem.title),
+                cell(name),
+                cell(short(generated)),
+                cell(short(by_hand)),
+                ratio,
+            ]);
+        }
+    }
+    Table { headings: vec!["problem", "method", "generated, ns a step", "by hand", "ratio"], rows }
+}
+
+/// Energies over long times.
+pub fn long(all: &[Long]) -> Table {
+    let error = |error: &Option<f64>| cell(error.map_or("refused".into(), |error| format!("{error:.1e}")));
+    let row = |long: &Long| {
+        let whose = cell(long.name.clone());
+        let effort = cell(long.effort.clone());
+        [whose, effort, cell(short(long.cost))].into_iter().chain(long.errors.iter().map(error)).collect()
+    };
+    let headings = vec!["method", "a period", "ns a period", "after 10 periods", "10⁴", "10⁷"];
+    Table { headings, rows: all.iter().map(row).collect() }
+}
