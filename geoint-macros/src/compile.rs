@@ -198,7 +198,7 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
         context.user_name(symbol)
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
-    flow.search(graph, Some(&structure.matrix), |symbol| context.user_name(symbol)); // Casimirs
+    flow.search(graph, Some((&structure.matrix, structure.casimir)), |symbol| context.user_name(symbol)); // Casimirs
     let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());

@@ -117,13 +117,22 @@ impl Flow {
     }
 
     /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
-    /// Casimirs, which are constant along the rows of S; and all the rest for the report.
-    pub(crate) fn search(&mut self, graph: &mut Graph, rows: Option<&[Vec<Id>]>, name: impl Fn(Symbol) -> String) {
+    /// Casimirs, which are constant along the rows of S, with one that S was made of; and all the rest for the report.
+    pub(crate) fn search(
+        &mut self,
+        graph: &mut Graph,
+        structure: Option<(&[Vec<Id>], Option<Id>)>,
+        name: impl Fn(Symbol) -> String,
+    ) {
         let x = proof::coordinates(self.field.len());
-        let casimirs = rows.is_some();
-        let Some(found) = search::kept_along(graph, &x, rows.unwrap_or(std::slice::from_ref(&self.field))) else {
+        let (rows, casimirs) = (structure.map(|(rows, _)| rows), structure.is_some());
+        let fields = rows.unwrap_or(std::slice::from_ref(&self.field));
+        let mut found = search::kept_along(graph, &x, fields).unwrap_or_default();
+        let written = structure.and_then(|(_, casimir)| casimir).filter(|value| !analyze::reads(graph, *value).t);
+        found.extend(written.map(|value| search::Kept { value, linear: false }));
+        if found.is_empty() {
             return;
-        };
+        }
         let proven = |graph: &mut Graph, value| match rows {
             Some(rows) => claims::is_casimir(graph, &x, rows, value).is_ok(),
             None => claims::is_kept(graph, &x, &self.field, value, None).is_zero(),

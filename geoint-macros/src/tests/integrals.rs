@@ -259,3 +259,35 @@ fn a_wrong_integral_is_refused_with_what_remains() {
     let found = top(quote!(assume(energy = x[0] * x[0])));
     assert!(found.contains("what remains of its derivative is 2·x[0]·x[1]·x[2]·a"), "{found}");
 }
+
+/// The words of a report stand in the expansion.
+#[test]
+fn what_is_assumed_is_never_called_kept() {
+    let item = quote!(
+        fn f(x: [f64; 2]) -> [f64; 2] {
+            [x[1], -x[0]]
+        }
+    );
+    let report = |keeps: TokenStream| expand::expand(Form::Field, quote!(keeps(#keeps)), item.clone()).to_string();
+    let assumed = report(quote!(assume(size = x[0] * x[0] + x[1] * x[1])));
+    assert!(assumed.contains(": assumed") && !assumed.contains("keep size"), "{assumed}");
+    assert!(assumed.contains("levels of size, which the flow is assumed to do"), "{assumed}");
+    let proven = report(quote!(size = x[0] * x[0] + x[1] * x[1]));
+    assert!(proven.contains("keep size, to rounding") && !proven.contains("assumed"), "{proven}");
+}
+
+/// The search knows squares and logarithms; C of `nambu(C)` is a Casimir whatever it is.
+#[test]
+fn the_function_of_nambu_is_a_casimir() {
+    let item = quote!(
+        fn f(x: [f64; 3], a: f64) -> f64 {
+            x[0] * x[1] + x[2] * x[2] / 2.0
+        }
+    );
+    let report = |args: TokenStream| expand::expand(Form::Structured, args, item.clone()).to_string();
+    let found = report(quote!(structure = nambu(x[0] + x[1] * x[1] / 2.0 - a * x[2].cos())));
+    assert!(found.contains("x[0] + x[1]²/2 - a·cos(x[2]): kept, a Casimir"), "{found}");
+    // One that the search has found already is said once.
+    let found = report(quote!(structure = nambu((x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0)));
+    assert_eq!(found.matches("kept, a Casimir").count(), 2, "{found}");
+}

@@ -20,19 +20,32 @@ pub(crate) trait StepEquation<A: Array, W: ?Sized>: Copy {
     fn origin(&self) -> A;
     /// A guess that needs no step before this one.
     fn explicit(&self) -> A;
-    /// g(x); and 1 − g'(x) in `matrix`.
-    fn evaluate(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A;
+    /// g(x) for the x of an evaluation point; and 1 − g'(x) in `matrix`.
+    fn evaluate(&self, watch: &mut W, point: &A, matrix: &mut Square<A>) -> A;
+
+    /// The evaluation point of x: x, moved by what sums have lost where the equation counts with that.
+    #[inline(always)]
+    fn point(&self, x: &A) -> A {
+        *x
+    }
+
+    /// The x of an evaluation point. What is extrapolated is taken for a point: what sums have lost in the step before is known late, and would
+    /// keep the evaluation waiting.
+    #[inline(always)]
+    fn unknown(&self, point: &A) -> A {
+        *point
+    }
 
     /// g(x) alone.
     #[inline(always)]
     fn image(&self, watch: &mut W, x: &A) -> A {
-        self.evaluate(watch, x, &mut A::fill(A::zero()))
+        self.evaluate(watch, &self.point(x), &mut A::fill(A::zero()))
     }
 
     /// x − g(x), and 1 − g'(x) in `matrix`.
     #[inline(always)]
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A {
-        difference(x, &self.evaluate(watch, x, matrix))
+        difference(x, &self.evaluate(watch, &self.point(x), matrix))
     }
 }
 

@@ -43,19 +43,21 @@ pub(crate) struct Structure {
     pub(crate) skew: Result<(), ([usize; 2], Identity)>,
     /// Whether {f, g} = ∇f·S∇g is a Poisson bracket; else the first three indices for which Jacobi's identity fails.
     pub(crate) poisson: Result<(), ([usize; 3], Identity)>,
+    /// The function that the user has made S of.
+    pub(crate) casimir: Option<Id>,
 }
 
 /// What is proven of S.
 pub(crate) fn structure(graph: &mut Graph, skew: &Skew) -> Structure {
-    let mut matrix = match skew {
-        Skew::Matrix(matrix) => matrix.clone(),
+    let (mut matrix, casimir) = match skew {
+        Skew::Matrix(matrix) => (matrix.clone(), None),
         Skew::Nambu(function) => {
             let slopes = diff::gradient(graph, *function, 3).q;
-            cross(graph, &slopes)
+            (cross(graph, &slopes), Some(*function))
         }
     };
-    let skew = claims::is_skew(graph, &matrix);
-    if skew.is_ok() {
+    let is_skew = claims::is_skew(graph, &matrix);
+    if is_skew.is_ok() {
         for i in 0..matrix.len() {
             matrix[i][i] = graph.zero();
             for j in 0..i {
@@ -64,7 +66,7 @@ pub(crate) fn structure(graph: &mut Graph, skew: &Skew) -> Structure {
         }
     }
     let poisson = claims::is_poisson(graph, &coordinates(matrix.len()), &matrix);
-    Structure { matrix, skew, poisson }
+    Structure { matrix, skew: is_skew, poisson, casimir }
 }
 
 /// The matrix of v ↦ a × v.

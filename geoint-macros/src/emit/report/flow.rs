@@ -225,10 +225,25 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
     if flow.kept.is_empty() {
         return Ok(());
     }
-    let list = |ids: Vec<&str>| ids.join(", ");
-    let names = list(flow.kept.iter().map(|named| named.name.as_str()).collect());
+    let list = |assumed: bool| {
+        let those = flow.kept.iter().filter(|named| (named.origin == Origin::Assumed) == assumed);
+        those.map(|named| named.name.as_str()).collect::<Vec<&str>>().join(", ")
+    };
+    let (names, assumed) = (list(false), list(true));
     match flow.form {
-        Form::Field => writeln!(text, "- `DiscreteGradient` and `FourthOrder` keep {names}, to rounding"),
+        Form::Field => {
+            let methods = "`DiscreteGradient` and `FourthOrder`";
+            if !names.is_empty() {
+                writeln!(text, "- {methods} keep {names}, to rounding")?;
+            }
+            if !assumed.is_empty() {
+                writeln!(
+                    text,
+                    "- {methods} stay where they start on levels of {assumed}, which the flow is assumed to do"
+                )?;
+            }
+            Ok(())
+        }
         _ if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
             writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
         }

@@ -63,6 +63,17 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
         self.z
     }
 
+    /// What counts is the mean z + d/2, as in steps of order 2.
+    #[inline(always)]
+    fn point(&self, d: &S::Phase) -> S::Phase {
+        moved(d, R::from_f64(2.0), &self.compensation)
+    }
+
+    #[inline(always)]
+    fn unknown(&self, point: &S::Phase) -> S::Phase {
+        moved(point, R::from_f64(-2.0), &self.compensation)
+    }
+
     /// The explicit midpoint rule.
     fn explicit(&self) -> S::Phase {
         let Equation { system, t, h, z, .. } = self;
@@ -77,9 +88,7 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     fn evaluate(&self, watch: &mut Deciding<'_, P, S::Phase>, d: &S::Phase, matrix: &mut Square<S::Phase>) -> S::Phase {
         watch.visit(self.t, &sum(&self.z, d));
         let mut image = S::Phase::zero();
-        // What counts is the mean z + d/2, as in steps of order 2.
-        let d = moved(d, R::from_f64(2.0), &self.compensation);
-        self.system.fourth_slope(self.parameters, &self.begun, &d, &mut image, matrix);
+        self.system.fourth_slope(self.parameters, &self.begun, d, &mut image, matrix);
         image
     }
 }

@@ -107,7 +107,7 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let distant =
             Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
-        let evaluate: &mut Evaluate<'_, A> = &mut |x, matrix| equation.evaluate(watch, x, matrix);
+        let evaluate: &mut Evaluate<'_, A> = &mut |x, matrix| equation.evaluate(watch, &equation.point(x), matrix);
         if Newton::<A>::MANY {
             return self.of_many((guess, None), &distant, evaluate);
         }

@@ -117,9 +117,10 @@ impl<A: Array> Newton<A> {
             if !guesses.all() {
                 break 'start (guesses.extrapolated(&self.predictor), None);
             }
-            let guess = self.predictor.predict();
+            let point = self.predictor.predict();
+            let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
-            let mut delta = equation.residual(watch, &guess, &mut matrix);
+            let mut delta = difference(&guess, &equation.evaluate(watch, &point, &mut matrix));
             let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
                 break 'start (Some(guess), None);
             };

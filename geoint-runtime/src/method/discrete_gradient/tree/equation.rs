@@ -159,6 +159,23 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
         self.changed
     }
 
+    /// What counts is the mean y + d/2: f̄ depends on d itself only in second order.
+    #[inline(always)]
+    fn point(&self, impulse: &S::Unknown) -> S::Unknown {
+        match &self.compensation.0 {
+            Some(compensation) if S::DERIVATIVE == 1 => moved(impulse, R::from_f64(2.0), compensation),
+            _ => *impulse,
+        }
+    }
+
+    #[inline(always)]
+    fn unknown(&self, point: &S::Unknown) -> S::Unknown {
+        match &self.compensation.0 {
+            Some(compensation) if S::DERIVATIVE == 1 => moved(point, R::from_f64(-2.0), compensation),
+            _ => *point,
+        }
+    }
+
     /// The impulse of the explicit midpoint rule.
     fn explicit(&self) -> S::Unknown {
         let Equation { system, coefficients: Coefficients { constants, h, .. }, t, y, changed, .. } = self;
@@ -181,8 +198,9 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
     ) -> S::Unknown {
         let mut change = self.coefficients.change(self.system, &self.changed, impulse);
         watch.visit(self.t, &self.end(&change, impulse));
-        if let Some(compensation) = &self.compensation.0 {
-            // What counts is the mean y + d/2: f̄ depends on d itself only in second order.
+        if S::DERIVATIVE != 1
+            && let Some(compensation) = &self.compensation.0
+        {
             change.add_scaled(R::from_f64(2.0), compensation);
         }
         let mut image = S::Unknown::zero();
