@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::{ToTokens, quote};
 use std::rc::Rc;
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{ItemFn, Path, Token, braced};
+use syn::{ItemFn, Path, braced};
 
 /// A function under an attribute, with the functions that the attribute names, as far as they are there.
 ///
@@ -102,12 +102,4 @@ fn is_ours(path: &Path) -> bool {
 /// A path as one writes it.
 pub(crate) fn plain_path(path: &Path) -> String {
     path.to_token_stream().to_string().replace(' ', "")
-}
-
-/// `with(f, module::g)`, behind the name.
-pub(super) fn with(input: ParseStream<'_>) -> syn::Result<Vec<Path>> {
-    let inner;
-    syn::parenthesized!(inner in input);
-    let paths = inner.parse_terminated(Path::parse_mod_style, Token![,])?;
-    Ok(paths.into_iter().collect())
 }

@@ -1,7 +1,6 @@
 //! The arguments that attributes take: how each is written, which attributes take it, and how it is read.
 
 use super::flow::{self, StructureForm};
-use super::function::with;
 use super::options::Options;
 use super::values::{self, Coordinates, OF_ENERGIES, OF_LAGRANGIANS, Requirement};
 use super::{Form, Role};
@@ -97,7 +96,7 @@ const KEYS: [Key; 25] = [
         Rc::make_mut(&mut to.outside).parse_alias(input)
     }),
     key("with", "`with(function)`", &[H, C, F, L, E], |to, _, input| {
-        to.with = with(input)?;
+        to.with = values::functions(input)?;
         Ok(())
     }),
     key("crate", "`crate = path`", &[H, C, F, L, E], |to, _, input| set(&mut to.runtime, input)),

@@ -2,9 +2,9 @@
 
 use crate::messages::NO_CONSTRAINT;
 use proc_macro2::{Ident, Span, TokenStream, TokenTree};
-use syn::Token;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
+use syn::{Path, Token};
 
 /// A property that the user asks the macro to prove.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -119,4 +119,12 @@ impl Parse for Group {
         }
         syn::parse2(tokens).map(Group)
     }
+}
+
+/// `with(f, module::g)`, behind the name.
+pub(super) fn functions(input: ParseStream<'_>) -> syn::Result<Vec<Path>> {
+    let inner;
+    syn::parenthesized!(inner in input);
+    let paths = inner.parse_terminated(Path::parse_mod_style, Token![,])?;
+    Ok(paths.into_iter().collect())
 }

@@ -1,29 +1,9 @@
 //! Sums, products and powers as operations of two operands, in an order that keeps the processor busy.
 
 use super::block::{Instruction, Operand};
-use super::lowering::Lowering;
+use super::lowering::{Lowering, Of, Powers};
 use crate::analyze::has_edge;
 use crate::ir::{HashMap, Id, Node, Number, Ratio, Symbol};
-
-/// Powers of one base.
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
-pub(super) enum Powers {
-    Halves,
-    Whole,
-}
-
-impl Powers {
-    fn of(exponent: Ratio) -> Powers {
-        if exponent.is_integer() { Powers::Whole } else { Powers::Halves }
-    }
-}
-
-/// What divides 1, once, for several negative powers of one base, which are products of that.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Of {
-    Base,
-    Root,
-}
 
 /// A summand or factor: a sign and a value, or a product that has not been taken yet.
 #[derive(Clone, Copy)]

@@ -2,8 +2,8 @@
 
 use super::block::{Block, Operations};
 use super::levels::KnownLevels;
+use super::levels::width_of_slots;
 use super::lowering::Lowering;
-use super::matrix::width_of_slots;
 use crate::ir::{Graph, Id, Symbol};
 
 /// When symbols are known: each level is a routine that stores what later ones need, the last one excepted.

@@ -1,6 +1,6 @@
-//! When a node can be computed.
+//! When a node can be computed, and how many numbers a level hands on.
 
-use crate::ir::{Graph, Id, Node, Symbol, Table};
+use crate::ir::{Function, Graph, Id, Node, Symbol, Table};
 
 /// The level of every node; constants have none.
 pub(super) struct KnownLevels<F> {
@@ -28,4 +28,18 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
         }
         self.known[id]
     }
+}
+
+/// How many numbers nodes are together: a matrix is more than one.
+pub(super) fn width_of_slots(graph: &Graph, slots: &[Id]) -> usize {
+    let width = |id: &Id| match graph.node(*id) {
+        Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
+        _ => 1,
+    };
+    slots.iter().map(width).sum()
+}
+
+/// A number that counts something.
+pub(super) fn whole(graph: &Graph, id: Id) -> usize {
+    graph.as_number(id).map_or(0, |number| number.to_f64() as usize)
 }

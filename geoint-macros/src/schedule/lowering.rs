@@ -1,10 +1,28 @@
 //! One routine: nodes to statements.
 
-use super::arithmetic::{Of, Powers};
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use super::levels::KnownLevels;
-use super::matrix::width_of_slots;
-use crate::ir::{Function, Graph, HashMap, Id, Node, Symbol, Table};
+use super::levels::{KnownLevels, width_of_slots};
+use crate::ir::{Function, Graph, HashMap, Id, Node, Ratio, Symbol, Table};
+
+/// Powers of one base.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) enum Powers {
+    Halves,
+    Whole,
+}
+
+impl Powers {
+    pub(super) fn of(exponent: Ratio) -> Powers {
+        if exponent.is_integer() { Powers::Whole } else { Powers::Halves }
+    }
+}
+
+/// What divides 1, once, for several negative powers of one base, which are products of that.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Of {
+    Base,
+    Root,
+}
 
 /// A routine, or a branch in it, while it is being written.
 #[derive(Default)]

@@ -1,22 +1,9 @@
 //! Linear flows: a matrix that is computed once, and what it adds to a vector.
 
 use super::block::{Instruction, Operand, Register, Statement};
+use super::levels::whole;
 use super::lowering::Lowering;
-use crate::ir::{Function, Graph, Id, Node, Symbol};
-
-/// How many numbers nodes are together: a matrix is more than one.
-pub(super) fn width_of_slots(graph: &Graph, slots: &[Id]) -> usize {
-    let width = |id: &Id| match graph.node(*id) {
-        Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
-        _ => 1,
-    };
-    slots.iter().map(width).sum()
-}
-
-/// A number that counts something.
-fn whole(graph: &Graph, id: Id) -> usize {
-    graph.as_number(id).map_or(0, |number| number.to_f64() as usize)
-}
+use crate::ir::{Function, Id, Symbol};
 
 impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     /// exp(A) − 1 of a matrix, by its size and its entries with their places.

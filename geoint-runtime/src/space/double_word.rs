@@ -1,5 +1,6 @@
 //! A number of two words, for sums of time: the second holds what the first rounds off.
 
+use super::record::{Record, Tape};
 use super::summation::exact_sum;
 use crate::scalar::{Real, zero};
 
@@ -64,5 +65,11 @@ impl<R: Real> DoubleWord<R> {
             self.add(part * (h - upper));
             (n, unit) = (n >> BITS, unit * f64::from(1 << BITS));
         }
+    }
+}
+
+impl<R: Real> Record<R> for DoubleWord<R> {
+    fn record(&mut self, tape: &mut impl Tape<R>) {
+        self.words_mut().into_iter().for_each(|word| tape.scalar(word));
     }
 }

@@ -2,6 +2,7 @@
 
 use super::array::Array;
 use super::point::Point;
+use super::record::{Record, Tape};
 use super::state::Action;
 use crate::scalar::Real;
 
@@ -77,5 +78,12 @@ impl<Z: Array, S: Action<Z::Real>> PerCoordinate<Z, S> {
     #[inline(always)]
     pub(crate) fn is_finite(&self) -> bool {
         self.z.is_finite() && self.s.is_finite()
+    }
+}
+
+impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for PerCoordinate<Z, S> {
+    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+        tape.array(&mut self.z);
+        self.s.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
     }
 }

@@ -3,6 +3,7 @@
 use super::array::Array;
 use super::double_word::DoubleWord;
 use super::per_coordinate::PerCoordinate;
+use super::record::{Record, Tape};
 use super::state::Action;
 use super::summation::{Summation, add_compensated};
 use crate::scalar::{Real, zero};
@@ -95,5 +96,17 @@ pub(crate) fn add_action<Z: Array, C: Summation<Z>, S: Action<Z::Real>>(s: &mut 
         } else {
             add_compensated(s, compensation, *ds);
         }
+    }
+}
+
+/// Coordinates, the action, what sums have lost of both, and how far time is ahead.
+impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Record<Z::Real> for Point<Z, C, S> {
+    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+        tape.array(&mut self.z);
+        self.s.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
+        self.sums.record(tape);
+        self.compensation.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
+        self.ahead.record(tape);
+        tape.flag(&mut self.doubtful);
     }
 }

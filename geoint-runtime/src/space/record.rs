@@ -1,11 +1,6 @@
 //! What a run hands on from step to step, number by number: the same order for writing down and for reading back.
 
 use super::array::Array;
-use super::double_word::DoubleWord;
-use super::per_coordinate::PerCoordinate;
-use super::point::Point;
-use super::state::Action;
-use super::summation::{Compensated, Plain, Summation};
 use crate::scalar::Real;
 
 /// Writes the numbers down that it is shown, or puts those in their place that were written down.
@@ -76,40 +71,5 @@ impl<R: Real> Record<R> for R {
 impl<R, T: Record<R>, const N: usize> Record<R> for [T; N] {
     fn record(&mut self, tape: &mut impl Tape<R>) {
         self.iter_mut().for_each(|part| part.record(tape));
-    }
-}
-
-impl<R: Real> Record<R> for DoubleWord<R> {
-    fn record(&mut self, tape: &mut impl Tape<R>) {
-        self.words_mut().into_iter().for_each(|word| tape.scalar(word));
-    }
-}
-
-impl<R, const ACTION: bool> Record<R> for Plain<ACTION> {
-    fn record(&mut self, _: &mut impl Tape<R>) {}
-}
-
-impl<A: Array> Record<A::Real> for Compensated<A> {
-    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        tape.array(self.compensation_mut());
-    }
-}
-
-impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for PerCoordinate<Z, S> {
-    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
-        tape.array(&mut self.z);
-        self.s.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
-    }
-}
-
-/// Coordinates, the action, what sums have lost of both, and how far time is ahead.
-impl<Z: Array, C: Summation<Z>, S: Action<Z::Real>> Record<Z::Real> for Point<Z, C, S> {
-    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
-        tape.array(&mut self.z);
-        self.s.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
-        self.sums.record(tape);
-        self.compensation.numbers_mut().iter_mut().for_each(|s| tape.scalar(s));
-        self.ahead.record(tape);
-        tape.flag(&mut self.doubtful);
     }
 }

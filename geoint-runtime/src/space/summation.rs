@@ -1,7 +1,7 @@
 //! How increments are added to coordinates: every addition rounded, or with compensation.
 
 use super::array::Array;
-use super::record::Record;
+use super::record::{Record, Tape};
 use crate::scalar::Real;
 use crate::sealed::Sealed;
 use core::fmt::Debug;
@@ -121,4 +121,14 @@ pub(crate) fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
     let sum = a + b;
     let added = sum - a;
     (sum, (a - (sum - added)) + (b - added))
+}
+
+impl<R, const ACTION: bool> Record<R> for Plain<ACTION> {
+    fn record(&mut self, _: &mut impl Tape<R>) {}
+}
+
+impl<A: Array> Record<A::Real> for Compensated<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.array(self.compensation_mut());
+    }
 }

@@ -9,7 +9,7 @@ use crate::solving::damped;
 use crate::solving::equation::{Distant, Evaluate, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_rounding};
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
 use crate::solving::size::Sizes;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
@@ -23,12 +23,6 @@ const SECOND_LOOK: u32 = 64;
 /// Corrections of which no more is asked than whether they are the last one. Where they are not after so many, something is else than before.
 const UNJUDGED: u32 = 3;
 
-/// The factor by which corrections of the fixed point must shrink.
-const SHRINKING: f64 = 0.3;
-
-/// Of so many steps one tries the fixed point again.
-const ANOTHER_TRY: u32 = 256;
-
 /// The square of a correction, in units of the sizes of coordinates, that an extrapolated guess may need. What is farther off may lead to a
 /// solution of another branch.
 const FAR_OFF: f64 = 1.0 / 64.0;
@@ -36,15 +30,15 @@ const FAR_OFF: f64 = 1.0 / 64.0;
 /// What is known of the iteration from steps before.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Iteration<A> {
-    sizes: Sizes<A>,
+    pub(super) sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
     kinds: [usize; 2],
     pub(super) guesses: Guesses,
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
-    steps: u32,
+    pub(super) steps: u32,
     /// The fixed point attracts too weakly.
-    stiff: bool,
+    pub(super) stiff: bool,
 }
 
 /// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
@@ -99,28 +93,6 @@ impl<A: Array> Iteration<A> {
     #[inline(always)]
     fn looks(&self) -> bool {
         self.steps.is_multiple_of(SECOND_LOOK)
-    }
-
-    /// Solves an equation for many unknowns: by the fixed point if that attracts.
-    #[inline(always)]
-    pub(super) fn of_many<W: ?Sized, E: StepEquation<A, W>>(
-        &mut self,
-        start: Start<A>,
-        equation: &E,
-        watch: &mut W,
-    ) -> Found<A> {
-        if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
-            let guess = start.0.unwrap_or_else(|| explicit(*equation));
-            let found = self.fixed_point(guess, equation, watch);
-            self.stiff = found.is_none();
-            if let Some(x) = found {
-                self.guesses.count(true);
-                return Found::solution(x, A::zero());
-            }
-        }
-        let found;
-        (*self, found) = self.search(start, *equation, watch);
-        found
     }
 
     /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
@@ -266,27 +238,6 @@ impl<A: Array> Iteration<A> {
         noise::explains(&noise, &residual(&x), &sizes)
     }
 
-    /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
-    #[inline(always)]
-    fn fixed_point<W: ?Sized, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
-        let (origin, mut x) = (equation.origin(), guess);
-        let mut corrections = Corrections::of_order(1);
-        loop {
-            let next = equation.image(watch, &x);
-            let delta = difference(&x, &next);
-            x = next;
-            let correction = self.sizes.relative(&delta, &origin, &x);
-            let before = corrections.last();
-            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
-                self.sizes.include(&origin, &x);
-                return Some(x);
-            }
-            if correction.is_nan() || correction > SHRINKING * before {
-                return is_rounding::<A::Real>(correction).then_some(x);
-            }
-        }
-    }
-
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
     fn see(&mut self, correction: f64, before: f64) {
@@ -316,7 +267,7 @@ enum Attempt<A> {
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
+pub(super) fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }
