@@ -3,6 +3,7 @@
 //! `cargo bench -p geoint-tests --bench step` prints the table of ratios, then criterion's absolute figures, a step each.
 //! `RATIOS=only` leaves the second part out.
 
+#[allow(dead_code, reason = "run time against error has all of it")]
 mod by_hand;
 mod paired;
 mod systems;

@@ -3,9 +3,7 @@
 //! Kicks of neighbouring steps are merged, h and parameters are folded into constants before the loop, positions and
 //! momenta are locals. Only the fractions of the splitting tables are taken from the runtime; nothing else is.
 
-#[allow(dead_code, reason = "only run time against error has it")]
 pub(crate) mod chain;
-#[allow(dead_code, reason = "only run time against error has it")]
 pub(crate) mod damped_oscillator;
 pub(crate) mod double_pendulum;
 pub(crate) mod free_body;

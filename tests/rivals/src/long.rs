@@ -21,6 +21,8 @@ use std::time::Instant;
 
 /// Numbers of periods after which energies are compared.
 const MARKS: [u64; 3] = [10, 10_000, 10_000_000];
+/// What a run to the next mark may take by what a period costs, in seconds: ten minutes are for all.
+const LONGEST: f64 = 25.0;
 /// In the last of them every state that a method has is looked at.
 const SEEN: u64 = 5;
 /// Periods of a run that is timed, and how many times.
@@ -36,8 +38,19 @@ pub struct Long {
     pub effort: String,
     /// Nanoseconds a period.
     pub cost: f64,
-    /// The largest relative error of the energy around each mark; none where the method has refused.
-    pub errors: Vec<Option<f64>>,
+    /// The largest relative error of the energy around each mark.
+    pub errors: Vec<After>,
+}
+
+/// What is measured at a mark.
+#[derive(Clone, Copy, Debug)]
+pub enum After {
+    /// The largest relative error of the energy.
+    Error(f64),
+    /// The method has refused a step.
+    Refused,
+    /// It would take too long.
+    TooLong,
 }
 
 /// From a state over a number of periods: states of which the last is the end.
@@ -72,7 +85,7 @@ pub fn measure(bar: &ProgressBar) -> Vec<Long> {
         for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
             scope.spawn(|| {
                 while let Some(i) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let errors = errors((candidates[*i].start)());
+                    let errors = errors((candidates[*i].start)(), costs[*i]);
                     done.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).push((*i, errors));
                 }
             });
@@ -89,27 +102,30 @@ pub fn measure(bar: &ProgressBar) -> Vec<Long> {
         .collect()
 }
 
-fn errors(mut advance: Advance) -> Vec<Option<f64>> {
+fn errors(mut advance: Advance, cost: f64) -> Vec<After> {
     let start = energy(REGULAR.start());
     let mut periods = 0;
     let mut refused = false;
     MARKS
         .into_iter()
         .map(|mark| {
+            if 1e-9 * cost * (mark - periods) as f64 > LONGEST {
+                return After::TooLong;
+            }
             refused = refused || advance(mark - SEEN - periods).is_none();
             periods = mark;
             // One period after the other: its states are many enough.
             let mut worst = 0.0_f64;
             for _ in 0..SEEN {
                 if refused {
-                    return None;
+                    return After::Refused;
                 }
                 match advance(1) {
                     Some(states) => worst = worst.max(energy_error(&states, start)),
                     None => refused = true,
                 }
             }
-            (!refused).then_some(worst)
+            if refused { After::Refused } else { After::Error(worst) }
         })
         .collect()
 }

@@ -48,7 +48,9 @@ fn explored(entry: &Entry, judge: &dyn Fn(&[f64]) -> f64, bar: &ProgressBar) -> 
         let seconds = begin.elapsed().as_secs_f64();
         let error = states.map_or(f64::NAN, |states| judge(&states));
         if error.is_finite() && error < 1.0 {
-            worse = if points.last().is_some_and(|last| last.error <= error) { worse + 1 } else { 0 };
+            // Errors of steps that are far too long are any.
+            let is_worse = error < 0.1 && points.last().is_some_and(|last| last.error <= error);
+            worse = if is_worse { worse + 1 } else { 0 };
             points.push(Point { effort: *effort, error, seconds: vec![] });
         }
         // Steps that are far too long may take long to be refused.

@@ -1,6 +1,6 @@
 //! The tables, once for both pages: rows of cells, some of which are marked.
 
-use crate::long::Long;
+use crate::long::{After, Long};
 use crate::page::Measured;
 use crate::winners::{self, SAME, WANTED, power, short};
 
@@ -91,7 +91,11 @@ pub fn twins<'a>(all: impl IntoIterator<Item = &'a Measured>) -> Table {
 
 /// Energies over long times.
 pub fn long(all: &[Long]) -> Table {
-    let error = |error: &Option<f64>| cell(error.map_or("refused".into(), |error| format!("{error:.1e}")));
+    let error = |after: &After| match after {
+        After::Error(error) => cell(format!("{error:.1e}")),
+        After::Refused => cell("refused"),
+        After::TooLong => cell("too long"),
+    };
     let row = |long: &Long| {
         let whose = cell(long.name.clone());
         let effort = cell(long.effort.clone());

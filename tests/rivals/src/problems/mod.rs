@@ -40,8 +40,11 @@ pub struct Problem {
 /// From states to an error.
 pub type Judge = Box<dyn Fn(&[f64]) -> f64>;
 
+/// The name of a problem, and what makes it.
+pub type Named = (&'static str, fn() -> Problem);
+
 /// All problems, made when they are wanted, because references take time.
-pub const ALL: [(&str, fn() -> Problem); 11] = [
+pub const ALL: [Named; 11] = [
     ("pendulum", plane::pendulum),
     ("kepler", plane::kepler),
     ("henon_heiles", galaxy::regular),

@@ -38,8 +38,8 @@ const SENTENCES: &[(&str, &str)] = &[
     ("a state starts with g = 0", "tests/constraints::a_state_off_a_constraint_is_named"),
     ("momenta as unknowns", "tests/constraints::rattle"),
     // Contact systems.
-    ("exact in time", "tests/contact::claims_hold"),
-    ("T + g·s + V", "tests/contact::claims_hold"),
+    ("exact in time", "tests/contact::orders"),
+    ("T + g·s + V", "tests/contact::forms"),
     ("Decaying by the factor", "tests/contact::angular_momentum_decays_with_the_form"),
     ("momenta are multiplied by one number", "tests/lagrangian::dissipated_momenta_decay_alike"),
     ("multiplies H by what its equation says", "tests/contact::the_law_of_decay"),
