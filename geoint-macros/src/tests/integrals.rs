@@ -284,7 +284,7 @@ fn the_function_of_nambu_is_a_casimir() {
             x[0] * x[1] + x[2] * x[2] / 2.0
         }
     );
-    let report = |args: TokenStream| expand::expand(Form::Structured, args, item.clone()).to_string();
+    let report = |args: TokenStream| expand::expand(Form::Hamiltonian, args, item.clone()).to_string();
     let found = report(quote!(structure = nambu(x[0] + x[1] * x[1] / 2.0 - a * x[2].cos())));
     assert!(found.contains("x[0] + x[1]²/2 - a·cos(x[2]): kept, a Casimir"), "{found}");
     // One that the search has found already is said once.

@@ -45,7 +45,13 @@ pub(crate) trait StepEquation<A: Array, W: ?Sized>: Copy {
     /// x − g(x), and 1 − g'(x) in `matrix`.
     #[inline(always)]
     fn residual(&self, watch: &mut W, x: &A, matrix: &mut Square<A>) -> A {
-        difference(x, &self.evaluate(watch, &self.point(x), matrix))
+        self.residual_at(watch, x, &self.point(x), matrix)
+    }
+
+    /// The same for x and its evaluation point. Where there is no g but this, x − (x − residual) would lose digits.
+    #[inline(always)]
+    fn residual_at(&self, watch: &mut W, x: &A, point: &A, matrix: &mut Square<A>) -> A {
+        difference(x, &self.evaluate(watch, point, matrix))
     }
 }
 
@@ -57,10 +63,10 @@ pub(crate) struct Distant<'a, A> {
     pub(crate) explicit: &'a dyn Fn() -> A,
 }
 
-/// g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated.
-pub(crate) type Evaluate<'a, A> = dyn FnMut(&A, &mut Square<A>) -> A + 'a;
+/// x − g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated.
+pub(crate) type Residual<'a, A> = dyn FnMut(&A, &mut Square<A>) -> A + 'a;
 
-impl<A: Array> StepEquation<A, Evaluate<'_, A>> for Distant<'_, A> {
+impl<A: Array> StepEquation<A, Residual<'_, A>> for Distant<'_, A> {
     const PATIENT: bool = true;
 
     fn standstill(&self) -> f64 {
@@ -75,7 +81,11 @@ impl<A: Array> StepEquation<A, Evaluate<'_, A>> for Distant<'_, A> {
         (self.explicit)()
     }
 
-    fn evaluate(&self, evaluate: &mut Evaluate<'_, A>, x: &A, matrix: &mut Square<A>) -> A {
-        evaluate(x, matrix)
+    fn evaluate(&self, residual: &mut Residual<'_, A>, x: &A, matrix: &mut Square<A>) -> A {
+        difference(x, &residual(x, matrix))
+    }
+
+    fn residual_at(&self, residual: &mut Residual<'_, A>, x: &A, _: &A, matrix: &mut Square<A>) -> A {
+        residual(x, matrix)
     }
 }

@@ -84,14 +84,15 @@ impl<S: ConstrainedStep<M, R>, M, R: Real, P: Probe<S, R>> StepEquation<S::Unkno
         x: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        difference(x, &self.residual(watch, x, matrix))
+        difference(x, &self.residual_at(watch, x, x, matrix))
     }
 
     #[inline(always)]
-    fn residual(
+    fn residual_at(
         &self,
         watch: &mut Deciding<'_, P, S::Phase>,
         x: &S::Unknown,
+        _: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
         let Equation { system, constants, begun, t, z } = self;

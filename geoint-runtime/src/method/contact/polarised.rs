@@ -195,14 +195,15 @@ impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, S
         d: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        difference(d, &self.residual(seen, d, matrix))
+        difference(d, &self.residual_at(seen, d, d, matrix))
     }
 
     #[inline(always)]
-    fn residual(
+    fn residual_at(
         &self,
         Seen { probe, d: last, increments, by_d }: &mut Seen<'_, P, S::Unknown>,
         d: &S::Unknown,
+        _: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
         let s = self.s + self.apart(d).1;

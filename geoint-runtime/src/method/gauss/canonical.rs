@@ -144,11 +144,17 @@ impl<Y: CanonicalForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
 
     #[inline(always)]
     fn evaluate(&self, probe: &mut P, d: &[Y::Phase; S], matrix: &mut Square<[Y::Phase; S]>) -> [Y::Phase; S] {
-        difference(d, &self.residual(probe, d, matrix))
+        difference(d, &self.residual_at(probe, d, d, matrix))
     }
 
     #[inline(always)]
-    fn residual(&self, probe: &mut P, d: &[Y::Phase; S], matrix: &mut Square<[Y::Phase; S]>) -> [Y::Phase; S] {
+    fn residual_at(
+        &self,
+        probe: &mut P,
+        d: &[Y::Phase; S],
+        _: &[Y::Phase; S],
+        matrix: &mut Square<[Y::Phase; S]>,
+    ) -> [Y::Phase; S] {
         let stages: [At<Y::Phase>; S] = core::array::from_fn(|i| {
             let (t, z) = (self.t + self.prepared.nodes[i], sum(&self.z, &d[i]));
             probe.visit(t, &z, &());

@@ -194,15 +194,16 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
         v: &[Y::Array; S],
         matrix: &mut Square<[Y::Array; S]>,
     ) -> [Y::Array; S] {
-        difference(v, &self.residual(seen, v, matrix))
+        difference(v, &self.residual_at(seen, v, v, matrix))
     }
 
     /// What the momentum of each stage is too large by, and its derivative, a row over |Mᵢᵢ|: then it has the unit of the velocity.
     #[inline(always)]
-    fn residual(
+    fn residual_at(
         &self,
         Seen { probe, v: last, stages }: &mut Seen<'_, P, Y::Array, S>,
         v: &[Y::Array; S],
+        _: &[Y::Array; S],
         matrix: &mut Square<[Y::Array; S]>,
     ) -> [Y::Array; S] {
         let coupling = &self.prepared.coupling;

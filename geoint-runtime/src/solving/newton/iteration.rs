@@ -6,7 +6,7 @@ use super::{Found, MOST_UNKNOWNS, Newton, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
-use crate::solving::equation::{Distant, Evaluate, StepEquation};
+use crate::solving::equation::{Distant, Residual, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
@@ -107,12 +107,12 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let distant =
             Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
-        let evaluate: &mut Evaluate<'_, A> = &mut |x, matrix| equation.evaluate(watch, &equation.point(x), matrix);
+        let residual: &mut Residual<'_, A> = &mut |x, matrix| equation.residual(watch, x, matrix);
         if Newton::<A>::MANY {
-            return self.of_many((guess, None), &distant, evaluate);
+            return self.of_many((guess, None), &distant, residual);
         }
         let found;
-        (*self, found) = self.search((guess, None), distant, evaluate);
+        (*self, found) = self.search((guess, None), distant, residual);
         found
     }
 
@@ -255,7 +255,7 @@ impl<A: Array> Iteration<A> {
 
 /// The addresses of what is compiled once for a shape of unknowns.
 pub(crate) fn compiled<A: Array>() -> *const () {
-    Iteration::<A>::search::<Evaluate<'_, A>, Distant<'_, A>> as *const ()
+    Iteration::<A>::search::<Residual<'_, A>, Distant<'_, A>> as *const ()
 }
 
 /// Where an iteration starts.

@@ -120,7 +120,7 @@ impl<A: Array> Newton<A> {
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
-            let mut delta = difference(&guess, &equation.evaluate(watch, &point, &mut matrix));
+            let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
             let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
                 break 'start (Some(guess), None);
             };

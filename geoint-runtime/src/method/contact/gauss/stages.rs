@@ -188,11 +188,17 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
 
     #[inline(always)]
     fn evaluate(&self, probe: &mut P, d: &[Y::Moved; S], matrix: &mut Square<[Y::Moved; S]>) -> [Y::Moved; S] {
-        difference(d, &self.residual(probe, d, matrix))
+        difference(d, &self.residual_at(probe, d, d, matrix))
     }
 
     #[inline(always)]
-    fn residual(&self, probe: &mut P, d: &[Y::Moved; S], matrix: &mut Square<[Y::Moved; S]>) -> [Y::Moved; S] {
+    fn residual_at(
+        &self,
+        probe: &mut P,
+        d: &[Y::Moved; S],
+        _: &[Y::Moved; S],
+        matrix: &mut Square<[Y::Moved; S]>,
+    ) -> [Y::Moved; S] {
         let coupling = &self.prepared.stages.coupling;
         let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
         let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {

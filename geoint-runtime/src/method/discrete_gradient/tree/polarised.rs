@@ -211,14 +211,15 @@ impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'
         d: &S::Array,
         matrix: &mut Square<S::Array>,
     ) -> S::Array {
-        difference(d, &self.residual(seen, d, matrix))
+        difference(d, &self.residual_at(seen, d, d, matrix))
     }
 
     #[inline(always)]
-    fn residual(
+    fn residual_at(
         &self,
         Seen { deciding, d: last, impulse, by_d }: &mut Seen<'_, P, S::Phase, S::Array>,
         d: &S::Array,
+        _: &S::Array,
         matrix: &mut Square<S::Array>,
     ) -> S::Array {
         deciding.visit(self.t, &[sum(&self.z[0], &self.shift(d)), self.z[1]]);

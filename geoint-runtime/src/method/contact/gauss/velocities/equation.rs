@@ -147,15 +147,16 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         d: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
-        difference(d, &self.residual(seen, d, matrix))
+        difference(d, &self.residual_at(seen, d, d, matrix))
     }
 
     /// What the momentum of each stage is too large by, a row over |Mᵢᵢ|, and the increment of s.
     #[inline(always)]
-    fn residual(
+    fn residual_at(
         &self,
         Seen { probe, d: last, stages }: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
         d: &[Y::Moved; S],
+        _: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
         let Prepared { coupling, constants, nodes, .. } = self.prepared;
