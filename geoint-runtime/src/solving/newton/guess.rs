@@ -25,20 +25,21 @@ enum Guess {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Guesses {
     next: Guess,
-    /// Where others have told what few increments miss, the last guess was good enough.
+    /// In a composition: the last guess was good enough.
     sure: bool,
     /// So many increments there have been, as far as more than are remembered make no difference.
     known: usize,
     /// A better one is looked for.
     due: bool,
-    /// Others have told what few increments miss. Alone they are no guess: the discrete gradient of a pendulum, three radians a second
-    /// with h = 0.1, drifts by 9·10⁻¹³ in a million steps then, and by 9·10⁻¹⁴ from explicit guesses.
-    told: bool,
+    /// The equation is that of a substep: what few increments miss is known from the two substeps before. Few increments without that are no
+    /// guess: from them the discrete gradient of a pendulum, three radians a second with h = 0.1, drifts by 9·10⁻¹³ in a million steps,
+    /// from explicit guesses by 9·10⁻¹⁴.
+    composed: bool,
 }
 
 impl Guesses {
     pub(super) fn new() -> Self {
-        Guesses { next: Guess::Explicit, sure: false, known: 0, due: false, told: false }
+        Guesses { next: Guess::Explicit, sure: false, known: 0, due: false, composed: false }
     }
 
     pub(super) fn record<R>(&mut self, tape: &mut impl Tape<R>) {
@@ -52,7 +53,7 @@ impl Guesses {
             _ => Guess::All,
         };
         tape.flag(&mut self.sure);
-        tape.flag(&mut self.told);
+        tape.flag(&mut self.composed);
     }
 
     /// Whether all increments are extrapolated.
@@ -61,16 +62,16 @@ impl Guesses {
         self.next == Guess::All
     }
 
-    /// Whether others have told what few increments miss.
+    /// Whether the equation is that of a substep.
     #[inline(always)]
-    pub(super) fn told(&self) -> bool {
-        self.told
+    pub(super) fn composed(&self) -> bool {
+        self.composed
     }
 
-    /// Others tell what few increments miss.
+    /// The equation is that of a substep, from here on.
     #[inline(always)]
-    pub(super) fn tell(&mut self) {
-        self.told = true;
+    pub(super) fn compose(&mut self) {
+        self.composed = true;
     }
 
     /// Whether what few increments miss makes no difference to the next guess, nor to the choice after it.
@@ -98,7 +99,7 @@ impl Guesses {
     pub(super) fn count(&mut self, iterations: u32, extrapolated: bool, looks: bool) {
         let filled = self.known >= POINTS;
         self.known = (self.known + 1).min(POINTS + 1);
-        if !self.told {
+        if !self.composed {
             let good = iterations < ROUGH || self.known == POINTS;
             self.next = if self.known >= POINTS && good { Guess::All } else { Guess::Explicit };
             return;

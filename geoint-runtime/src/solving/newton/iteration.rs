@@ -198,7 +198,7 @@ impl<A: Array> Iteration<A> {
                 return Err(corrections.not_converged());
             }
             let lost = subtract(&mut x, &delta);
-            let unjudged = self.guesses.told() && !self.looks();
+            let unjudged = self.guesses.composed() && !self.looks();
             if (iterations == 1 || unjudged) && self.is_last(&delta) {
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }

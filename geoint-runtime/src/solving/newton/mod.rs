@@ -76,7 +76,7 @@ impl<A: Array> Newton<A> {
     pub(crate) fn follow(&mut self, before: [(A::Real, &Self); 2]) {
         let knows = |(_, other): &(_, &Self)| other.iteration.guesses.knows_difference();
         if !self.iteration.guesses.sure() && before.iter().all(knows) {
-            self.iteration.guesses.tell();
+            self.iteration.guesses.compose();
             self.predictor.expect(before.map(|(weight, other)| (weight, &other.predictor)));
         } else {
             self.predictor.expect_nothing();
