@@ -58,10 +58,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("kept, the energy of the field", "tests/accuracy::what_is_recovered_is_kept"),
     ("kept, because S is skew", "tests/accuracy::euler_top"),
     ("constant as well, not listed", "tests/accuracy::what_is_found_is_reported"),
-    (
-        "`DiscreteGradient` and `FourthOrder` keep {names}",
-        "geoint-macros/src/tests::steps_keep_every_integral_to_rounding",
-    ),
+    ("{methods} keep {names}, to rounding", "geoint-macros/src/tests::steps_keep_every_integral_to_rounding"),
     ("takes h ∇̄H·C ∇̄H off the energy", "tests/stability::energy_falls_by_what_is_dissipated"),
     ("keeps the energy to rounding, and every C", "tests/accuracy::euler_top"),
     ("Casimirs are kept to rounding", "tests/accuracy::tops_by_terms"),
