@@ -1,5 +1,6 @@
 //! The value of a graph to hundreds of digits, by the functions of another crate.
 
+use crate::ir::op::of_steps;
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
@@ -135,46 +136,8 @@ fn call(function: Function, args: &[Big], bits: usize) -> Option<Big> {
         Function::Min => x.clone().min(args[1].clone()),
         Function::Max => x.clone().max(args[1].clone()),
         Function::Signum => big(f64::from(sign(x)), bits),
-        Function::NotNegative
-        | Function::Bounded
-        | Function::RecipPositive
-        | Function::RecipAbove
-        | Function::Root
-        | Function::Sinc
-        | Function::SincDerivative
-        | Function::Sinhc
-        | Function::SinhcDerivative
-        | Function::Arc
-        | Function::ArcDerivative
-        | Function::ExpSlope
-        | Function::ExpSlopeDerivative
-        | Function::Exp2Slope
-        | Function::LnSlope
-        | Function::LnSlopeDerivative
-        | Function::TanhSlope
-        | Function::TanhSlopeDerivative
-        | Function::PowfSlope
-        | Function::PowfSlopeDerivative
-        | Function::AbsSlope
-        | Function::AbsSlopeDerivative
-        | Function::Phi1
-        | Function::Phi1Derivative
-        | Function::StumpffC0
-        | Function::StumpffC1
-        | Function::StumpffC1Derivative
-        | Function::AtMost
-        | Function::Provided
-        | Function::DecayMean
-        | Function::SineAt
-        | Function::SineSlope
-        | Function::CosineAt
-        | Function::CosineSlope
-        | Function::FlowMatrix
-        | Function::FlowChange
-        | Function::KeplerF
-        | Function::KeplerG
-        | Function::KeplerFRate
-        | Function::KeplerGRate
-        | Function::Grown => unreachable!("energies are written without helpers"),
+        Function::NotNegative | Function::Bounded | Function::RecipPositive | Function::Provided | of_steps!() => {
+            unreachable!("energies are written without helpers")
+        }
     })
 }

@@ -9,6 +9,7 @@ use super::{Noise, graph_of};
 use crate::diff;
 use crate::ir::eval::eval;
 use crate::ir::op::FUNCTIONS;
+use crate::ir::op::of_steps;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 const Q: Symbol = Symbol::Q(0);
@@ -90,47 +91,9 @@ fn ranges(function: Function) -> Vec<Range> {
         // Its exponents are given below.
         Function::Powf => vec![within(1e-3, 1e3), around_zero(5.0)],
         Function::Min | Function::Max => vec![around_zero(2.0), around_zero(2.0)],
-        Function::NotNegative
-        | Function::Bounded
-        | Function::RecipPositive
-        | Function::RecipAbove
-        | Function::Root
-        | Function::Sinc
-        | Function::SincDerivative
-        | Function::Sinhc
-        | Function::SinhcDerivative
-        | Function::Arc
-        | Function::ArcDerivative
-        | Function::ExpSlope
-        | Function::ExpSlopeDerivative
-        | Function::Exp2Slope
-        | Function::LnSlope
-        | Function::LnSlopeDerivative
-        | Function::TanhSlope
-        | Function::TanhSlopeDerivative
-        | Function::PowfSlope
-        | Function::PowfSlopeDerivative
-        | Function::AbsSlope
-        | Function::AbsSlopeDerivative
-        | Function::Phi1
-        | Function::Phi1Derivative
-        | Function::StumpffC0
-        | Function::StumpffC1
-        | Function::StumpffC1Derivative
-        | Function::AtMost
-        | Function::Provided
-        | Function::DecayMean
-        | Function::SineAt
-        | Function::SineSlope
-        | Function::CosineAt
-        | Function::CosineSlope
-        | Function::FlowMatrix
-        | Function::FlowChange
-        | Function::KeplerF
-        | Function::KeplerG
-        | Function::KeplerFRate
-        | Function::KeplerGRate
-        | Function::Grown => vec![],
+        Function::NotNegative | Function::Bounded | Function::RecipPositive | Function::Provided | of_steps!() => {
+            vec![]
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! The recurrence of every function: one exhaustive match.
 
 use super::{Builder, Factor, Rule};
+use crate::ir::op::of_steps;
 use crate::ir::{Function, Id, Number, Ratio, Relation};
 
 impl Builder<'_> {
@@ -91,43 +92,7 @@ impl Builder<'_> {
                 self.decides(x);
                 Rule::Linear(vec![])
             }
-            Function::RecipAbove
-            | Function::Root
-            | Function::Sinc
-            | Function::SincDerivative
-            | Function::Sinhc
-            | Function::SinhcDerivative
-            | Function::Arc
-            | Function::ArcDerivative
-            | Function::ExpSlope
-            | Function::ExpSlopeDerivative
-            | Function::Exp2Slope
-            | Function::LnSlope
-            | Function::LnSlopeDerivative
-            | Function::TanhSlope
-            | Function::TanhSlopeDerivative
-            | Function::PowfSlope
-            | Function::PowfSlopeDerivative
-            | Function::AbsSlope
-            | Function::AbsSlopeDerivative
-            | Function::Phi1
-            | Function::Phi1Derivative
-            | Function::StumpffC0
-            | Function::StumpffC1
-            | Function::StumpffC1Derivative
-            | Function::DecayMean
-            | Function::AtMost
-            | Function::Grown
-            | Function::SineAt
-            | Function::SineSlope
-            | Function::CosineAt
-            | Function::CosineSlope
-            | Function::FlowMatrix
-            | Function::FlowChange
-            | Function::KeplerF
-            | Function::KeplerG
-            | Function::KeplerFRate
-            | Function::KeplerGRate => unreachable!("of divided differences and of flows: no part of a vector field"),
+            of_steps!() => unreachable!("of divided differences and of flows: no part of a vector field"),
         }
     }
 

@@ -2,6 +2,7 @@
 
 use super::ends::Slopes;
 use super::power;
+use crate::ir::op::of_steps;
 use crate::ir::{Function, Graph, Id, Number, Ratio};
 use std::f64::consts::{LN_2, LN_10};
 
@@ -99,47 +100,9 @@ impl Slopes {
             Function::Hypot | Function::Atan2 | Function::Powf | Function::Min | Function::Max => {
                 return args.iter().copied().zip(self.of_two(g, id, function, x, args[1])).collect();
             }
-            Function::RecipPositive
-            | Function::RecipAbove
-            | Function::Root
-            | Function::Sinc
-            | Function::SincDerivative
-            | Function::Sinhc
-            | Function::SinhcDerivative
-            | Function::Arc
-            | Function::ArcDerivative
-            | Function::ExpSlope
-            | Function::ExpSlopeDerivative
-            | Function::Exp2Slope
-            | Function::LnSlope
-            | Function::LnSlopeDerivative
-            | Function::TanhSlope
-            | Function::TanhSlopeDerivative
-            | Function::PowfSlope
-            | Function::PowfSlopeDerivative
-            | Function::AbsSlope
-            | Function::AbsSlopeDerivative
-            | Function::NotNegative
-            | Function::AtMost
-            | Function::Provided
-            | Function::DecayMean
-            | Function::SineAt
-            | Function::SineSlope
-            | Function::CosineAt
-            | Function::CosineSlope
-            | Function::FlowMatrix
-            | Function::FlowChange
-            | Function::KeplerF
-            | Function::KeplerG
-            | Function::KeplerFRate
-            | Function::KeplerGRate
-            | Function::Grown
-            | Function::Phi1
-            | Function::Phi1Derivative
-            | Function::StumpffC0
-            | Function::StumpffC1
-            | Function::StumpffC1Derivative
-            | Function::Bounded => unreachable!("an energy is not written with divided differences"),
+            Function::RecipPositive | Function::NotNegative | Function::Provided | Function::Bounded | of_steps!() => {
+                unreachable!("an energy is not written with divided differences")
+            }
         };
         vec![(x, slope)]
     }
