@@ -44,7 +44,8 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-13 * a.abs().max(1.0), "{a} {b}");
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let (q, p, b) = (Vector3::new(0.3, 0.4, -0.5), Vector3::new(1.0, 2.0, 3.0), Vector3::new(0.1, 0.2, 0.7));
     close(Charge { field: b }.energy(&State::new(q, p)), charge(q, p, b));
     let (q, p) = (Vector2::new(0.3, 0.4), Vector2::new(1.0, 2.0));

@@ -94,7 +94,8 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-13 * a.abs().max(1.0), "{a} {b}");
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     for (q, p) in [([0.3, -0.4, 0.9], [1.0, 0.5, -2.0]), ([-1.2, 0.7, 2.0], [0.1, -0.2, 0.3])] {
         close(Lets { a: 1.5 }.energy(&State::at(0.7, q, p)), lets(q, p, 0.7, 1.5));
         close(Lets { a: 2.0 }.energy(&State::at(0.7, q, p)), lets(q, p, 0.7, 2.0));

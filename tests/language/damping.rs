@@ -53,7 +53,8 @@ fn falls<S: DiscreteField<State = State<[f64; 2]>>>(system: S) {
     }
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     // The lost energy of the first step, h times C times the square of the mean velocity.
     let mut sim = Outside.integrator(DiscreteGradient, 0.1, State::new(0.0, 1.0));
     sim.step().unwrap();

@@ -49,7 +49,8 @@ fn braked(m: f64, x: Vector3<f64>, c: f64) -> f64 {
     x.dot(&x) / (2.0 * m) + x.z * x.z
 }
 
-fn main() -> Result<(), StepError> {
+#[test]
+fn compiles_and_means_what_it_says() -> Result<(), StepError> {
     let mut sim = Logistic { r: 2.0 }.adaptive(DOP853, 1e-10, FlowState::new(0.1));
     sim.advance_to(1.0)?;
     let end = 1.0 / (1.0 + 9.0 * (-2.0_f64).exp());
@@ -98,7 +99,8 @@ fn main() -> Result<(), StepError> {
     sim.advance(100)?;
     assert!((sim.energy() - sim.system().energy(&start)).abs() < 1e-14);
 
-    let mut sim = Braked { m: 1.3, c: 0.2 }.integrator(DiscreteGradient, 0.1, FlowState::new(Vector3::new(0.5, 0.8, -0.4)));
+    let mut sim =
+        Braked { m: 1.3, c: 0.2 }.integrator(DiscreteGradient, 0.1, FlowState::new(Vector3::new(0.5, 0.8, -0.4)));
     let mut energy = sim.energy();
     for _ in 0..20 {
         sim.step()?;

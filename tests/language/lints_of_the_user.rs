@@ -70,9 +70,11 @@ fn unused_variable(q: f64, p: f64, m: f64) -> f64 {
     p * p / (2.0 * m) + q.cos()
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let _ = (Kepler { M: 1.0, G: 2.0 }, Book { M: 2.0 }, Argument { M: 2.0, K: 1.0 }, Conditional { M: 2.0 });
-    let _ = (Many { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0, f: 1.0 }, ReadsNoTime { m: 1.0 }, UnusedVariable { m: 1.0 });
+    let _ =
+        (Many { a: 1.0, b: 1.0, c: 1.0, d: 1.0, e: 1.0, f: 1.0 }, ReadsNoTime { m: 1.0 }, UnusedVariable { m: 1.0 });
     #[expect(deprecated)]
     let _ = Old { m: 1.0 };
 }

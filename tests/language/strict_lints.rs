@@ -14,7 +14,6 @@
     trivial_numeric_casts,
     single_use_lifetimes,
     let_underscore_drop,
-    non_ascii_idents,
     unsafe_code,
     clippy::all,
     clippy::pedantic,
@@ -52,13 +51,12 @@ pub mod model {
     pub fn steps() -> Result<(), StepError> {
         let rods = Rods { m: [1.0, 2.0] };
         rods.integrator(Gauss::<2>::default(), 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
-        Damped { c: [0.1, 0.2] }
-            .integrator(DiscreteGradient, 0.01, State::new([0.1, 0.2], [0.3, 0.4]))
-            .advance(3)?;
+        Damped { c: [0.1, 0.2] }.integrator(DiscreteGradient, 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
         Wall.integrator(PositionVerlet, 0.01, State::new(0.1, 0.2)).advance(3)
     }
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     model::steps().expect("a step");
 }

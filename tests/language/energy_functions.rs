@@ -45,7 +45,7 @@ mod forces {
 
     #[energy_function(with(sixth, inner::square))]
     pub(super) fn well(x: f64) -> f64 {
-        crate::forces::DEPTH * (sixth(x) - inner::square(x) + std::f64::consts::PI)
+        crate::energy_functions::forces::DEPTH * (sixth(x) - inner::square(x) + std::f64::consts::PI)
     }
 }
 use forces::well;
@@ -122,7 +122,8 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-14 * a.abs().max(1.0), "{a} {b}");
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     // Items of a block.
     #[energy_function]
     fn local(x: f64) -> f64 {

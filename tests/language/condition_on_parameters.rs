@@ -13,7 +13,8 @@ fn half_line(q: f64, p: f64) -> f64 {
     p * p / 2.0 + q.sqrt() * q.sqrt() * 3.0
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     for (a, b) in [(0.5, 1.0), (0.5, 2.0), (2.0, 0.1), (2.0, 3.0)] {
         let system = Well { a, b };
         assert_eq!(system.energy(&State::new(0.5, 1.0)), well(0.5, 1.0, a, b));

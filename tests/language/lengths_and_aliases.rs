@@ -55,7 +55,8 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-14 * a.abs().max(1.0), "{a} {b}");
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let (q, p, m) = ([0.1, 0.2, -0.3, 0.4], [1.0, 0.5, 0.25, -0.125], [1.5, 2.0, 0.7, 1.1]);
     close(Ring { m, k: 0.3 }.energy(&State::new(q, p)), ring(q, p, m, 0.3));
     close(Chain2 { weights: m }.energy(&State::new(q, p)), chain(q, p, m));

@@ -10,7 +10,7 @@ const MASSES: [f64; 2] = [1.5, 2.5];
 const COUPLING: [[f64; 2]; 2] = [[1.0, 0.25], [0.25, 3.0]];
 
 mod consts {
-    pub const TAU: f64 = 0.125;
+    pub(crate) const TAU: f64 = 0.125;
 }
 
 #[hamiltonian]
@@ -39,7 +39,8 @@ fn inside(q: f64, p: f64) -> f64 {
     p * p * E + (TAU * q).cos() * G
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let (q, p) = ([0.3, -0.4], [0.5, 0.6]);
     assert!((Rods.energy(&State::new(q, p)) - rods(q, p)).abs() < 1e-11);
     assert!((Inside.energy(&State::new(0.3, 0.5)) - inside(0.3, 0.5)).abs() < 1e-13);

@@ -14,7 +14,8 @@ fn fixed(q: f64, _p: f64, k: f64) -> f64 {
     k * q.powi(4)
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let mut sim = Free { m: 2.0 }.integrator(StormerVerlet, 0.5, State::new(1.0, 3.0));
     sim.advance(2).unwrap();
     assert_eq!(sim.state().q, 2.5);

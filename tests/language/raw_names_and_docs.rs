@@ -15,7 +15,8 @@ fn r#spring_energy(q: f64, p: f64, r#type: f64) -> f64 {
     0.5 * p * p + 0.5 * r#type * q * q
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let system = SpringEnergy { r#type: 2.0 };
     assert_eq!(system.energy(&State::new(1.0, 1.0)), spring_energy(1.0, 1.0, 2.0));
     assert!(SpringEnergy::<f64>::REPORT.contains("type"));

@@ -1,6 +1,5 @@
 //! The struct is as visible as the function, and the order of arguments is free.
 #![deny(missing_docs, unreachable_pub, dead_code)]
-use geoint_runtime::Hamiltonian as _;
 
 mod inner {
     use geoint_runtime::prelude::*;
@@ -19,7 +18,8 @@ mod inner {
     }
 }
 
-fn main() {
+#[test]
+fn compiles_and_means_what_it_says() {
     let state = geoint_runtime::State::new(0.5, 2.0);
     assert_eq!(inner::Oscillator { k: 8.0 }.energy(&state), inner::oscillator(8.0, 2.0, 0.5));
     assert_eq!(inner::Free.energy(&state), inner::free(0.5, 2.0));
