@@ -229,21 +229,21 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         return None;
     }
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
-    // A projection onto what reads time would need to know it at both ends.
-    let steady = |graph: &Graph, i: &usize| kept[*i].conserved.but.is_none() && !analyze::reads(graph, values[*i]).t;
-    let constant: Vec<usize> = (0..kept.len()).filter(|i| steady(graph, i)).collect();
-    let energy = constant.iter().position(|i| kept[*i].name == ENERGY).or((!constant.is_empty()).then_some(0));
-    let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
+    let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
+    let steady: Vec<usize> = constant.iter().copied().filter(|i| !analyze::reads(graph, values[*i]).t).collect();
+    let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
+    let slopes = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
         let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
         flow::times(graph, &[slopes], &increments)[0]
     };
-    let changes = constant.iter().map(&mut change).collect();
+    let changes = steady.iter().map(&mut change).collect();
     Some(Integrals {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
         functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
         constant,
+        steady,
         energy,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),
