@@ -28,6 +28,23 @@ fn sleeping_tops_are_followed() {
     assert_eq!(sim.state().x, start.x);
 }
 
+/// Near a permanent rotation both gradients of a free body agree; a projection follows it all the same, also where it is not stable.
+#[test]
+fn projections_near_permanent_rotations() {
+    let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+    for distance in [1e-3, 1e-6, 1e-8, 1e-10, 1e-15, 0.0] {
+        let start = FlowState::new([distance, 1.0, 0.0]);
+        let before = body.integrals(0.0, &start.x);
+        let mut sim = body.integrator(Projection(RK4, Integrals), 0.1, start);
+        for _ in 0..100 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let after = body.integrals(0.0, &sim.state().x);
+            assert!(after.iter().zip(before).all(|(a, b)| (a - b).abs() < 4e-15), "at {distance:e}: {after:?}");
+        }
+        assert!(distance > 1e-4 || (sim.state().x[1] - 1.0).abs() < 1e-3, "{:?}", sim.state());
+    }
+}
+
 /// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
 #[test]
 fn gradients_that_vanish_are_no_failure() {

@@ -82,3 +82,38 @@ fn what_a_drive_changes_is_known() {
     let report = Driven::<f64>::REPORT;
     assert!(report.contains("change work by h times the mean of b·∇I") && !report.contains("keep work"), "{report}");
 }
+
+/// A body that friction slows down: S ∇C = 0 of its momentum's length alone is no longer enough.
+#[hamiltonian(structure = so3, damping = d)]
+fn slowed(x: [f64; 3], d: f64) -> f64 {
+    x[0] * x[0] / 2.0 + x[1] * x[1] / 3.0 + x[2] * x[2] / 5.0
+}
+
+/// A Casimir of a structure that reads time: constant along its rows, and not along the flow.
+#[hamiltonian(structure = nambu((x[0] * x[0] + (1.0 + k * t) * x[1] * x[1] + x[2] * x[2]) / 2.0))]
+fn breathing(x: [f64; 3], t: f64, k: f64) -> f64 {
+    x[0] * x[0] / 2.0 + x[1] * x[1] / 3.0 + x[2]
+}
+
+#[test]
+fn damping_takes_casimirs_as_well() {
+    let report = Slowed::<f64>::REPORT;
+    assert!(report.contains("x[0]² + x[1]² + x[2]², but for b·∇I with b = [-x[0]·d, "), "{report}");
+    let (system, start) = (Slowed { d: 0.3 }, FlowState::new([0.9, -0.5, 0.7]));
+    let end = |h: f64, n: u64| {
+        let mut sim = system.integrator(FOURTH, h, start);
+        sim.advance(n).unwrap_or_else(|error| panic!("{error}"));
+        sim.state().x
+    };
+    let mut exact = system.integrator(DOP853, 0.01, start);
+    exact.advance(200).unwrap_or_else(|error| panic!("{error}"));
+    let miss = |x: [f64; 3]| (0..3).map(|i| (x[i] - exact.state().x[i]).abs()).fold(0.0, f64::max);
+    let [coarse, fine] = [miss(end(0.1, 20)), miss(end(0.05, 40))];
+    assert!((coarse / fine).log2() > 3.8 && fine < 1e-7, "{coarse:e} {fine:e}");
+    let length = |x: [f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
+    assert!(length(exact.state().x) < 0.7 * length(start.x));
+
+    assert_eq!(<Breathing as FirstIntegrals>::NAMES, ["energy"]);
+    let found = change(Breathing { k: 0.3 }, FOURTH, 0.05, [0.3, 0.7, 0.1]);
+    assert!(found[0] < 4e-15, "{found:?}");
+}
