@@ -141,11 +141,11 @@ fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> S
         }
         let left = dot(direction, direction).sqrt();
         // What is not a number stays so.
-        let counts = !(left.magnitude() <= length.magnitude() * A::Real::epsilon().sqrt());
+        let agrees = left.magnitude() <= length.magnitude() * A::Real::epsilon().sqrt();
         for x in direction.as_mut_slice() {
-            *x = if counts { *x / left } else { zero() };
+            *x = if agrees { zero() } else { *x / left };
         }
-        row[i] = if counts { left } else { zero() };
+        row[i] = if agrees { zero() } else { left };
     }
     triangle
 }
@@ -163,7 +163,7 @@ fn along<A: Array>(triangle: &Square<A>, changes: &mut A) -> f64 {
         let change = changes[i].magnitude();
         greatest = if change <= greatest { greatest } else { change };
         for j in 0..i {
-            changes[i] = changes[i] - row[j] * changes[j];
+            changes[i] -= row[j] * changes[j];
         }
         changes[i] /= row[i];
     }
