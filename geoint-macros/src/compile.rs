@@ -198,7 +198,8 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
         context.user_name(symbol)
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
-    flow.search(graph, Some((&structure.matrix, structure.casimir)), |symbol| context.user_name(symbol)); // Casimirs
+    flow.search_casimirs(graph, (&structure.matrix, structure.casimir), |symbol| context.user_name(symbol));
+    flow.search(graph, |symbol| context.user_name(symbol)); // what else is constant
     let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
@@ -221,7 +222,7 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
         Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
         None => flow.divergent = liouville.divergent(),
     }
-    flow.search(graph, None, |symbol| context.user_name(symbol));
+    flow.search(graph, |symbol| context.user_name(symbol));
     let parted = Parted::of_field(graph, &flow); // S, known or searched for
     let pieces = derive::parts(graph, &flow, parted.as_ref(), false);
     let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);
