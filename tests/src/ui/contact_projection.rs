@@ -6,5 +6,5 @@ fn swing(q: f64, p: f64, s: f64) -> f64 {
 }
 
 fn main() {
-    let _ = Swing.integrator(RK4, 0.1, ContactState::new(1.0, 0.0, 0.0));
+    let _ = Swing.integrator(Projection(RK4, Energy), 0.1, ContactState::new(1.0, 0.0, 0.0));
 }
