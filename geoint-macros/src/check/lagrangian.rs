@@ -59,9 +59,11 @@ pub(crate) fn lagrangian(
             }
             legendre::Flaw::LinearIn(i, momentum) => {
                 let message = format!(
-                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}",
+                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}; give `{}` a mass, or \
+                     write the equations as `#[vector_field]`",
                     named(v(i)),
-                    printer.excerpt(*momentum)
+                    printer.excerpt(*momentum),
+                    named(q(i))
                 );
                 (message, None)
             }
