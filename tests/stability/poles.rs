@@ -173,3 +173,26 @@ fn a_pole_that_repels_is_bounced_off() {
     }
     implicit!(check());
 }
+
+/// Two walls.
+#[hamiltonian]
+fn between_walls(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) - k * (1.0 - q * q).ln()
+}
+
+/// Beside a wall a correction of Newton's iteration is small whatever the residual is. Away from it there is no solution in the domain: the one
+/// that turns p round is none.
+#[test]
+fn a_small_correction_at_a_wall_is_no_solution() {
+    let away = State::new(0.999_999_999_980_199, -6.266_666_666_723_87);
+    let system = BetweenWalls { m: 1.3, k: 0.4 };
+    let refused = system.integrator(DiscreteGradient, 0.9, away).step();
+    assert!(matches!(refused, Err(StepError::OutsideDomain { .. } | StepError::NotConverged { .. })), "{refused:?}");
+    // As it was met.
+    let mut sim = system.integrator(DiscreteGradient, 0.9, State::new(0.4, 8.0));
+    sim.step().unwrap();
+    let energy = sim.energy();
+    while sim.steps() < 10 && sim.step().is_ok() {
+        assert!((sim.energy() - energy).abs() < 1e-4, "{:?}", sim.state());
+    }
+}

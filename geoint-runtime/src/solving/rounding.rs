@@ -76,9 +76,10 @@ impl Corrections {
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
     }
 
-    /// Where rounding is looked for that keeps corrections from shrinking, relative to what they correct.
-    pub(crate) fn neighbourhood(&self) -> f64 {
-        self.distance * self.before
+    /// At points that are so many times farther apart than the last correction is large, rounding is looked for that keeps corrections from
+    /// shrinking.
+    pub(crate) fn farther(&self) -> f64 {
+        self.distance
     }
 
     /// The last one, relative to what it corrects; infinite if there is none.
