@@ -1,0 +1,62 @@
+//! Generated code is quiet in a crate that forbids what it can.
+#![deny(
+    warnings,
+    missing_docs,
+    missing_debug_implementations,
+    missing_copy_implementations,
+    rust_2018_idioms,
+    unreachable_pub,
+    unused,
+    unused_qualifications,
+    unused_lifetimes,
+    unused_results,
+    trivial_casts,
+    trivial_numeric_casts,
+    single_use_lifetimes,
+    let_underscore_drop,
+    unsafe_code,
+    clippy::all,
+    clippy::pedantic,
+    clippy::nursery
+)]
+
+/// Everything is public, everything has a doc.
+pub mod model {
+    use geoint_runtime::prelude::*;
+
+    /// Two coupled rods.
+    #[hamiltonian]
+    pub fn rods(q: [f64; 2], p: [f64; 2], m: [f64; 2], t: f64) -> f64 {
+        let s = (q[0] - q[1]).sin();
+        p[0] * p[0] / m[0] + p[1] * p[1] / (m[1] * (1.0 + s * s)) - (1.0 + t) * q[0].cos() - q[1].cos().max(0.5)
+    }
+
+    /// A branch and a domain.
+    #[hamiltonian]
+    pub fn wall(q: f64, p: f64) -> f64 {
+        let push = if q < 0.0 { q * q } else { (1.0 + q).ln() };
+        0.5 * p * p + push + (1.0 - p * p).sqrt()
+    }
+
+    /// A parameter that damping alone reads.
+    #[hamiltonian(damping = [[c[0], 0.0], [0.0, c[1] * t * t]])]
+    pub fn damped(q: [f64; 2], p: [f64; 2], t: f64, c: [f64; 2]) -> f64 {
+        p[0] * p[0] + p[1] * p[1] + q[0] * q[0] * q[1] * q[1]
+    }
+
+    /// One step of each.
+    ///
+    /// # Errors
+    /// As the integrators say.
+    pub fn steps() -> Result<(), StepError> {
+        let rods = Rods { m: [1.0, 2.0] };
+        rods.integrator(Gauss::<2>::default(), 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
+        Damped { c: [0.1, 0.2] }.integrator(DiscreteGradient, 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
+        Wall.integrator(PositionVerlet, 0.01, State::new(0.1, 0.2)).advance(3)
+    }
+}
+
+#[test]
+fn compiles_and_means_what_it_says() {
+    model::steps().expect("a step");
+}

@@ -1,0 +1,106 @@
+mod division_by_zero {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p / (2.0 * (1.0 - 1.0)) + q
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod exponent_from_data {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p + q.powi(q as i32)
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod infinite_literal {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p + q * 1e400
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod integer_sum {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        let n = 3;
+        p * p + n
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod integer_times_number {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p / 2 + q
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod mixed_floats {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64, g: f32) -> f64 {
+        p * p + q + f64::from(g)
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0, 2.0));
+    }
+}
+
+mod mixed_floats_cast {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p + f64::from(q as f32)
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod number_to_integer {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p * p + (q as i32) as f64
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+fn main() {}

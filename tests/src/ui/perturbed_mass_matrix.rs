@@ -1,9 +1,0 @@
-use geoint_runtime::prelude::*;
-
-#[hamiltonian(coordinates = jacobi)]
-fn pair(q: [[f64; 2]; 2], p: [[f64; 2]; 2], m: f64) -> f64 {
-    let kinetic = (p[0][0].powi(2) + p[0][1].powi(2) + p[1][0].powi(2) + p[1][1].powi(2)) / (2.0 * m);
-    kinetic + p[0][0] * p[1][0] / m - 1.0 / (q[0][0] - q[1][0]).hypot(q[0][1] - q[1][1])
-}
-
-fn main() {}

@@ -1,8 +1,0 @@
-use geoint_runtime::prelude::*;
-
-#[hamiltonian(split = "p * p / 2.0 + q.powi(4) | q * q / 2.0")]
-fn duffing(q: f64, p: f64) -> f64 {
-    p * p / 2.0 + q * q / 2.0 + q.powi(4)
-}
-
-fn main() {}
