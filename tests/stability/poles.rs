@@ -170,3 +170,63 @@ fn a_pole_that_repels_is_bounced_off() {
     }
     implicit!(check());
 }
+
+/// Two walls.
+#[hamiltonian]
+fn between_walls(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) - k * (1.0 - q * q).ln()
+}
+
+/// Beside a wall a correction of Newton's iteration is small whatever the residual is. Away from it there is no solution in the domain: the one
+/// that turns p round is none.
+#[test]
+fn a_small_correction_at_a_wall_is_no_solution() {
+    let away = State::new(0.999_999_999_980_199, -6.266_666_666_723_87);
+    let system = BetweenWalls { m: 1.3, k: 0.4 };
+    let refused = system.integrator(DiscreteGradient, 0.9, away).step();
+    assert!(matches!(refused, Err(StepError::OutsideDomain { .. } | StepError::NotConverged { .. })), "{refused:?}");
+    // As it was met.
+    let mut sim = system.integrator(DiscreteGradient, 0.9, State::new(0.4, 8.0));
+    sim.step().unwrap();
+    let energy = sim.energy();
+    while sim.steps() < 10 && sim.step().is_ok() {
+        assert!((sim.energy() - energy).abs() < 1e-4, "{:?}", sim.state());
+    }
+}
+
+/// An attraction with a barrier.
+#[hamiltonian]
+fn barrier(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k / (q * q) - 1.0 / q
+}
+
+/// Where an explicit step ends near a pole, slopes of the energy there are many times those at the solution. A way back that gets stuck is
+/// refused, however small the rest is beside such slopes.
+#[test]
+fn a_projection_that_is_stuck_is_refused() {
+    fn check<M: Method<Barrier>>(method: M) {
+        let (mut taken, mut refused) = (0, 0);
+        for k in [0.1, -0.1] {
+            for (q, p) in [(1.0, -1.0), (0.655, -1.337), (1.0, -3.0), (0.2, -8.0), (0.01, 3.0)] {
+                for h in [1e-3, 0.01, 0.1, 0.3, 1.0] {
+                    let system = Barrier { m: 1.3, k };
+                    let terms = |x: State<f64>| x.p * x.p + (k / (x.q * x.q)).abs() + (1.0 / x.q).abs();
+                    let mut sim = system.integrator(method, h, State::new(q, p));
+                    while sim.steps() < 60 {
+                        let (before, energy) = (sim.state(), sim.energy());
+                        if sim.step().is_err() {
+                            refused += 1;
+                            break;
+                        }
+                        let error = (sim.energy() - energy).abs() / (terms(before) + terms(sim.state()));
+                        assert!(error < 1e-12, "{}: {error:.1e} from {before:?} by {h}", method.name());
+                        taken += 1;
+                    }
+                }
+            }
+        }
+        assert!(taken > 500 && refused > 10, "{}: {taken}, {refused}", method.name());
+    }
+    check(Projection(RK4, Energy));
+    check(Projection(StormerVerlet, Energy));
+}

@@ -129,6 +129,42 @@ fn single_displacements() {
     assert_eq!(Ring5 { m: 1.0 }.integrator(ImplicitMidpoint, 0.2, State::new(q, [0.0; 5])).advance(100), Ok(()));
 }
 
+/// Charges on the corners of a square, held by springs.
+#[hamiltonian]
+fn corners(q: [[f64; 2]; 4], p: [[f64; 2]; 4], m: f64, k: f64) -> f64 {
+    let mut h = 0.0;
+    for i in 0..4 {
+        h += (p[i][0] * p[i][0] + p[i][1] * p[i][1]) / (2.0 * m);
+        for j in 0..i {
+            let r = (q[i][0] - q[j][0]).hypot(q[i][1] - q[j][1]);
+            h += k / r + k * r.powi(3);
+        }
+    }
+    h
+}
+
+/// A square that breathes, with small waves across: the rounding of a small momentum is that of the forces beside it, far below the sizes of
+/// others.
+#[test]
+fn small_waves_beside_large_ones() {
+    fn check<M: Method<Corners>>(method: M) {
+        let mut noise = Noise::new(5);
+        for (h, size) in [(0.3, 1e-8), (0.3, 1e-9), (0.1, 1e-9), (0.1, 1e-10)] {
+            for _ in 0..3 {
+                let mut q = [[0.7, 0.0], [0.0, 0.7], [-0.7, 0.0], [0.0, -0.7]];
+                for (x, wave) in q.as_flattened_mut().iter_mut().zip(noise.by_ref()) {
+                    *x += size * wave;
+                }
+                let mut sim = Corners { m: 1.3, k: 0.7 }.integrator(method, h, State::new(q, [[0.0; 2]; 4]));
+                assert_eq!(sim.advance(20), Ok(()), "{}, size {size:.0e}, h {h}", method.name());
+            }
+        }
+    }
+    check(DiscreteGradient);
+    check(ImplicitMidpoint);
+    check(Gauss::<2>);
+}
+
 /// A force that jumps: where the middle of a step would have to be at the jump, the midpoint rule has no solution.
 #[hamiltonian]
 fn kinked(q: f64, p: f64, m: f64, k: f64, kink: f64) -> f64 {

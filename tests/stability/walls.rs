@@ -58,6 +58,7 @@ walls! { others:
     of_the_sine(q, p, m) q.sin().atanh().powi(2) => OfTheSine, |q| (q / PI).round(), 0.4;
     negative_power(q, p, m) (q * q).powf(-m) => NegativePower, |q| q.signum(), 1.0;
     in_a_branch(q, p, m) if q < 0.5 { 1.0 / (1.0 - q.cos()) } else { 1.0 / (1.0 - 0.5_f64.cos()) } => InABranch, |q| if q > 0.0 { 0.0 } else { (q / TAU).floor() }, 1.0;
+    root_gap(q, p, m) (q * q - 1.0).sqrt() => RootGap, |q| q.signum(), 2.0;
     simplified(q, p, m) q * q.recip() * q => Simplified, |q| q.signum(), 1.0;
 }
 

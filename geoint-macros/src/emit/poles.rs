@@ -25,10 +25,14 @@ fn list(context: &Context<'_>, graph: &Graph, poles: &Poles<Plan>) -> TokenStrea
     let runtime = &context.energy.runtime;
     let pole = quote!(#runtime::private::Pole);
     let entries = poles.all.iter().map(|each| {
-        let what = format!("a pole between the ends of the step: {}", printer.excerpt(each.term));
+        let (term, edge) = (printer.excerpt(each.term), each.is_edge);
+        let what = match edge {
+            false => format!("a pole between the ends of the step: {term}"),
+            true => format!("an edge of the domain between the ends of the step: {term}"),
+        };
         let (by_structure, by_parameters) = (each.quick.is_some(), each.by_parameters);
-        let timed = poles.timed && !each.reads_state;
-        quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed })
+        let timed = poles.timed && !each.reads_state && !edge;
+        quote!(#pole { what: #what, by_structure: #by_structure, by_parameters: #by_parameters, timed: #timed, edge: #edge })
     });
     quote!(const POLES: &'static [#pole] = &[#(#entries),*];)
 }

@@ -27,7 +27,7 @@ pub(crate) struct Mechanics {
 /// The parts; or a term that is in none of them.
 pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<Mechanics, Id> {
     let (mut kinetic, mut damping, mut potential) = (graph.zero(), graph.zero(), graph.zero());
-    for term in analyze::terms(graph, energy) {
+    for term in analyze::terms_where(graph, energy, |reads| reads.kinds() > 1 || reads.s) {
         let reads = analyze::reads(graph, term);
         let part = match (reads.q, reads.p, reads.s) {
             (_, false, false) => &mut potential,

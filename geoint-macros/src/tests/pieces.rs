@@ -44,6 +44,32 @@ fn damped_mechanics() {
     );
 }
 
+/// T + g·s + V however it is written: a factor before all, or before what it damps and shifts.
+#[test]
+fn mechanics_behind_a_common_factor() {
+    let damping = |item| {
+        let energy = parse::energy(parse::Form::Contact, quote!(), syn::parse2(item).expect("a function"));
+        let energy = energy.unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let mut lowered = lower::body(&energy).unwrap_or_else(|e| panic!("{:?}", e.messages()));
+        let found = split::mechanics(&mut lowered.graph, lowered.energy, energy.degrees());
+        let context = emit::Context::new(&energy, &lowered.constants);
+        let printer = Printer::new(&lowered.graph, |symbol| context.user_name(symbol));
+        found.map(|found| printer.formula(found.damping)).map_err(|term| printer.formula(term))
+    };
+    let of = |h| damping(quote! { fn f(q: f64, p: f64, s: f64, t: f64, a: f64, b: f64) -> f64 { #h } });
+    for h in [
+        quote! { p.powi(4) + q * q + a * s },
+        quote! { p.powi(4) + q * q + a * (s + 1.0) },
+        quote! { p.powi(4) + a * (s + q * q - b) },
+        quote! { a * (p.powi(4) + s + q.cos()) },
+        quote! { (p.powi(4) + q * q) / 2.0 + a * (b * (q + s / b) - 2.0) },
+    ] {
+        assert_eq!(of(h.clone()).as_deref(), Ok("a"), "{h}");
+    }
+    assert_eq!(of(quote! { p.powi(4) + t.sin() * (s - b) }).as_deref(), Ok("sin(t)"));
+    assert_eq!(of(quote! { p.powi(4) + a * (s + q) * q }), Err("q·a·(q + s)".into()));
+}
+
 /// Damping whose exponential has no elementary integral: frozen.
 #[test]
 fn perturbed_kepler() {

@@ -105,6 +105,25 @@ fn no_poles() {
     }
 }
 
+/// A straight line between two points of a domain may leave it, unless what must not be negative is concave.
+#[test]
+fn edges() {
+    let table: &[(TokenStream, &[&str])] = &[
+        (quote!((x * x - 1.0).sqrt()), &["(?x² - 1)"]),
+        (quote!((x * x - k).sqrt() * (x * x - k).sqrt()), &["(?x² - k)"]),
+        (quote!((x * y).powf(1.5)), &["(?x·y)"]),
+        (quote!((x * x - 2.0).asin()), &["(?(x² - 2) + 1)"]),
+        (quote!((x * x - 2.0).acos()), &["(?(x² - 2) + 1)"]),
+        (quote!(r2.acosh()), &["(?x² + y² - 1)"]),
+        (quote!((1.0 - x * x - y * y).sqrt() + (2.0 - x.cosh() - y.abs()).sqrt()), &[]),
+        (quote!((1.0 - r2 / (k * k)).ln() + (x - 3.0).acosh() + y.asin()), &[]),
+        (quote!((x * x - 1.0).sqrt().recip()), &["(?x² - 1)"]),
+    ];
+    for (potential, expected) in table {
+        assert_eq!(found(potential.clone()), *expected, "{potential}");
+    }
+}
+
 /// Where an energy is not defined, does a kick leave momenta that are not finite? Then the end of a step need not be tested.
 #[test]
 fn kicks_show_what_they_divide_by() {

@@ -6,7 +6,7 @@
 
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::is_rounding;
-use crate::solving::size::Sizes;
+use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
 
 /// Points on a line at which the residual is evaluated.
@@ -54,20 +54,22 @@ const REACH: i32 = 2;
 ///
 /// Zero where the residual is smooth at no distance: the digits of the unknowns do not resolve it, and nothing is known of its rounding.
 ///
-/// Nearer than `nearest`, relative to `sizes`, all points may have terms that are rounded alike, and the residual is as smooth as x.
-///
-/// Unknowns come in `kinds` of so many that have one unit: they are moved by as much as the largest of them. The residual is `None` where
-/// there is none.
+/// Unknowns come in `kinds` of so many that have one unit: they are moved by as much as the largest of them. Nearer than `farther` times the
+/// last correction `delta` all points may have terms that are rounded alike, and the residual is as smooth as x. Where the first points are too far
+/// apart, the residual of a small unknown beside large ones is smooth already, and its rounding is not seen. The residual is `None` where there is
+/// none.
 #[cold]
 #[inline(never)]
 pub(crate) fn measure<A: Array>(
     sizes: &Sizes<A>,
-    (x, nearest): (&A, f64),
+    x: &A,
+    (delta, farther): (&A, f64),
     kinds: [usize; 2],
     mut residual: impl FnMut(&A) -> Option<A>,
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
     along(sizes.as_slice(), kinds, direction.as_mut_slice());
+    let nearest = farther * parts(delta.as_slice(), direction.as_slice());
     let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
     let [smooth, resolved] = &mut marks;
     let memory = Memory {
@@ -101,6 +103,13 @@ fn along<R: Real>(sizes: &[R], [n, kinds]: [usize; 2], direction: &mut [R]) {
         let golden = 0.618_033_988_749_894_9 * ((i + 1) * (i + 1)) as f64;
         *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
     }
+}
+
+/// The largest part of a direction that a correction is.
+fn parts<R: Real>(delta: &[R], direction: &[R]) -> f64 {
+    let part =
+        |(delta, size): (&R, &R)| if delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() };
+    largest(delta.iter().zip(direction).map(part))
 }
 
 /// A residual at so much of a direction; whether there is one.

@@ -96,7 +96,7 @@ impl<A: Array> QuasiNewton<A> {
                     sizes.include(origin, &before);
                     // Positions, then momenta.
                     let kinds = [A::LEN / 2, 2];
-                    *noise = noise::measure(&sizes, (&before, corrections.neighbourhood()), kinds, |x| {
+                    *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), kinds, |x| {
                         let mut r = A::zero();
                         residual(x, &mut r, &mut matrix).is_ok().then_some(r)
                     });

@@ -76,9 +76,10 @@ impl Corrections {
         *self = Self { before: f64::INFINITY, smallest: f64::INFINITY, stuck: 0, looks, distance, ..*self };
     }
 
-    /// Where rounding is looked for that keeps corrections from shrinking, relative to what they correct.
-    pub(crate) fn neighbourhood(&self) -> f64 {
-        self.distance * self.before
+    /// At points that are so many times farther apart than the last correction is large, rounding is looked for that keeps corrections from
+    /// shrinking.
+    pub(crate) fn farther(&self) -> f64 {
+        self.distance
     }
 
     /// The last one, relative to what it corrects; infinite if there is none.
@@ -121,22 +122,24 @@ pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
 
 /// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
 ///
-/// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects; one that does not shrink and is
-/// at most `straight` is rounding of larger terms.
+/// `correction` gives the one at a point, and how large it is relative to the terms of what it corrects. Where they are stuck `is_noise` says of
+/// the last point, the correction there, its relative size and [`farther`](Corrections::farther) whether what is left is rounding of larger terms.
 pub(crate) fn correct<A: Array>(
     mut x: A,
-    straight: f64,
+    mut is_noise: impl FnMut(&A, &A, f64, f64) -> bool,
     mut correction: impl FnMut(&A) -> Result<(A, f64), Refusal>,
 ) -> Result<A, Refusal> {
     let mut corrections = Corrections::of_order(1);
     for _ in 0..MAX_ITERATIONS {
         let (delta, relative) = correction(&x)?;
+        let before = x;
         x.add_scaled(A::Real::from_f64(-1.0), &delta);
         match corrections.judge::<A::Real>(relative) {
             Verdict::Solved => return Ok(x),
-            Verdict::Stuck if relative <= straight => return Ok(x),
-            _ if !relative.is_finite() => break,
-            _ => {}
+            Verdict::Stuck if is_noise(&before, &delta, relative, corrections.farther()) => return Ok(before),
+            Verdict::Stuck => corrections.restart(),
+            Verdict::Continue if !relative.is_finite() => break,
+            Verdict::Continue => {}
         }
     }
     Err(corrections.not_converged())

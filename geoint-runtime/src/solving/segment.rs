@@ -85,6 +85,42 @@ pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) 
     true
 }
 
+/// A part of the way on which a function is negative, and that is shorter, is not told from a point at which it touches zero: near such a
+/// point a square that is multiplied out is rounding for √ε of the way.
+const SHORTEST_GAP: f64 = 1e-7;
+
+/// Whether `term`, a function as above, is negative on a part of the way, or may be because that cannot be decided. It may touch zero, as a
+/// distance does.
+#[cold]
+#[inline(never)]
+pub(crate) fn is_negative_somewhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
+    let mut open = [(0.0_f64, 1.0_f64); DEPTH];
+    let (mut waiting, mut evaluations) = (1, 0);
+    while waiting > 0 {
+        waiting -= 1;
+        let (a, b) = open[waiting];
+        let (value, rate) = term(Interval::new(a, b));
+        evaluations += 2;
+        let middle = 0.5 * (a + b);
+        let at_middle = term(Interval::new(middle, middle)).0;
+        if value.low >= 0.0
+            || (at_middle + rate * Interval::new(a - middle, b - middle)).low >= 0.0
+            || b - a < SHORTEST_GAP
+        {
+            continue;
+        }
+        // What is not a number is not defined.
+        let defined = at_middle.high >= 0.0;
+        if !defined || waiting + 2 > DEPTH || evaluations > EVALUATIONS {
+            return true;
+        }
+        open[waiting] = (middle, b);
+        open[waiting + 1] = (a, middle);
+        waiting += 2;
+    }
+    false
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,5 +151,26 @@ mod tests {
         }
         assert!(!nowhere(|x| x.cos(), 0.4, 5.9) && !nowhere(|x| number(1.0) - x.cos(), -0.4, 0.5));
         assert!(!nowhere(|x| x.ln(), -1.0, 3.0) && !nowhere(|x| x * number(f64::NAN), 1.0, 2.0));
+    }
+
+    #[test]
+    fn gaps_are_seen_and_touches_pass() {
+        let negative = |f: &dyn Fn(Enclosure<f64>) -> Enclosure<f64>, a: f64, b: f64| {
+            let end = |x: f64| Interval::point(a) + Interval::point(b - a) * Interval::point(x);
+            is_negative_somewhere(&|part| {
+                let on = f(Enclosure::new(end(part.low).hull(end(part.high)), Interval::point(b - a)));
+                (on.value, on.rate)
+            })
+        };
+        let number = Enclosure::<f64>::from_f64;
+        let square = |x: Enclosure<f64>| x.abs() * x.abs();
+        for width in [1.0, 1e-2, 1e-4, 1e-6] {
+            assert!(negative(&|x| square(x) - number(width * width), -1.7, 2.0), "{width}");
+            assert!(!negative(&|x| square(x) + number(width * width), -1.7, 2.0), "{width}");
+        }
+        // A distance may be zero on the way.
+        assert!(!negative(&|x| number(2.0) - (x.cos() + x.cos()), -0.4, 0.5) && !negative(&|x| x, 0.0, 1.0));
+        assert!(!negative(&|x| square(x) - (x + x) + number(1.0), -0.7, 2.0));
+        assert!(negative(&|x| x.sin(), 1.0, 7.0) && negative(&|x| x * number(f64::NAN), 1.0, 2.0));
     }
 }

@@ -5,7 +5,7 @@
 
 use super::PhaseSpace;
 use crate::scalar::{Enclosure, Interval, Real, bounds};
-use crate::solving::segment::{Line, vanishes_nowhere};
+use crate::solving::segment::{Line, is_negative_somewhere, vanishes_nowhere};
 use crate::space::{Action, Array};
 use core::marker::PhantomData;
 
@@ -20,6 +20,8 @@ pub struct Pole {
     pub by_parameters: bool,
     /// Whether it depends on time alone: no flow at frozen time notices it.
     pub timed: bool,
+    /// Whether it is no pole but the edge of a domain: what vanishes there must not be negative.
+    pub edge: bool,
 }
 
 /// Two points of phase space, each with its time: t, z, s.
@@ -122,7 +124,10 @@ fn first(
     open: &dyn Fn(usize) -> bool,
     vanishing: &dyn Fn(usize, Interval) -> (Interval, Interval),
 ) -> Option<&'static str> {
-    let met = |(i, _): &(usize, &Pole)| open(*i) && !vanishes_nowhere(&|part| vanishing(*i, part));
+    let met = |(i, pole): &(usize, &Pole)| {
+        let term = |part: Interval| vanishing(*i, part);
+        open(*i) && if pole.edge { is_negative_somewhere(&term) } else { !vanishes_nowhere(&term) }
+    };
     poles.iter().enumerate().find(met).map(|(_, pole)| pole.what)
 }
 

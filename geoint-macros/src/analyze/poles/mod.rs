@@ -30,6 +30,8 @@ pub(crate) struct Pole {
     pub(crate) by_parameters: bool,
     /// Whether it reads the state, or time alone.
     pub(crate) reads_state: bool,
+    /// Whether it is no pole but the edge of a domain: the term must not be negative.
+    pub(crate) is_edge: bool,
 }
 
 /// The poles of nodes that are not defined everywhere; `divided` are those of which divided differences are taken. Left out are those which
@@ -49,7 +51,7 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
     for (node, term, one_sided, condition) in all {
         for (vanishes, quick) in zeros.of(graph, term) {
             let whole = vanishes == term && condition.is_none();
-            if !(one_sided && whole && zeros.is_affine(term)) {
+            if !(one_sided && whole && zeros.is_concave(graph, term)) {
                 let noticed =
                     whole && computed.contains(&node) && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
                 let pole = Pole { condition, noticed, quick, ..Pole::new(term, vanishes) };
@@ -63,8 +65,36 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
     for (known, again) in joined {
         found[known].join(graph, &again);
     }
+    let mut ends = vec![];
+    for Partial { node, condition } in partial {
+        ends.extend(edges(graph, *node).into_iter().map(|term| (term, *condition)));
+    }
+    let zeros = Zeros::new(graph);
+    for (term, condition) in ends {
+        let known = found.iter().any(|pole| pole.vanishes == term && pole.condition.is_none());
+        if !known && zeros.has_gap(graph, term) {
+            found.push(Pole { condition, is_edge: true, ..Pole::new(term, term) });
+        }
+    }
     found.iter_mut().for_each(|pole| pole.complete(graph));
     found
+}
+
+/// What must not be negative for a node to be defined. Between two points of a domain a straight line may leave it.
+fn edges(graph: &mut Graph, node: Id) -> Vec<Id> {
+    match graph.node(node).clone() {
+        Node::Power(base, exponent) if exponent.numerator > 0 && !exponent.is_integer() => vec![base],
+        Node::Call(Function::Asin | Function::Acos, args) => {
+            let one = graph.integer(1);
+            vec![graph.add(one, args[0]), graph.sub(one, args[0])]
+        }
+        Node::Call(Function::Acosh, args) => {
+            let one = graph.integer(1);
+            vec![graph.sub(args[0], one)]
+        }
+        Node::Call(Function::Powf, args) => vec![args[0]],
+        _ => vec![],
+    }
 }
 
 impl Pole {
@@ -78,6 +108,7 @@ impl Pole {
             quick: None,
             by_parameters: false,
             reads_state: true,
+            is_edge: false,
         }
     }
 

@@ -197,6 +197,45 @@ impl Zeros {
         self.degrees.get(id).is_some_and(|degree| degree <= 1)
     }
 
+    /// Whether a node may be negative between two points at which it is not.
+    pub(super) fn has_gap(&self, graph: &Graph, id: Id) -> bool {
+        self.sign(id) == Sign::Unknown && !self.is_constant(id) && !self.is_concave(graph, id)
+    }
+
+    /// Whether a node is concave by its form: between two points it is not below the smaller of its values there.
+    pub(super) fn is_concave(&self, graph: &Graph, id: Id) -> bool {
+        self.bends(graph, id, true)
+    }
+
+    /// Whether a node is concave, or else convex, by its form.
+    fn bends(&self, graph: &Graph, id: Id, concave: bool) -> bool {
+        if self.is_affine(id) {
+            return true;
+        }
+        let affine = |args: &[Id]| args.iter().all(|arg| self.is_affine(*arg));
+        match graph.node(id) {
+            Node::Linear(_, terms) => {
+                terms.iter().all(|(c, term)| self.bends(graph, *term, concave != c.is_negative()))
+            }
+            Node::Product(factors) => {
+                let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| self.is_constant(**id));
+                let signed = constant.iter().all(|id| self.sign(*id) != Sign::Unknown);
+                signed && matches!(moving[..], [moving] if self.bends(graph, moving, concave))
+            }
+            Node::Power(base, exponent) => {
+                !concave
+                    && exponent.is_integer()
+                    && exponent.numerator > 0
+                    && exponent.numerator % 2 == 0
+                    && affine(&[*base])
+            }
+            Node::Call(Function::Abs | Function::Hypot | Function::Cosh | Function::Exp | Function::Exp2, args) => {
+                !concave && affine(args)
+            }
+            _ => false,
+        }
+    }
+
     fn is_constant(&self, id: Id) -> bool {
         let reads = self.dependence.reads(id);
         !reads.state() && !reads.t

@@ -4,6 +4,7 @@ use super::Memory;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
+use crate::solving::noise;
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, sum};
@@ -11,15 +12,10 @@ use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{Poles, VectorField};
 use core::cell::Cell;
 
-/// On the way back by less than this, relative to the coordinates, gradients hardly change: corrections that are small and do not
-/// shrink are rounding.
-const STRAIGHT: f64 = 1.0 / 16.0;
-
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
-/// The order of the method; invariants are kept to rounding; where gradients depend on each other, those
-/// that say nothing new take no part. Neither
-/// symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
+/// The order of the method; invariants are kept to rounding; where gradients depend on each other, those that say nothing new take
+/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
 /// shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
 /// units in which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
@@ -108,9 +104,17 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             }
             changes
         };
-        // A correction that does not shrink may be one from side to side of a jump.
-        let straight = if I::KEEP_ENERGY && !S::JUMPS.is_empty() { 0.0 } else { STRAIGHT };
-        let multipliers = correct(I::Values::zero(), straight, |multipliers| {
+        // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
+        let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+        let is_noise = |multipliers: &I::Values, delta: &I::Values, _: f64, farther: f64| {
+            let units = Sizes::equal();
+            !jumps && {
+                let kinds = [I::Values::LEN, 1];
+                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(residual(at)));
+                noise::explains(&noise, &residual(multipliers), &units)
+            }
+        };
+        let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
             let mut delta = residual(multipliers);
             let relative = along(&triangle, &mut delta);
             Ok((delta, relative))

@@ -87,19 +87,23 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
             energy.changes(system, &before, &decided.get()) / gamma
         };
         let mut line = (zero(), whole, secant);
-        let solution = correct(zero::<R>(), ROUNDINGS * R::epsilon(), |excess| {
-            if excess.magnitude() > FARTHEST {
-                return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
-            }
-            let (last, before, secant) = line;
-            let (distance, now) = (*excess - last, if excess.magnitude() == 0.0 { whole } else { value(*excess) });
-            // A secant over rounding errors would be none.
-            let far = distance.magnitude() > Real::sqrt(R::epsilon());
-            let secant = if far { (now - before) / distance } else { secant };
-            line = (*excess, now, secant);
-            let relative = now.magnitude() / terms.magnitude();
-            Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
-        });
+        let solution = correct(
+            zero::<R>(),
+            |_, _, relative, _| relative <= ROUNDINGS * R::epsilon(),
+            |excess| {
+                if excess.magnitude() > FARTHEST {
+                    return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
+                }
+                let (last, before, secant) = line;
+                let (distance, now) = (*excess - last, if excess.magnitude() == 0.0 { whole } else { value(*excess) });
+                // A secant over rounding errors would be none.
+                let far = distance.magnitude() > Real::sqrt(R::epsilon());
+                let secant = if far { (now - before) / distance } else { secant };
+                line = (*excess, now, secant);
+                let relative = now.magnitude() / terms.magnitude();
+                Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
+            },
+        );
         let excess = match solution {
             // A step so short, or an energy so straight, that there is nothing but rounding to put right.
             Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * terms.magnitude() => {

@@ -138,8 +138,7 @@ impl<A: Array> Iteration<A> {
                     guess
                 }
             };
-            let most = if matches!(attempt, Attempt::Extrapolated(_)) { FAR_OFF } else { f64::INFINITY };
-            match self.iterate((guess, first.take(), most), &scale, &equation, watch) {
+            match self.iterate((guess, first.take()), &attempt, &scale, &equation, watch) {
                 Ok((x, lost, iterations)) => {
                     let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
                     self.guesses.count(iterations, extrapolated, self.looks());
@@ -169,11 +168,14 @@ impl<A: Array> Iteration<A> {
         })
     }
 
-    /// From a guess, with its first correction if that is known. One whose square is more than `most` leads elsewhere.
+    /// From a guess, with its first correction if that is known. Of an extrapolated guess one that is too large leads elsewhere. Of others one
+    /// correction is no solution, however small it is: the constant C is that of the steps before, and a guess from afar may be at a wall, where
+    /// the first correction is small and the next one twice as large.
     #[inline(always)]
     fn iterate<W: ?Sized, E: StepEquation<A, W>>(
         &mut self,
-        (guess, mut first, most): (A, Option<(A, bool)>, f64),
+        (guess, mut first): (A, Option<(A, bool)>),
+        attempt: &Attempt<A>,
         scale: &Sizes<A>,
         equation: &E,
         watch: &mut W,
@@ -182,6 +184,8 @@ impl<A: Array> Iteration<A> {
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
+        let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
+        let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
         for iterations in 1..=MAX_ITERATIONS {
             let (delta, positive) = match first.take() {
                 Some(first) => first,
@@ -194,12 +198,11 @@ impl<A: Array> Iteration<A> {
                     }
                 }
             };
-            if iterations == 1 && most.is_finite() && !self.sizes.exceed(&delta, most) {
+            if iterations == 1 && extrapolated && !self.sizes.exceed(&delta, FAR_OFF) {
                 return Err(corrections.not_converged());
             }
             let lost = subtract(&mut x, &delta);
-            let unjudged = self.guesses.composed() && !self.looks();
-            if (iterations == 1 || unjudged) && self.is_last(&delta) {
+            if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }
             if iterations <= UNJUDGED && unjudged {
@@ -211,7 +214,7 @@ impl<A: Array> Iteration<A> {
             }
             let verdict = corrections.judge::<A::Real>(correction);
             let mut noise = || {
-                if E::PATIENT { self.is_noise((x, corrections.neighbourhood()), *equation, watch) } else { false }
+                if E::PATIENT { self.is_noise(x, (delta, corrections.farther()), *equation, watch) } else { false }
             };
             if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
                 self.sizes.include(&origin, &x);
@@ -234,12 +237,18 @@ impl<A: Array> Iteration<A> {
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
     #[inline(never)]
-    fn is_noise<W: ?Sized, E: StepEquation<A, W>>(&self, (x, nearest): (A, f64), equation: E, watch: &mut W) -> bool {
+    fn is_noise<W: ?Sized, E: StepEquation<A, W>>(
+        &self,
+        x: A,
+        (delta, farther): (A, f64),
+        equation: E,
+        watch: &mut W,
+    ) -> bool {
         let mut unused = A::fill(A::zero());
         let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin(), &x);
-        let noise = noise::measure(&sizes, (&x, nearest), self.kinds, |x| Some(residual(x)));
+        let noise = noise::measure(&sizes, &x, (&delta, farther), self.kinds, |x| Some(residual(x)));
         // Here last: who watches has seen the solution last.
         noise::explains(&noise, &residual(&x), &sizes)
     }
