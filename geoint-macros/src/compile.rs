@@ -27,8 +27,9 @@ pub(crate) fn system(energy: &Energy) -> Result<TokenStream> {
 fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     let mut lowered = lower::body(energy)?; // Rust to graph
     let context = emit::Context::new(energy, &lowered.constants);
-    // Steps with constraints are derived from H.
-    let closed = energy.options.constraint.is_some();
+    // Steps with constraints are derived from H, and so are rates with an action and forces beside it.
+    let forced = energy.form == Form::Herglotz && (lowered.force.is_some() || lowered.rayleigh.is_some());
+    let closed = energy.options.constraint.is_some() || forced;
     let graph = &mut lowered.graph;
     let found = legendre::transform(graph, lowered.energy, (energy.degrees(), closed), &lowered.partial); // H, or why not
     if let (Form::Lagrangian, Err(legendre::Flaw::Linear(momenta))) = (energy.form, &found) {
@@ -55,6 +56,7 @@ fn lagrangian(energy: &Energy) -> Result<TokenStream> {
     lowered.energy = root;
     lowered.partial.clone_from(&legendre.partial);
     match energy.form {
+        Form::Herglotz if forced => forced_herglotz(energy, lowered, &legendre),
         Form::Herglotz => contact_hamiltonian(energy, lowered, Some(&legendre)),
         _ => hamiltonian(energy, lowered, Some(&legendre)),
     }
@@ -88,6 +90,25 @@ fn herglotz(energy: &Energy, mut lowered: Lowered, (legendre, long): (&Legendre,
     let graph = &*graph;
     let report = emit::report::lagrangian(&context, graph, Some(legendre))
         + &emit::report::herglotz(&context, graph, (long, decay, dissipated.as_ref()), &system);
+    Ok(emit::items(&context, graph, &system, &report))
+}
+
+/// H(q, p, s, t) of a Lagrangian, with forces beside it: rates, and no contact map.
+fn forced_herglotz(energy: &Energy, mut lowered: Lowered, legendre: &Legendre) -> Result<TokenStream> {
+    let context = emit::Context::new(energy, &lowered.constants);
+    let graph = &mut lowered.graph;
+    let damping = analyze::damping(graph, lowered.damping.take());
+    let forces = Forces::of(graph, lowered.force.take(), lowered.friction.take());
+    if damping.is_none() && forces.is_none() {
+        return contact_hamiltonian(energy, lowered, Some(legendre)); // all are zero
+    }
+    check::forced_action(energy, damping.as_ref(), graph, |symbol| context.user_name(symbol))?;
+    let given = (damping.as_ref(), forces.as_ref());
+    let (derived, drag) = derive::forced(graph, lowered.energy, given, &lowered.partial, energy.degrees());
+    let system = derived.of_lagrangian(legendre).scheduled(graph);
+    let graph = &*graph;
+    let report = emit::report::lagrangian(&context, graph, Some(legendre))
+        + &emit::report::forced(&context, graph, (lowered.energy, forces.as_ref(), drag.as_deref()));
     Ok(emit::items(&context, graph, &system, &report))
 }
 
@@ -198,7 +219,8 @@ fn structured_hamiltonian(energy: &Energy) -> Result<TokenStream> {
         context.user_name(symbol)
     })?;
     let mut flow = Flow::structured(graph, lowered.energy, &structure.matrix, damping.as_ref());
-    flow.search(graph, Some((&structure.matrix, structure.casimir)), |symbol| context.user_name(symbol)); // Casimirs
+    flow.search_casimirs(graph, (&structure.matrix, structure.casimir), |symbol| context.user_name(symbol));
+    flow.search(graph, |symbol| context.user_name(symbol)); // what else is constant
     let parted = Parted::of_structure(lowered.energy, &structure.matrix, structure.poisson.is_ok());
     let pieces = derive::parts(graph, &flow, Some(&parted), damping.is_some()); // by terms of H, and by planes
     let system = derive::flow(graph, &flow, &lowered.partial, damping.as_ref());
@@ -221,7 +243,7 @@ fn vector_field(energy: &Energy) -> Result<TokenStream> {
         Some(energy) => flow.recovered(graph, energy, |symbol| context.user_name(symbol)),
         None => flow.divergent = liouville.divergent(),
     }
-    flow.search(graph, None, |symbol| context.user_name(symbol));
+    flow.search(graph, |symbol| context.user_name(symbol));
     let parted = Parted::of_field(graph, &flow); // S, known or searched for
     let pieces = derive::parts(graph, &flow, parted.as_ref(), false);
     let system = System { pieces, ..derive::flow(graph, &flow, &lowered.partial, None) }.scheduled(graph);

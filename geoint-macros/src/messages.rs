@@ -64,6 +64,8 @@ pub(crate) const DAMPED: &str =
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const FORCED_ACTION: &str = "a force beside a Lagrangian with an action leaves no contact map, and no kick and drift; use `DOP853`, `RK4` or Taylor series";
+
 pub(crate) const READS_ACTION: &str = "this reads the action, so that the energy changes with ∂H/∂s";
 
 pub(crate) const NOT_QUADRATIC: &str = "this term is not quadratic in the momenta with constant coefficients, so \

@@ -194,7 +194,7 @@ pub use space::{Attitudes, BodyState, Centres, ContactState, Coordinates, FlowSt
 pub use system::{
     Autonomous, Conformal, Conservative, Constrained, Contact, Cotangent, FirstIntegrals, ForceGradient, Hamiltonian,
     KeepsEnergy, Lagrangian, Mechanical, ModifiedEnergy, Perturbed, PerturbedGradient, PhaseSpace, Pieces,
-    PrincipalAxes, QuadraticKinetic, Rates, Separable, VectorField,
+    PrincipalAxes, QuadraticKinetic, Rates, Separable, SteadyIntegrals, VectorField,
 };
 
 #[doc(inline)]

@@ -183,7 +183,7 @@ where
 #[test]
 fn sums_compensate() {
     let exact = |x: f64| Double::from(x);
-    let steps = 100_000;
+    let steps = 40_000;
     let mut all: Vec<(&str, [f64; 2])> = vec![];
     macro_rules! check {
         ($own:expr, $double:expr, $start:expr; $($method:expr),*) => {

@@ -40,6 +40,26 @@ fn spring(q: f64, v: f64, m: f64, k: f64) -> f64 {
     0.5 * m * v * v
 }
 
+/// The same with a part of the friction as a term in the action, which adds −γp.
+#[lagrangian(rayleigh = c * v * v, force = push * (rate * t).cos())]
+fn pushed_and_braked(q: f64, v: f64, s: f64, t: f64, m: f64, g: f64, c: f64, gamma: f64, push: f64, rate: f64) -> f64 {
+    0.5 * m * v * v + m * g * q.cos() - gamma * s
+}
+
+/// Forces that read the action, beside a mass matrix that reads it.
+#[lagrangian(rayleigh = c * v[1].powi(4) * (1.0 + s * s), force = [u * q[1], 0.1 * v[0] * s, t.sin()])]
+fn rubbed_and_growing(q: [f64; 3], v: [f64; 3], s: f64, t: f64, m: f64, c: f64, u: f64) -> f64 {
+    let coupled = v[0] * v[1] * (q[0] - q[1]).cos() + v[1] * v[2] * (q[1] - q[2]).cos();
+    let kinetic = 0.5 * m * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + coupled) * (1.0 + s * s / 20.0);
+    kinetic - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]) - 0.2 * s - 0.1 * s * s
+}
+
+/// No force at all.
+#[lagrangian(rayleigh = 0.0 * v, force = 0.0)]
+fn unforced(q: f64, v: f64, s: f64) -> f64 {
+    0.5 * v * v + q.cos() - 0.1 * s
+}
+
 const PUSHED: Pushed = Pushed { m: 1.0, g: 1.0, c: 0.1, push: 1.5, rate: 2.0 };
 const M: [f64; 3] = [2.0, 1.0, 0.5];
 const L: [f64; 3] = [1.0, 0.8, 0.5];
@@ -157,6 +177,73 @@ fn friction_of_any_kind_takes_what_it_says() -> Result<(), StepError> {
     };
     let [a, b, c] = [order(0.01)?, order(0.005)?, order(0.0025)?];
     assert!((((a - b) / (b - c)).log2() - 4.0).abs() < 0.3, "{}", ((a - b) / (b - c)).log2());
+    Ok(())
+}
+
+/// d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v + F − ∂R/∂v: with ∂L/∂s = −γ it is the system without an action whose friction is c + γm/2.
+#[test]
+fn forces_add_to_an_action() -> Result<(), StepError> {
+    let (c, gamma, m) = (0.1, 0.2, 1.3);
+    let braked = PushedAndBraked { m, g: 0.9, c, gamma, push: 1.5, rate: 2.0 };
+    let plain = Pushed { m, g: 0.9, c: c + 0.5 * gamma * m, push: 1.5, rate: 2.0 };
+    let mut exact = plain.integrator(Gauss::<6>, 0.05, plain.at(0.5, 0.2));
+    exact.advance(100)?;
+    let exact = exact.state();
+    fn error<M: Method<PushedAndBraked>>(system: PushedAndBraked, method: M, h: f64, exact: State<f64>) -> f64 {
+        let mut sim = system.integrator(method, h, system.at(0.5, 0.2, 0.3));
+        sim.advance((5.0 / h).round() as u64).expect("steps");
+        f64::max((sim.state().q - exact.q).abs(), (sim.state().p - exact.p).abs())
+    }
+    let errors = [0.1, 0.05, 0.025].map(|h| error(braked, RK4, h, exact));
+    for pair in errors.windows(2) {
+        assert!(((pair[0] / pair[1]).log2() - 4.0).abs() < 0.1, "{errors:?}");
+    }
+    assert!(error(braked, DOP853, 0.05, exact) < 1e-13);
+    assert!(error(PushedAndBraked { gamma: 0.21, ..braked }, DOP853, 0.05, exact) > 1e-3);
+    // There and back, where friction feeds.
+    let start = braked.at(0.5, 0.2, 0.3);
+    let mut there = braked.integrator(DOP853, 0.05, start);
+    there.advance(20)?;
+    let mut back = braked.integrator(DOP853, -0.05, there.state());
+    back.advance(20)?;
+    let far = [back.state().q - start.q, back.state().p - start.p, back.state().s - start.s];
+    assert!(far.iter().all(|far| far.abs() < 1e-13), "{far:?}");
+    // A coefficient that feeds, and one that is none.
+    let feeding = PushedAndBraked { c: -0.1, ..braked };
+    let refused = feeding.integrator(RK4, 0.1, start).step().expect_err("friction that feeds");
+    assert!(refused.to_string().contains("damping that is negative"), "{refused}");
+    Unforced.integrator(ContactGauss::<2>, 0.1, Unforced.at(1.0, 0.0, 0.0)).step()
+}
+
+/// By two ways, with rates as they are emitted for steps and for series; and the balance p·v − L.
+#[test]
+fn forces_read_the_action() -> Result<(), StepError> {
+    let system = RubbedAndGrowing { m: 1.3, c: 0.1, u: 0.3 };
+    let start = system.at([0.5, 0.2, -0.3], [0.4, -0.1, 0.7], 0.3);
+    let mut steps = system.integrator(DOP853, 0.02, start);
+    steps.advance(50)?;
+    let mut series = system.taylor(Taylor { tolerance: 1e-15 }, start);
+    series.advance_to(1.0)?;
+    let (a, b) = (steps.state(), series.state());
+    assert!((0..3).all(|i| (a.q[i] - b.q[i]).abs() < 1e-12 && (a.p[i] - b.p[i]).abs() < 1e-12), "{a:?} {b:?}");
+    assert!((a.s - b.s).abs() < 1e-12);
+    // H' = −H ∂H/∂s + v·F − v·∂R/∂v, by a difference quotient of the energy along the flow.
+    let energies = [-1.0, 1.0].map(|sign| {
+        let mut run = system.integrator(DOP853, sign * 1e-3, start);
+        run.step().map(|()| run.energy())
+    });
+    let [before, after] = energies;
+    let found = (after? - before?) / 2e-3;
+    let (v, q, s, energy) = (system.velocity(&start), start.q, start.s, system.energy(&start));
+    let decay = {
+        let growth = |s: f64| system.lagrangian(0.0, q, v, s);
+        -(growth(s + 1e-5) - growth(s - 1e-5)) / 2e-5
+    };
+    let power = v[0] * 0.3 * q[1] + v[1] * 0.1 * v[0] * s;
+    let expected = -energy * decay + power - 4.0 * 0.1 * v[1].powi(4) * (1.0 + s * s);
+    assert!((found - expected).abs() < 1e-6, "{found} {expected}");
+    let report = RubbedAndGrowing::<f64>::REPORT;
+    assert!(report.contains("no step is a contact map") && !report.contains("contact Gauss methods do"), "{report}");
     Ok(())
 }
 

@@ -15,3 +15,4 @@ mod forces;
 mod herglotz;
 mod decaying;
 mod space;
+mod statements;

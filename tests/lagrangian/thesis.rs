@@ -1,6 +1,6 @@
 //! Statements of Aung's thesis (2000) and of the talk on contact integrators, one by one.
 
-use crate::references::DOUBLE_PENDULUM;
+use crate::references::{ARM, DOUBLE_PENDULUM};
 use crate::systems::*;
 use geoint_runtime::Hamiltonian;
 use geoint_runtime::prelude::*;
@@ -74,6 +74,90 @@ fn the_transform_is_an_involution() {
     let by_time = slope(|by| system.energy(&State::at(0.3 + 0.1 * by, 1.1, p)));
     let of_lagrangian = slope(|by| system.lagrangian(0.3 + 0.1 * by, 1.1, v));
     assert!((by_time + of_lagrangian).abs() < 1e-7, "{by_time} {of_lagrangian}");
+}
+
+/// 2.1.11 to 2.1.19, and Herglotz' equations: along a solution q' = v, s' = L and d/dt ∂L/∂v = ∂L/∂q + ∂L/∂s ∂L/∂v + F.
+#[test]
+fn the_equations_are_lagranges() {
+    /// q, v, p and s at a time.
+    type At<const N: usize> = ([f64; N], [f64; N], [f64; N], f64);
+    fn follows<const N: usize>(
+        at: impl Fn(f64) -> At<N>,
+        lagrangian: impl Fn([f64; N], [f64; N], f64) -> f64,
+        force: [f64; N],
+    ) {
+        let (q, v, p, s) = at(0.0);
+        let growth = slope(|by| lagrangian(q, v, s + by));
+        let action = slope(|t| at(t).3) - lagrangian(q, v, s);
+        assert!(action.abs() < 1e-9 || growth.abs() < 1e-9, "{action:e} {growth}");
+        for i in 0..N {
+            let moved = |by: f64| {
+                let mut q = q;
+                q[i] += by;
+                q
+            };
+            let by_position = slope(|by| lagrangian(moved(by), v, s));
+            assert!((slope(|t| at(t).0[i]) - v[i]).abs() < 1e-9);
+            let rate = slope(|t| at(t).2[i]);
+            assert!((rate - by_position - growth * p[i] - force[i]).abs() < 1e-8, "{rate} {by_position} {growth}");
+        }
+    }
+    macro_rules! at {
+        ($system:expr, $start:expr, |$state:ident, $v:ident| $given:expr) => {{
+            let (system, start) = ($system, $start);
+            move |by: f64| {
+                let mut sim = system.integrator(DOP853, if by == 0.0 { 1.0 } else { by }, start);
+                if by != 0.0 {
+                    sim.step().expect("a step");
+                }
+                let ($state, $v) = (sim.state(), system.velocity(&sim.state()));
+                $given
+            }
+        }};
+    }
+    // With an energy, with velocities as unknowns, with time in L, with an action, with a force.
+    let (q, v) = ([0.4, 1.1], [0.7, -0.3]);
+    let system = DOUBLE_PENDULUM;
+    let run = at!(system, system.at(q, v), |state, v| (state.q, v, state.p, 0.0));
+    follows(run, |q, v, _| system.lagrangian(0.0, q, v), [0.0; 2]);
+    let system = ARM;
+    let run = at!(system, system.at([0.5, 0.4, -0.3], [0.1, 0.3, 1.0]), |state, v| (state.q, v, state.p, 0.0));
+    follows(run, |q, v, _| system.lagrangian(0.0, q, v), [0.0; 3]);
+    let system = MovingPivot { a: 0.1, omega: 2.0, g: 9.81 };
+    let run = at!(system, system.at_time(0.3, 1.1, 0.4), |state, v| ([state.q], [v], [state.p], 0.0));
+    follows(run, |[q], [v], _| system.lagrangian(0.3, q, v), [0.0]);
+    let system = Growing { a: 0.1 };
+    let run = at!(system, system.at_time(0.3, 1.0, 0.5, 0.3), |state, v| ([state.q], [v], [state.p], state.s));
+    follows(run, |[q], [v], s| system.lagrangian(0.3, q, v, s), [0.0]);
+    let system = Pulled { gamma: 0.2, c: 0.3 };
+    let run = at!(system, system.at(1.0, 0.5, 0.3), |state, v| ([state.q], [v], [state.p], state.s));
+    follows(run, |[q], [v], s| system.lagrangian(0.0, q, v, s), [-0.3 * 0.5 + 0.5 * 1.0]);
+}
+
+/// A pendulum with an action, friction and a force.
+#[lagrangian(rayleigh = 0.5 * c * v * v, force = 0.5 * q * q)]
+fn pulled(q: f64, v: f64, s: f64, gamma: f64, c: f64) -> f64 {
+    0.35 * (1.0 + 0.1 * q * q) * v * v + q.cos() - gamma * s * s
+}
+
+/// 2.1.23 to 2.1.25: a charge in a magnetic field that grows has a potential V(q, q', t), and its energy changes by induction.
+#[test]
+fn a_potential_of_velocities_need_not_be_conservative() -> Result<(), StepError> {
+    #[lagrangian]
+    fn induced(q: [f64; 2], v: [f64; 2], t: f64, m: f64, rate: f64) -> f64 {
+        let field = 1.0 + rate * t;
+        0.5 * m * (v[0] * v[0] + v[1] * v[1]) + 0.5 * field * (q[0] * v[1] - q[1] * v[0]) - 0.1 * q[0].powi(4)
+    }
+    let gained = |rate: f64| {
+        let system = Induced { m: 0.7, rate };
+        let mut sim = system.integrator(DiscreteGradient, 0.1, system.at([1.0, 0.2], [0.3, 0.6]));
+        let energy = sim.energy();
+        sim.advance(100).map(|()| sim.energy() - energy)
+    };
+    let [steady, growing] = [gained(0.0)?, gained(0.3)?];
+    assert!(steady.abs() < 1e-13 && growing.abs() > 0.1, "{steady:e} {growing}");
+    assert!(Induced::<f64>::REPORT.contains("H depends on time"));
+    Ok(())
 }
 
 /// The talk's variational integrators: D₁L(q_j, q_{j+1}) + D₂L(q_{j−1}, q_j) = 0 for positions of the midpoint rule, with

@@ -6,6 +6,7 @@ pub mod problems;
 pub mod scenes;
 pub mod methods;
 pub mod bare;
+pub mod grid;
 pub mod measure;
 pub mod claims;
 pub mod counting;

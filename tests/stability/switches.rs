@@ -3,6 +3,7 @@
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::DiscreteField;
 use geoint_runtime::{Autonomous, Hamiltonian, Method};
+use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
 
 macro_rules! energies {
@@ -46,26 +47,24 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Kept<S> {
         if !method.claims().conserves_energy {
             return;
         }
-        for (q, p) in STARTS {
-            for h in STEPS {
-                // Starts at which sums of steps end at the switch, up to rounding.
-                let start = State::new(q, p * self.mass);
-                let mut sim = self.system.integrator(method, h, start);
-                let energy = sim.energy();
-                let mut outcome = Ok(());
-                while sim.steps() < 60 && outcome.is_ok() {
-                    outcome = sim.step();
-                    let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
-                    assert!(error < self.rounding, "{name}: {error:.1e} at {:?}, h = {h} from {start:?}", sim.state());
-                }
-                self.taken += u32::try_from(sim.steps()).unwrap();
-                let refused = matches!(outcome, Err(StepError::OutsideDomain { .. }));
-                assert!(!(self.smooth && refused), "{name}: {outcome:?}, h = {h} from {start:?}");
-                let mut bulk = self.system.integrator(method, h, start);
-                // As text: a correction that is not a number equals nothing.
-                let (all, single) = ((bulk.advance(60), bulk.state()), (outcome, sim.state()));
-                assert_eq!(format!("{all:?}"), format!("{single:?}"), "{name}: h = {h} from {start:?}");
+        for ((q, p), h) in pairs(&STARTS, &STEPS, 3, &format!("{name}, {}", std::any::type_name::<S>())) {
+            // Starts at which sums of steps end at the switch, up to rounding.
+            let start = State::new(q, p * self.mass);
+            let mut sim = self.system.integrator(method, h, start);
+            let energy = sim.energy();
+            let mut outcome = Ok(());
+            while sim.steps() < 60 && outcome.is_ok() {
+                outcome = sim.step();
+                let error = (sim.energy() - energy).abs() / (1.0 + energy.abs());
+                assert!(error < self.rounding, "{name}: {error:.1e} at {:?}, h = {h} from {start:?}", sim.state());
             }
+            self.taken += u32::try_from(sim.steps()).unwrap();
+            let refused = matches!(outcome, Err(StepError::OutsideDomain { .. }));
+            assert!(!(self.smooth && refused), "{name}: {outcome:?}, h = {h} from {start:?}");
+            let mut bulk = self.system.integrator(method, h, start);
+            // As text: a correction that is not a number equals nothing.
+            let (all, single) = ((bulk.advance(60), bulk.state()), (outcome, sim.state()));
+            assert_eq!(format!("{all:?}"), format!("{single:?}"), "{name}: h = {h} from {start:?}");
         }
     }
 }

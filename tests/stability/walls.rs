@@ -5,6 +5,7 @@
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{Autonomous, ByField, Collocated, DiscreteField};
 use geoint_runtime::{Hamiltonian, Method};
+use geoint_tests::grid::pairs;
 use geoint_tests::methods::{self, Visitor};
 use std::f64::consts::{PI, TAU};
 
@@ -79,30 +80,28 @@ impl<S: Hamiltonian<Coordinates = f64>> Visitor<S, f64> for Stay<S> {
         if ["ExplicitEuler", "RK4", "DOP853"].contains(&name.as_str()) {
             return;
         }
-        for p in MOMENTA {
-            for h in STEPS {
-                let start = State::new(self.start, p);
-                let mut sim = self.system.integrator(method, h, start);
-                let (mut outcome, mut steps) = (Ok(()), 0);
-                while steps < 60 && outcome.is_ok() {
-                    outcome = sim.step();
-                    let q = sim.state().q;
-                    // What is on the border by the rounding of π is on this side.
-                    let near = [q, q.next_up(), q.next_down()];
-                    let stays = near.iter().any(|q| (self.cell)(*q) == (self.cell)(self.start));
-                    assert!(stays, "{}, {name}: {q} in step {steps} of {h} from {start:?}", self.wall);
-                    steps += 1;
-                }
-                self.refused += u32::from(matches!(outcome, Err(StepError::OutsideDomain { .. })));
-                // All at once comes to the same.
-                let mut bulk = self.system.integrator(method, h, start);
-                assert_eq!(
-                    (bulk.advance(60), bulk.state()),
-                    (outcome, sim.state()),
-                    "{}, {name}: {h} from {start:?}",
-                    self.wall
-                );
+        for (p, h) in pairs(&MOMENTA, &STEPS, 3, &format!("{}, {name}", self.wall)) {
+            let start = State::new(self.start, p);
+            let mut sim = self.system.integrator(method, h, start);
+            let (mut outcome, mut steps) = (Ok(()), 0);
+            while steps < 60 && outcome.is_ok() {
+                outcome = sim.step();
+                let q = sim.state().q;
+                // What is on the border by the rounding of π is on this side.
+                let near = [q, q.next_up(), q.next_down()];
+                let stays = near.iter().any(|q| (self.cell)(*q) == (self.cell)(self.start));
+                assert!(stays, "{}, {name}: {q} in step {steps} of {h} from {start:?}", self.wall);
+                steps += 1;
             }
+            self.refused += u32::from(matches!(outcome, Err(StepError::OutsideDomain { .. })));
+            // All at once comes to the same.
+            let mut bulk = self.system.integrator(method, h, start);
+            assert_eq!(
+                (bulk.advance(60), bulk.state()),
+                (outcome, sim.state()),
+                "{}, {name}: {h} from {start:?}",
+                self.wall
+            );
         }
     }
 }

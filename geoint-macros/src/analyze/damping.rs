@@ -39,6 +39,15 @@ impl Damping {
         entries
     }
 
+    /// Cv.
+    pub(crate) fn drag(&self, graph: &mut Graph, velocities: &[Id]) -> Vec<Id> {
+        let row = |row: &Vec<Id>| {
+            let terms: Vec<Id> = row.iter().zip(velocities).map(|(entry, v)| graph.mul(*entry, *v)).collect();
+            graph.sum(&terms)
+        };
+        self.matrix.iter().map(row).collect()
+    }
+
     /// The entries of a matrix of which it is not known yet whether it is positive semidefinite.
     pub(crate) fn open_matrix(&self) -> Vec<Id> {
         if self.open { self.matrix.iter().flatten().copied().collect() } else { vec![] }

@@ -26,7 +26,9 @@ pub(crate) use damping::{Damping, Flaw};
 use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
 pub(crate) use forces::Forces;
-pub(crate) use identity::{Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search};
+pub(crate) use identity::{
+    Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search, vanishes,
+};
 pub(crate) use jumps::{Jump, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};

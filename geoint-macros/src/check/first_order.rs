@@ -29,6 +29,13 @@ pub(crate) fn first_order(
     };
     let flaw = match &found {
         Ok(_) => None,
+        Err(NotRegular::Odd(alone)) if alone.len() == 1 => {
+            let q = printer.named(Symbol::Q(alone[0]));
+            Some(format!(
+                "no entry of Ω has `{q}`: what ϑ has of it adds a total derivative to L, which changes no motion, and ∂H/∂{q} = 0 is no \
+                 differential equation; give `{q}` a mass, or solve that for it and put it in"
+            ))
+        }
         Err(NotRegular::Odd(coordinates)) => Some(format!(
             "Ω of {} has an odd number of rows, so that it is singular: positions and their momenta ϑ come in pairs; add the missing \
              coordinate, or take one out by what is constant",

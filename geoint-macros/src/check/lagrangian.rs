@@ -7,8 +7,8 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
-use crate::messages::{DAMPED, FORCED, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION};
-use crate::parse::{Energy, Form, Requirement, Role};
+use crate::messages::{DAMPED, FORCED, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION};
+use crate::parse::{Energy, Requirement, Role};
 use std::collections::HashMap;
 
 /// Reports a Lagrangian that has no energy here, and friction that is none.
@@ -28,14 +28,12 @@ pub(crate) fn lagrangian(
     let named = |symbol: Symbol| printer.named(symbol);
     let velocities =
         energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
-    match (energy.form, &friction) {
-        (Form::Herglotz, Ok(Some(_))) => errors.at(&energy.options.rayleigh, FRICTION_OF_ACTION),
-        (Form::Herglotz, _) if energy.options.force.is_some() => errors.at(&energy.options.force, FORCE_WITH_ACTION),
-        (_, Err(NoFriction::Odd)) => errors.at(&energy.options.rayleigh, NOT_RAYLEIGH),
-        (_, Err(NoFriction::AtRest(rest))) => {
+    match &friction {
+        Err(NoFriction::Odd) => errors.at(&energy.options.rayleigh, NOT_RAYLEIGH),
+        Err(NoFriction::AtRest(rest)) => {
             errors.at(&energy.options.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
         }
-        _ => {}
+        Ok(_) => {}
     }
     if let Err(flaw) = &found {
         let all =
@@ -61,9 +59,11 @@ pub(crate) fn lagrangian(
             }
             legendre::Flaw::LinearIn(i, momentum) => {
                 let message = format!(
-                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}",
+                    "this Lagrangian is linear in `{}`, which has no inertia: its momentum is a function of positions, {}; give `{}` a mass, or \
+                     write the equations as `#[vector_field]`",
                     named(v(i)),
-                    printer.excerpt(*momentum)
+                    printer.excerpt(*momentum),
+                    named(q(i))
                 );
                 (message, None)
             }
@@ -162,15 +162,25 @@ pub(crate) fn velocities(
     errors.or(())
 }
 
+/// Reports friction that is none, and requirements: with an action and forces beside it there are rates alone.
+pub(crate) fn forced_action(
+    energy: &Energy,
+    damping: Option<&Damping>,
+    graph: &Graph,
+    name: impl Fn(Symbol) -> String,
+) -> Result<()> {
+    let mut errors = Diagnostics::default();
+    if let Some(damping) = damping {
+        flaw_of_damping(energy, damping, &Printer::new(graph, name), &mut errors);
+    }
+    let of_energy = energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian());
+    of_energy.for_each(|(_, span)| errors.at_place((*span, *span), FORCED_ACTION));
+    errors.or(())
+}
+
 const NOT_QUADRATIC_IN_VELOCITIES: &str = "this is not quadratic in the velocities, so that the mass matrix reads them";
 
 const MASS_CHANGES: &str = "this entry of the mass matrix ∂²L/∂v² is not constant";
-
-const FRICTION_OF_ACTION: &str =
-    "with an action friction is a term of the Lagrangian in it, such as `- gamma * s`: leave `rayleigh` out";
-
-const FORCE_WITH_ACTION: &str =
-    "with an action a force would leave no contact map: add its potential to the Lagrangian, such as `+ f(t) * q`";
 
 const NOT_RAYLEIGH: &str = "Rayleigh's function has its least value at rest, but this is a polynomial of odd degree in the velocities, which \
                             feeds one direction where it brakes the other: write `c * v * v / 2.0`, or `c * v.abs().powi(3) / 3.0`";

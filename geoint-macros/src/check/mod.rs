@@ -11,7 +11,7 @@ pub(crate) mod wording;
 
 pub(crate) use constraints::constraints;
 pub(crate) use first_order::first_order;
-pub(crate) use lagrangian::{lagrangian, velocities};
+pub(crate) use lagrangian::{forced_action, lagrangian, velocities};
 pub(crate) use pieces::{division, pieces};
 pub(crate) use proofs::{integrals, structure};
 

@@ -28,10 +28,8 @@ pub(crate) fn contact(
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
     let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
-    let jet = match &rates {
-        Some(rates) => JetKernel::of_lift(graph, rates),
-        None => JetKernel::contact(graph, energy, &gradient),
-    };
+    let followed = rates.clone().unwrap_or_else(|| self::rates(graph, energy, &gradient));
+    let jet = JetKernel::contact(graph, &followed);
     let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
     let pieces = pieces::kernels(graph, "ContactSplitting", (found, NO_PIECES), lift);
     let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
@@ -69,6 +67,21 @@ pub(crate) fn contact(
         domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
     };
     (system, gradient)
+}
+
+/// q', p' = −∂H/∂q − p ∂H/∂s and s' = p·∂H/∂p − H.
+pub(super) fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<Id> {
+    let (mut force, mut action) = (vec![], vec![]);
+    for (i, (by_q, by_p)) in (0..).zip(gradient.q.iter().zip(&gradient.p)) {
+        let p = graph.symbol(Symbol::P(i));
+        let drag = graph.mul(p, gradient.s);
+        let slope = graph.add(*by_q, drag);
+        force.push(graph.neg(slope));
+        action.push(graph.mul(p, *by_p));
+    }
+    let work = graph.sum(&action);
+    let action = graph.sub(work, energy);
+    [&gradient.p[..], &force, &[action]].concat()
 }
 
 /// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.

@@ -15,10 +15,20 @@ pub(crate) struct Domain<K = Kernel> {
     pub(crate) checks: Vec<Check>,
     /// The argument of each; then the entries of a damping matrix that has to be tested.
     pub(crate) arguments: K,
+    /// Where the energy is defined but not smooth: what explains a step that is refused there.
+    pub(crate) edges: Edges<K>,
     /// Whether the end of a step may lie outside the domain without a trace in later steps.
     pub(crate) examined: bool,
     pub(crate) poles: Option<Poles<K>>,
     pub(crate) jumps: Option<Jumps<K>>,
+}
+
+/// Edges of the domain that belong to it: there a value is a number, and a derivative is not, as of √u at u = 0.
+#[derive(Debug)]
+pub(crate) struct Edges<K = Kernel> {
+    pub(crate) checks: Vec<Check>,
+    /// The argument of each.
+    pub(crate) arguments: K,
 }
 
 /// What a system is computed from.
@@ -85,6 +95,7 @@ impl Domain {
         Domain {
             arguments: Kernel::new(Levels::One, arguments),
             checks,
+            edges: Edges::of(graph, roots.all),
             examined,
             poles: Poles::of(graph, (roots.divided, form), partial),
             jumps: Jumps::of(graph, roots.divided),
@@ -98,10 +109,27 @@ impl<K> Domain<K> {
         Domain {
             checks: self.checks,
             arguments: of(self.arguments),
+            edges: Edges { checks: self.edges.checks, arguments: of(self.edges.arguments) },
             examined: self.examined,
             poles: self.poles.map(|poles| poles.map(of)),
             jumps: self.jumps.map(|jumps| jumps.map(of)),
         }
+    }
+}
+
+impl Edges {
+    /// Those of all nodes that are computed at every point: a condition is what keeps away from an edge.
+    fn of(graph: &mut Graph, roots: &[Id]) -> Edges {
+        let (mut open, mut seen, mut checks) = (roots.to_vec(), HashSet::new(), vec![]);
+        while let Some(id) = open.pop() {
+            if seen.insert(id) && !matches!(graph.node(id), Node::Select(..)) {
+                graph.node(id).for_each_child(|id| open.push(id));
+                checks.extend(edges_of(graph, id));
+            }
+        }
+        checks.retain(|check: &Check| analyze::reads(graph, check.argument).state());
+        let arguments = checks.iter().map(|check| check.argument).collect();
+        Edges { checks, arguments: Kernel::new(Levels::One, arguments) }
     }
 }
 
@@ -189,6 +217,27 @@ pub(super) fn checks_of(graph: &mut Graph, id: Id) -> Vec<Check> {
                 matches!(function, Function::Ln | Function::Log2 | Function::Log10 | Function::Ln1p | Function::Atanh);
             let sign = if open || negative_power { Sign::NotPositive } else { Sign::Negative };
             ends.into_iter().map(|argument| Check::new(argument, sign, what.clone(), args[0])).collect()
+        }
+        _ => vec![],
+    }
+}
+
+/// Where a node has a value, and no second derivative.
+fn edges_of(graph: &mut Graph, id: Id) -> Vec<Check> {
+    let rough = |check: Check| Check {
+        if_it_is: Sign::NotPositive,
+        what: "a derivative that is not a number".into(),
+        term: id,
+        ..check
+    };
+    match graph.node(id) {
+        Node::Power(base, exponent)
+            if !exponent.is_integer() && exponent.numerator > 0 && exponent.numerator < 2 * exponent.denominator =>
+        {
+            vec![rough(Check::new(*base, Sign::NotPositive, String::new(), id))]
+        }
+        Node::Call(..) => {
+            checks_of(graph, id).into_iter().filter(|check| check.if_it_is == Sign::Negative).map(rough).collect()
         }
         _ => vec![],
     }

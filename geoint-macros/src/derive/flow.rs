@@ -27,6 +27,8 @@ pub(crate) struct Flow {
     pub(crate) field: Vec<Id>,
     /// H with S − C, if x' = (S − C) ∇H is known.
     pub(crate) energy: Option<(Id, Vec<Vec<Id>>)>,
+    /// What damping adds to the field, −C ∇H.
+    loss: Option<Vec<Id>>,
     /// What steps keep.
     pub(crate) kept: Vec<Named>,
     /// What is constant as well, and not listed.
@@ -68,6 +70,7 @@ impl Flow {
             form: Form::Field,
             field: field.to_vec(),
             energy: None,
+            loss: None,
             kept: keeps.map(named).collect(),
             also: vec![],
             divergent: None,
@@ -89,11 +92,20 @@ impl Flow {
             let loss = flow::times(graph, &damping.matrix, &gradient).into_iter().map(|loss| graph.neg(loss)).collect();
             (matrix, loss)
         });
-        let (matrix, but) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
+        let (matrix, loss) = damped.map_or_else(|| (structure.to_vec(), None), |(matrix, loss)| (matrix, Some(loss)));
         let field = flow::times(graph, &matrix, &gradient);
-        let kept = Named { name: ENERGY.into(), conserved: Conserved { value: energy, but }, origin: Origin::Energy };
+        let conserved = Conserved { value: energy, but: loss.clone() };
+        let kept = Named { name: ENERGY.into(), conserved, origin: Origin::Energy };
         let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
-        Flow { form: Form::Structured, field, energy: Some((energy, matrix)), kept, also: vec![], divergent: None }
+        Flow {
+            form: Form::Structured,
+            field,
+            energy: Some((energy, matrix)),
+            loss,
+            kept,
+            also: vec![],
+            divergent: None,
+        }
     }
 
     /// x' = J ∇H with an energy that was recovered from the field: it is kept as well, unless it is a function of what is listed.
@@ -117,44 +129,68 @@ impl Flow {
     }
 
     /// Adds what is found to be constant: linear functions to what a field keeps, because a projection onto others would lose them;
-    /// Casimirs, which are constant along the rows of S, with one that S was made of; and all the rest for the report.
-    pub(crate) fn search(
-        &mut self,
-        graph: &mut Graph,
-        structure: Option<(&[Vec<Id>], Option<Id>)>,
-        name: impl Fn(Symbol) -> String,
-    ) {
+    /// and all the rest for the report.
+    pub(crate) fn search(&mut self, graph: &mut Graph, name: impl Fn(Symbol) -> String) {
         let x = proof::coordinates(self.field.len());
-        let (rows, casimirs) = (structure.map(|(rows, _)| rows), structure.is_some());
-        let fields = rows.unwrap_or(std::slice::from_ref(&self.field));
-        let mut found = search::kept_along(graph, &x, fields).unwrap_or_default();
-        let written = structure.and_then(|(_, casimir)| casimir).filter(|value| !analyze::reads(graph, *value).t);
-        found.extend(written.map(|value| search::Kept { value, linear: false }));
-        if found.is_empty() {
-            return;
-        }
-        let proven = |graph: &mut Graph, value| match rows {
-            Some(rows) => claims::is_casimir(graph, &x, rows, value).is_ok(),
-            None => claims::is_kept(graph, &x, &self.field, value, None).is_zero(),
-        };
-        let found: Vec<_> = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
-        let known: Vec<Id> = self.kept.iter().map(|kept| kept.conserved.value).collect();
-        let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
-        let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
-        let Some(dependent) = claims::dependent(graph, &x, &all) else { return };
-        let new = found.into_iter().enumerate().filter(|(i, _)| !dependent.integrals.contains(&(known.len() + i)));
-        for (_, kept) in new {
-            // A logarithm that nothing else takes would leave steps with fewer states than the flow has.
-            let everywhere =
-                graph.reachable(&[kept.value]).iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
-            if everywhere && (casimirs || kept.linear && !known.is_empty()) {
-                let name = Printer::new(graph, &name).excerpt(kept.value);
-                let conserved = Conserved { value: kept.value, but: None };
-                self.kept.push(Named { name, conserved, origin: Origin::Found });
+        let found = search::kept_along(graph, &x, std::slice::from_ref(&self.field)).unwrap_or_default();
+        let proven = |graph: &mut Graph, value| claims::is_kept(graph, &x, &self.field, value, None).is_zero();
+        let found = found.into_iter().filter(|kept| proven(graph, kept.value)).collect();
+        for (kept, everywhere) in self.new_among(graph, found) {
+            if everywhere && kept.linear && self.form == Form::Field && !self.kept.is_empty() {
+                self.keep_found(graph, kept.value, &name);
             } else {
                 self.also.push(kept.value);
             }
         }
+    }
+
+    /// Adds Casimirs, which are constant along the rows of S, with one that S was made of. Damping changes them as it changes H.
+    pub(crate) fn search_casimirs(
+        &mut self,
+        graph: &mut Graph,
+        (rows, written): (&[Vec<Id>], Option<Id>),
+        name: impl Fn(Symbol) -> String,
+    ) {
+        let x = proof::coordinates(self.field.len());
+        let mut found = search::kept_along(graph, &x, rows).unwrap_or_default();
+        found.extend(written.map(|value| search::Kept { value, linear: false }));
+        // What reads time is constant along the rows, and not along the flow.
+        found.retain(|kept| !analyze::reads(graph, kept.value).t);
+        found.retain(|kept| claims::is_casimir(graph, &x, rows, kept.value).is_ok());
+        for (kept, everywhere) in self.new_among(graph, found) {
+            if everywhere {
+                self.keep_found(graph, kept.value, &name);
+            } else if self.loss.is_none() {
+                self.also.push(kept.value);
+            }
+        }
+    }
+
+    fn keep_found(&mut self, graph: &Graph, value: Id, name: impl Fn(Symbol) -> String) {
+        let name = Printer::new(graph, &name).excerpt(value);
+        let conserved = Conserved { value, but: self.loss.clone() };
+        self.kept.push(Named { name, conserved, origin: Origin::Found });
+    }
+
+    /// Those that are no functions of what is known already, each with whether it is defined wherever that and the field are: a logarithm that
+    /// nothing else takes would leave steps with fewer states than the flow has.
+    fn new_among(&self, graph: &mut Graph, found: Vec<search::Kept>) -> Vec<(search::Kept, bool)> {
+        if found.is_empty() {
+            return vec![];
+        }
+        let known: Vec<Id> =
+            self.kept.iter().map(|kept| kept.conserved.value).chain(self.also.iter().copied()).collect();
+        let defined: HashSet<Id> = graph.reachable(&[&known[..], &self.field].concat()).into_iter().collect();
+        let all: Vec<Id> = known.iter().copied().chain(found.iter().map(|kept| kept.value)).collect();
+        let x = proof::coordinates(self.field.len());
+        let Some(dependent) = claims::dependent(graph, &x, &all) else { return vec![] };
+        let new = found.into_iter().enumerate().filter(|(i, _)| !dependent.integrals.contains(&(known.len() + i)));
+        new.map(|(_, kept)| {
+            let computed = graph.reachable(&[kept.value]);
+            let everywhere = computed.iter().all(|id| !graph.is_partial(*id) || defined.contains(id));
+            (kept, everywhere)
+        })
+        .collect()
     }
 }
 
@@ -229,21 +265,21 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
         return None;
     }
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
-    // A projection onto what reads time would need to know it at both ends.
-    let steady = |graph: &Graph, i: &usize| kept[*i].conserved.but.is_none() && !analyze::reads(graph, values[*i]).t;
-    let constant: Vec<usize> = (0..kept.len()).filter(|i| steady(graph, i)).collect();
-    let energy = constant.iter().position(|i| kept[*i].name == ENERGY).or((!constant.is_empty()).then_some(0));
-    let slopes = constant.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
+    let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
+    let steady: Vec<usize> = constant.iter().copied().filter(|i| !analyze::reads(graph, values[*i]).t).collect();
+    let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
+    let slopes = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {
         let slopes = diff::discrete_gradient(graph, values[*i], n).q;
         let increments: Vec<Id> = (0..n).map(|i| graph.symbol(Symbol::Dq(i))).collect();
         flow::times(graph, &[slopes], &increments)[0]
     };
-    let changes = constant.iter().map(&mut change).collect();
+    let changes = steady.iter().map(&mut change).collect();
     Some(Integrals {
         names: kept.iter().map(|kept| kept.name.clone()).collect(),
         functions: kept.iter().map(|kept| kept.origin != Origin::Found).collect(),
         constant,
+        steady,
         energy,
         values: Kernel::new(Levels::One, values),
         slopes: Kernel::new(Levels::One, slopes),

@@ -35,24 +35,8 @@ impl JetKernel {
         JetKernel::new(graph, &rates)
     }
 
-    /// Of a contact system: p' = −∂H/∂q − p ∂H/∂s, s' = p·∂H/∂p − H.
-    pub(super) fn contact(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Option<JetKernel> {
-        let (mut force, mut action) = (vec![], vec![]);
-        for (i, (by_q, by_p)) in (0..).zip(gradient.q.iter().zip(&gradient.p)) {
-            let p = graph.symbol(Symbol::P(i));
-            let drag = graph.mul(p, gradient.s);
-            let slope = graph.add(*by_q, drag);
-            force.push(graph.neg(slope));
-            action.push(graph.mul(p, *by_p));
-        }
-        let work = graph.sum(&action);
-        let action = graph.sub(work, energy);
-        let rates: Vec<(Symbol, Id)> = rates(&gradient.p, &force).chain([(Symbol::S, action)]).collect();
-        JetKernel::new(graph, &rates)
-    }
-
-    /// Of a lift, whose rates are given one after the other.
-    pub(super) fn of_lift(graph: &mut Graph, all: &[Id]) -> Option<JetKernel> {
+    /// Of a contact system, whose rates are given one after the other.
+    pub(super) fn contact(graph: &mut Graph, all: &[Id]) -> Option<JetKernel> {
         let n = all.len() / 2;
         let rates: Vec<(Symbol, Id)> = rates(&all[..n], &all[n..2 * n]).chain([(Symbol::S, all[2 * n])]).collect();
         JetKernel::new(graph, &rates)

@@ -1,6 +1,7 @@
 //! The equations of implicit steps of a Lagrangian, with velocities as unknowns.
 
 mod action;
+mod ends;
 
 use super::field::{middle, taking};
 use super::forward::jacobian;
@@ -24,6 +25,13 @@ pub(crate) struct Given<'a> {
     /// C.
     pub(crate) damping: Option<&'a [Vec<Id>]>,
     pub(crate) others: Option<&'a Forces>,
+}
+
+impl Given<'_> {
+    /// M, a and V.
+    fn read(&self) -> Vec<Id> {
+        self.mass.iter().flatten().chain(self.shift).chain([&self.potential]).copied().collect()
+    }
 }
 
 /// f = ∂L/∂q − Cv, and other forces.
@@ -104,7 +112,8 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
         residual.push(graph.sum(&[*momentum, p, impulse]));
     }
     let matrix: Vec<Id> = by_d.iter().zip(&impulse_by_d).map(|(a, b)| graph.sub(*a, *b)).collect();
-    [residual, impulse, matrix, impulse_by_d].concat()
+    let roots = [residual, impulse, matrix, impulse_by_d].concat();
+    ends::by_slopes(graph, &roots, &given.read(), &increments)
 }
 
 /// M v + a at a place.

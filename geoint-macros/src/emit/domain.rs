@@ -3,7 +3,7 @@
 use super::damping;
 use super::kernel::Context;
 use super::poles;
-use crate::derive::{Domain, Sign};
+use crate::derive::{Check, Domain, Sign};
 use crate::ir::{Graph, print::Printer};
 use crate::schedule::Plan;
 use proc_macro2::TokenStream;
@@ -12,7 +12,17 @@ use quote::quote;
 /// The items of `PhaseSpace` that speak of the domain.
 pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
     let (phase, parts, action) = (context.phase(), context.parts(), context.action());
-    let outside = outside_domain(context, graph, domain);
+    let damped = |entries: &[TokenStream]| damping::matrix_test(context, entries);
+    let outside = first_of(context, graph, (&domain.checks, &domain.arguments), damped);
+    let edge = (!domain.edges.checks.is_empty()).then(|| {
+        let edge = first_of(context, graph, (&domain.edges.checks, &domain.edges.arguments), |_| TokenStream::new());
+        quote! {
+            fn edge(&self, t: R, z: &#phase, s: &#action) -> ::core::option::Option<&'static str> {
+                #parts
+                #edge
+            }
+        }
+    });
     let poles = domain.poles.as_ref().map(|poles| poles::poles(context, graph, poles));
     let jumps = domain.jumps.as_ref().map(|jumps| poles::jumps(context, graph, jumps));
     let examined = domain.examined.then(|| {
@@ -27,18 +37,24 @@ pub(super) fn domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>
             #parts
             #outside
         }
+        #edge
         #examined
         #poles
         #jumps
     }
 }
 
-/// The first condition that does not hold.
-fn outside_domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -> TokenStream {
+/// The first condition that does not hold; `rest` tests the values that belong to none.
+fn first_of(
+    context: &Context<'_>,
+    graph: &Graph,
+    (checks, arguments): (&[Check], &Plan),
+    rest: impl Fn(&[TokenStream]) -> TokenStream,
+) -> TokenStream {
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
-    context.values(&domain.arguments, |mut values| {
-        let matrix = damping::matrix_test(context, &values.split_off(domain.checks.len()));
-        let tests = domain.checks.iter().zip(values).map(|(check, value)| {
+    context.values(arguments, |mut values| {
+        let rest = rest(&values.split_off(checks.len()));
+        let tests = checks.iter().zip(values).map(|(check, value)| {
             let test = match check.if_it_is {
                 Sign::Negative => quote!(.any_below(0.0)),
                 Sign::NotPositive => quote!(.any_not_positive()),
@@ -47,6 +63,6 @@ fn outside_domain(context: &Context<'_>, graph: &Graph, domain: &Domain<Plan>) -
             let message = format!("{}: {}", check.what, printer.excerpt(check.term));
             quote!(if #value #test { return ::core::option::Option::Some(#message); })
         });
-        quote!(#(#tests)* #matrix ::core::option::Option::None)
+        quote!(#(#tests)* #rest ::core::option::Option::None)
     })
 }

@@ -47,6 +47,7 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals<Plan>) -> T
     let count = Literal::usize_unsuffixed(integrals.names.len());
     let values = context.values(&integrals.values, |values| quote!([#(#values),*]));
     let constant = (!integrals.constant.is_empty()).then(|| constant(context, integrals));
+    let steady = (!integrals.steady.is_empty()).then(|| steady(context, integrals));
     quote! {
         trait NamedFunctions<R: Real>: PhaseSpace<R> {
             fn values(&self, t: R, z: &Self::Phase) -> [R; #count];
@@ -59,28 +60,18 @@ pub(super) fn integrals(context: &Context<'_>, integrals: &Integrals<Plan>) -> T
             }
         }
         #constant
+        #steady
     }
 }
 
+/// What is kept.
 fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
-    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
-    let (names, places) = (integrals.constant.iter().map(|i| &integrals.names[*i]), context.coordinates());
+    let (name, phase) = (self_type(context), context.phase());
+    let names = integrals.constant.iter().map(|i| &integrals.names[*i]);
     let indices = integrals.constant.iter().map(|i| Literal::usize_unsuffixed(*i));
     let count = Literal::usize_unsuffixed(integrals.constant.len());
-    let slopes = context.values(&integrals.slopes, |values| {
-        let all =
-            (0..integrals.constant.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
-        write("slopes", &all.collect::<Vec<_>>(), &values)
-    });
-    let energy = integrals.energy.map(|k| {
-        let k = Literal::usize_unsuffixed(k);
-        keeps_energy(context, &quote!(Integral<#k>), Some(quote!(FirstIntegrals::integrals(self, t, z)[#k])))
-    });
-    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
-    let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> FirstIntegrals<R> for #name {
-            type Proof = ();
             type Values = [R; #count];
             const NAMES: &'static [&'static str] = &[#(#names),*];
 
@@ -89,15 +80,39 @@ fn constant(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
                 let all = NamedFunctions::values(self, t, z);
                 [#(all[#indices]),*]
             }
+        }
+    }
+}
+
+/// What is kept and does not read time, with what projections need of it.
+fn steady(context: &Context<'_>, integrals: &Integrals<Plan>) -> TokenStream {
+    let (name, phase, parts) = (self_type(context), context.phase(), context.parts());
+    let places = context.coordinates();
+    let count = Literal::usize_unsuffixed(integrals.steady.len());
+    let slopes = context.values(&integrals.slopes, |values| {
+        let all = (0..integrals.steady.len()).flat_map(|k| places.iter().map(move |place| [&[k], &place[..]].concat()));
+        write("slopes", &all.collect::<Vec<_>>(), &values)
+    });
+    let energy = integrals.energy.map(|k| {
+        let (k, i) = (Literal::usize_unsuffixed(k), Literal::usize_unsuffixed(integrals.steady[k]));
+        keeps_energy(context, &quote!(Integral<#k>), Some(quote!(NamedFunctions::values(self, t, z)[#i])))
+    });
+    let increments: Vec<Symbol> = (0..context.energy.degrees()).map(Symbol::Dq).collect();
+    let changes = context.planned(&integrals.changes.last[0], (&increments, "dz"), |values| quote!([#(#values),*]));
+    quote! {
+        impl<R: Real> SteadyIntegrals<R> for #name {
+            type Proof = ();
+            type Steady = [R; #count];
+
             #[inline]
-            fn slopes(&self, t: R, z: &#phase) -> [#phase; #count] {
+            fn slopes(&self, z: &#phase) -> [#phase; #count] {
                 #parts
                 let mut slopes = [<#phase as Array>::zero(); #count];
                 #slopes
                 slopes
             }
             #[inline]
-            fn changes(&self, t: R, z: &#phase, dz: &#phase) -> [R; #count] {
+            fn changes(&self, z: &#phase, dz: &#phase) -> [R; #count] {
                 #parts
                 #changes
             }

@@ -10,6 +10,9 @@ use std::cell::Cell;
 /// Longer formulas are cut in messages.
 const MESSAGE_LENGTH: usize = 90;
 
+/// More nodes than a message has room for are not printed: most have a character of their own.
+const NODES_OF_MESSAGE: usize = 3 * MESSAGE_LENGTH;
+
 /// Of a longer formula only the beginning is printed: shared nodes are printed again wherever they are read, and a formula can
 /// be exponentially longer than its graph.
 const MOST_NODES: usize = 1000;
@@ -54,7 +57,8 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
 
     /// The formula, cut if it would not fit into a message.
     pub(crate) fn excerpt(&self, id: Id) -> String {
-        let formula = self.formula(id);
+        self.left.set(NODES_OF_MESSAGE);
+        let formula = self.print(id, Precedence::Sum);
         if formula.chars().count() <= MESSAGE_LENGTH {
             return formula;
         }

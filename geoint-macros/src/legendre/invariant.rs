@@ -3,7 +3,7 @@
 //! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). That a derivative
 //! vanishes everywhere is proven, so that the coordinate may be put to zero.
 
-use crate::analyze;
+use crate::analyze::{self, vanishes};
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -11,7 +11,6 @@ use crate::ir::{Graph, Id, Symbol};
 /// A node that is equal to an entry wherever that is defined, and reads fewer coordinates if that is possible: zero; or without one of them;
 /// or by the difference, or sum, of two.
 pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
-    let vanishes = |graph: &mut Graph, id: Id| graph.is_zero(id) || analyze::identity(graph, id).is_zero();
     if !analyze::reads(graph, entry).q || !is_total(graph, entry) {
         return entry;
     }

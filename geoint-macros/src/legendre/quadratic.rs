@@ -1,6 +1,6 @@
 //! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
 
-use crate::analyze;
+use crate::analyze::vanishes;
 use crate::ir::{Graph, Id, Ratio, Symbol};
 
 /// A square, and what divides it.
@@ -65,7 +65,6 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
-    let vanishes = |graph: &mut Graph, id| graph.is_zero(id) || analyze::identity(graph, id).is_zero();
     if let Some(k) = order.iter().find(|i| !vanishes(graph, mass[**i][**i])) {
         return Ok(*k);
     }

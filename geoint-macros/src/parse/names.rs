@@ -52,6 +52,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "DiscreteField",
     "DiscreteGradient",
     "FirstIntegrals",
+    "SteadyIntegrals",
     "FlowState",
     "ForceGradient",
     "FourthOrderField",

@@ -13,6 +13,8 @@ pub(crate) struct Watch<'a, S, X> {
     poles: Poles,
     start: X,
     found: Option<Found>,
+    /// The first term that was evaluated where it has no derivative.
+    edge: Option<&'static str>,
 }
 
 /// What a watch has seen first.
@@ -29,7 +31,7 @@ type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Phase, C, S::Action>) -> Self {
-        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None }
+        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None, edge: None }
     }
 }
 
@@ -40,6 +42,7 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
             let (t0, z0, s0) = &self.start;
             let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
             self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
+            self.edge = self.edge.or_else(|| self.system.edge(t, z, s));
         }
     }
 
@@ -56,6 +59,10 @@ impl<S, X> Watch<'_, S, X> {
     pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
         match refusal {
             Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
+            // A step may end at an edge: that explains nothing but numbers that are none.
+            None | Some(Refusal::NotConverged { .. } | Refusal::Singular) => {
+                self.found.or(self.edge.map(Found::OutsideDomain))
+            }
             _ => self.found,
         }
     }

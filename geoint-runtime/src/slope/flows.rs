@@ -1,6 +1,6 @@
 //! What exact flows are made of: functions that are smooth where a coefficient goes through zero.
 
-use super::{either, factorial, polynomial, series, tiny};
+use super::{by_halves, either, factorial, polynomial, series, tiny};
 use crate::scalar::Real;
 
 /// φ₁(x) = (eˣ − 1)/x.
@@ -46,7 +46,7 @@ pub fn phi_1_derivative<R: Real>(x: R) -> R {
 /// c₀(x) = cos √x, cosh √−x for x < 0. K. Stumpff, *Himmelsmechanik* I (1959), §40.
 #[inline(always)]
 pub fn stumpff_c0<R: Real>(x: R) -> R {
-    let small = |x: R| polynomial(-x, series!(9, |k| 1.0 / factorial(2 * k)));
+    let small = |x: R| by_halves(-x, series!(9, |k| 1.0 / factorial(2 * k)));
     let large = || sided(x, |root| root.cos(), |root| root.cosh());
     either(x, 1.0, small, large)
 }
@@ -54,7 +54,7 @@ pub fn stumpff_c0<R: Real>(x: R) -> R {
 /// c₁(x) = sin √x/√x, sinh √−x/√−x for x < 0.
 #[inline(always)]
 pub fn stumpff_c1<R: Real>(x: R) -> R {
-    let small = |x: R| polynomial(-x, series!(9, |k| 1.0 / factorial(2 * k + 1)));
+    let small = |x: R| by_halves(-x, series!(9, |k| 1.0 / factorial(2 * k + 1)));
     let large = || sided(x, |root| root.sin() / root, |root| root.sinh() / root);
     either(x, 1.0, small, large)
 }

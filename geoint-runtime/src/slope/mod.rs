@@ -61,6 +61,19 @@ fn polynomial<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
     sum
 }
 
+/// The same; behind the first coefficient by even and odd powers: half of the operations wait for each other, and what they round is
+/// multiplied by x.
+#[inline(always)]
+fn by_halves<R: Real, const N: usize>(x: R, c: &[f64; N]) -> R {
+    let (square, mut halves) = (x * x, [R::from_f64(0.0); 2]);
+    for k in (1..N).rev() {
+        let half = &mut halves[k % 2];
+        *half = if k + 2 < N { half.multiply_add(square, R::from_f64(c[k])) } else { R::from_f64(c[k]) };
+    }
+    let [even, odd] = halves;
+    even.multiply_add(x, odd).multiply_add(x, R::from_f64(c[0]))
+}
+
 /// n!, exact for n ≤ 22.
 const fn factorial(n: usize) -> f64 {
     if n == 0 { 1.0 } else { n as f64 * factorial(n - 1) }

@@ -28,25 +28,36 @@ where
     fn gradients(&self, system: &S, x: &S::Phase) -> <Self::Values as Array>::Map<S::Phase>;
 }
 
-/// A field with first integrals: functions I(z) with f·∇I = 0.
+/// A field with first integrals: functions I(z, t) that stay as they are along its flow.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not known to keep anything",
-    label = "this method keeps first integrals, and none was named",
+    label = "this is for what keeps first integrals, and none was named",
     note = "name what the flow keeps: `#[vector_field(keeps(name = expression))]`"
 )]
 pub trait FirstIntegrals<R: Real = f64>: VectorField<R> {
-    /// `()`; see [`Method::Proof`](crate::Method::Proof).
-    type Proof;
     /// One scalar an integral.
     type Values: Array<Real = R>;
     /// What they are called.
     const NAMES: &'static [&'static str];
     /// Their values.
     fn integrals(&self, t: R, z: &Self::Phase) -> Self::Values;
+}
+
+/// First integrals that do not read time, f·∇I = 0: a projection onto the others would need to know the time at both ends of a step.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not known to keep anything",
+    label = "this method keeps first integrals that do not read time, and none was named",
+    note = "name what the flow keeps: `#[vector_field(keeps(name = expression))]`"
+)]
+pub trait SteadyIntegrals<R: Real = f64>: FirstIntegrals<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
+    /// One scalar an integral.
+    type Steady: Array<Real = R>;
     /// Their gradients.
-    fn slopes(&self, t: R, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
+    fn slopes(&self, z: &Self::Phase) -> <Self::Steady as Array>::Map<Self::Phase>;
     /// What they change by from z to z + dz, by divided differences: without cancellation.
-    fn changes(&self, t: R, z: &Self::Phase, dz: &Self::Phase) -> Self::Values;
+    fn changes(&self, z: &Self::Phase, dz: &Self::Phase) -> Self::Steady;
 }
 
 /// A flow that keeps an energy: H, or of a field what it keeps under that name, or keeps first.

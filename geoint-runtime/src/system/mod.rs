@@ -25,7 +25,7 @@ pub use implicit::{
     contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
 };
 pub(crate) use implicit::{Orientation, acceleration, on_one_side, projected, row_scale, tangent, velocity_near};
-pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, SteadyIntegrals};
 pub use jets::Jets;
 pub(crate) use jumps::jump_between;
 pub use lagrangian::{Lagrangian, from_positions};
@@ -55,6 +55,11 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
 
     /// The first function of H, if any, that is not defined at a point, and of which term.
     fn outside_domain(&self, t: R, z: &Self::Phase, s: &Self::Action) -> Option<&'static str>;
+
+    /// The first term of H, if any, that has a value at a point, and no derivative, as √u at u = 0. It is asked for when a step is refused.
+    fn edge(&self, _t: R, _z: &Self::Phase, _s: &Self::Action) -> Option<&'static str> {
+        None
+    }
 
     /// The poles of H: what must not vanish on the way of an implicit step.
     const POLES: &'static [Pole] = &[];

@@ -6,15 +6,19 @@ use crate::space::PerCoordinate;
 
 /// A system as a differential equation: every [`VectorField`] and every [`Contact`] system is one. `S` keeps both apart.
 #[diagnostic::on_unimplemented(
-    message = "steps of `{Self}` cannot adapt",
-    label = "an adaptive run begins with the rates of a system, and those of one with constraints follow from multipliers"
+    message = "the rates of `{Self}` are no functions of its state",
+    label = "explicit methods and adaptive runs need them, and those of a system with constraints follow from multipliers",
+    note = "methods that keep a `constraint`: `Rattle`, `DiscreteGradient`"
 )]
 pub trait Rates<R: Real = f64, S = <Self as PhaseSpace<R>>::Action>: PhaseSpace<R> {
+    /// `()`; see [`Method::Proof`](crate::Method::Proof).
+    type Proof;
     /// z' and s' at a point.
     fn rates(&self, t: R, x: &PerCoordinate<Self::Phase, Self::Action>) -> PerCoordinate<Self::Phase, Self::Action>;
 }
 
 impl<R: Real, F: VectorField<R>> Rates<R, ()> for F {
+    type Proof = F::Proof;
     #[inline(always)]
     fn rates(&self, t: R, x: &PerCoordinate<F::Phase>) -> PerCoordinate<F::Phase> {
         let mut rates = PerCoordinate::zero();
@@ -24,6 +28,7 @@ impl<R: Real, F: VectorField<R>> Rates<R, ()> for F {
 }
 
 impl<R: Real, F: Contact<R>> Rates<R, R> for F {
+    type Proof = F::Proof;
     #[inline(always)]
     fn rates(&self, t: R, x: &PerCoordinate<F::Phase, R>) -> PerCoordinate<F::Phase, R> {
         let mut rates = PerCoordinate::zero();

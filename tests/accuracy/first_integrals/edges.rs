@@ -28,6 +28,23 @@ fn sleeping_tops_are_followed() {
     assert_eq!(sim.state().x, start.x);
 }
 
+/// Near a permanent rotation both gradients of a free body agree; a projection follows it all the same, also where it is not stable.
+#[test]
+fn projections_near_permanent_rotations() {
+    let body = EulerTop { a: 1.0, b: 2.0, c: 3.0 };
+    for distance in [1e-3, 1e-6, 1e-8, 1e-10, 1e-15, 0.0] {
+        let start = FlowState::new([distance, 1.0, 0.0]);
+        let before = body.integrals(0.0, &start.x);
+        let mut sim = body.integrator(Projection(RK4, Integrals), 0.1, start);
+        for _ in 0..100 {
+            sim.step().unwrap_or_else(|error| panic!("at {distance:e}: {error}"));
+            let after = body.integrals(0.0, &sim.state().x);
+            assert!(after.iter().zip(before).all(|(a, b)| (a - b).abs() < 4e-15), "at {distance:e}: {after:?}");
+        }
+        assert!(distance > 1e-4 || (sim.state().x[1] - 1.0).abs() < 1e-3, "{:?}", sim.state());
+    }
+}
+
 /// Near the equilibrium of Lotka and Volterra the gradient vanishes; what is left is followed, and stays as far away as it began.
 #[test]
 fn gradients_that_vanish_are_no_failure() {
@@ -105,4 +122,45 @@ fn poles_of_a_structure_are_watched() {
     let energy = sim.energy();
     sim.advance(1000).unwrap_or_else(|error| panic!("{error}"));
     assert!((sim.energy() - energy).abs() < 2e-15);
+}
+
+/// The distance from a centre, which has no derivative there.
+#[vector_field(keeps(distance = (x[0] * x[0] + m * x[1] * x[1]).sqrt()))]
+fn around(x: [f64; 2], m: f64) -> [f64; 2] {
+    [-m * x[1], x[0]]
+}
+
+/// As a factor it has one, which its formula does not know.
+#[vector_field(keeps(square = x[0] * x[0] + x[1] * x[1]))]
+fn faster_outside(x: [f64; 2], m: f64) -> [f64; 2] {
+    let r = (x[0] * x[0] + x[1] * x[1]).sqrt();
+    [-m * r * x[1], m * r * x[0]]
+}
+
+#[hamiltonian]
+fn cone(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) + (q[0] * q[0] + q[1] * q[1]).sqrt()
+}
+
+/// A step that needs a derivative where there is none names the term.
+#[test]
+fn edges_of_derivatives_are_named() {
+    fn refused<S: PhaseSpace, M: Method<S>>(system: S, method: M, start: S::State, elsewhere: S::State) {
+        let mut sim = Integrator::new(system, method, 0.1, start);
+        let Err(StepError::OutsideDomain { what, .. }) = sim.step() else { panic!("{}", method.name()) };
+        assert!(what.starts_with("a derivative that is not a number: ") && what.contains("[0]² + "), "{what}");
+        Integrator::new(system, method, 0.1, elsewhere).advance(10).unwrap_or_else(|error| panic!("{error}"));
+    }
+    let [centre, outside] = [0.0, 0.3].map(|x| FlowState::new([x, 0.0]));
+    let system = Around { m: 1.5 };
+    refused(system, DiscreteGradient, centre, outside);
+    refused(system, FourthOrder(DiscreteGradient), centre, outside);
+    refused(system, Projection(RK4, Integrals), centre, outside);
+    refused(FasterOutside { m: 1.5 }, ImplicitMidpoint, centre, outside);
+    let [tip, outside] = [0.0, 0.3].map(|q| State::new([q, 0.0], [0.0, 0.2]));
+    refused(Cone { m: 1.5 }, DiscreteGradient, State::new([0.0; 2], [0.0; 2]), outside);
+    refused(Cone { m: 1.5 }, StormerVerlet, tip, outside);
+    // What needs no derivative of it stays at the centre.
+    let mut sim = system.integrator(ImplicitMidpoint, 0.1, centre);
+    assert!(sim.advance(10).is_ok() && sim.state().x == [0.0; 2]);
 }

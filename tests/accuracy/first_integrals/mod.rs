@@ -11,6 +11,7 @@ mod long;
 mod recovered;
 mod splittings;
 mod systems;
+mod time;
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;

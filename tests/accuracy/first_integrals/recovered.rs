@@ -194,6 +194,19 @@ fn what_is_recovered_stands_beside_what_is_listed() {
     assert!((system.integrals(0.0, &state.x)[1] - (1.7 * 0.34 + 0.2) / 2.0).abs() < 1e-15);
 }
 
+/// A central force in the form of a structure.
+#[hamiltonian(structure = canonical)]
+fn central(x: [f64; 4], m: f64) -> f64 {
+    (x[2] * x[2] + x[3] * x[3]) / (2.0 * m) + (x[0] * x[0] + x[1] * x[1]).powi(2)
+}
+
+/// A momentum that is no Casimir is reported, and no step is projected onto it.
+#[test]
+fn momenta_of_structures_are_reported() {
+    assert!(Central::<f64>::REPORT.contains("- x[0]·x[3] - x[1]·x[2]: constant as well, not listed"));
+    assert_eq!(<Central as FirstIntegrals>::NAMES, ["energy"]);
+}
+
 /// A field of which the second integral alone is named, under a name of its own.
 #[vector_field(keeps(momentum = (a * a * x[0] * x[0] + b * b * x[1] * x[1] + c * c * x[2] * x[2]) / 2.0))]
 fn turning(x: [f64; 3], a: f64, b: f64, c: f64) -> [f64; 3] {

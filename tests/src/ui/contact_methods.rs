@@ -98,7 +98,7 @@ mod contact_nystrom_on_frozen_time {
     }
 }
 
-mod contact_runge_kutta {
+mod contact_projection {
     use geoint_runtime::prelude::*;
 
     #[contact_hamiltonian]
@@ -107,7 +107,7 @@ mod contact_runge_kutta {
     }
 
     fn uses() {
-        let _ = Swing.integrator(RK4, 0.1, ContactState::new(1.0, 0.0, 0.0));
+        let _ = Swing.integrator(Projection(RK4, Energy), 0.1, ContactState::new(1.0, 0.0, 0.0));
     }
 }
 

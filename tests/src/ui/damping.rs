@@ -95,11 +95,6 @@ mod force {
         v * v - q * q
     }
 
-    #[lagrangian(force = -v)]
-    fn with_action(q: f64, v: f64, s: f64) -> f64 {
-        v * v - q * q - 0.1 * s
-    }
-
     #[hamiltonian(force = -v * v.abs())]
     fn kicked(q: f64, p: f64, m: f64) -> f64 {
         p * p / (2.0 * m) + q.powi(4)

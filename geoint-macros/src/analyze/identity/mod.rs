@@ -127,6 +127,19 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
     sum_is_zero(graph, &[root])
 }
 
+/// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
+pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
+    let differs = |graph: &Graph| {
+        let symbols = symbols(graph, &[root]);
+        matches!(rounding::shown(graph, &[root], &symbols), Shown::Differs(..))
+    };
+    let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, PRODUCTS) {
+        multiplied::Verdict::Zero => true,
+        _ => matches!(residues::residues(graph, root), residues::Verdict::Zero(_)),
+    };
+    graph.is_zero(root) || !differs(graph) && proven(graph)
+}
+
 /// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
 pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
     let root = graph.sum(terms);

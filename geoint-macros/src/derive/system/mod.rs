@@ -153,8 +153,10 @@ pub(crate) struct Integrals<K = Kernel> {
     /// Whether users call each by its name.
     pub(crate) functions: Vec<bool>,
     pub(crate) values: K,
-    /// Those that are kept, and do not read time.
+    /// Those that are kept.
     pub(crate) constant: Vec<usize>,
+    /// Those of them that do not read time.
+    pub(crate) steady: Vec<usize>,
     /// Which of these stands for the energy.
     pub(crate) energy: Option<usize>,
     /// The gradients of these, one after the other.
@@ -286,6 +288,7 @@ impl<K> Integrals<K> {
             names: self.names,
             functions: self.functions,
             constant: self.constant,
+            steady: self.steady,
             energy: self.energy,
             values: of(self.values),
             slopes: of(self.slopes),

@@ -65,7 +65,8 @@ pub(crate) fn decaying(graph: &mut Graph, given: Given<'_>, lagrangian: Id) -> V
 
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).chain([Symbol::Ds]).collect();
     let [matrix, steps_by] = [&residual, &steps].map(|values| jacobian(graph, values, &unknowns).concat());
-    [residual, steps, matrix, steps_by].concat()
+    let roots = [residual, steps, matrix, steps_by].concat();
+    super::ends::by_slopes(graph, &roots, &given.read(), &increments)
 }
 
 /// p₀·v₀ − L.

@@ -36,7 +36,7 @@ pub(in super::super) fn coordinate_increment(graph: &mut Graph, symbol: Symbol) 
 
 impl Slopes {
     /// The value at the end of the step.
-    pub(super) fn end(&mut self, graph: &mut Graph, id: Id) -> Id {
+    pub(in super::super) fn end(&mut self, graph: &mut Graph, id: Id) -> Id {
         if let Some(increment) = self.affine_increment(graph, id) {
             return graph.add(id, increment);
         }
@@ -67,7 +67,7 @@ impl Slopes {
     }
 
     /// end − start, from the increments of the coordinates: never a difference of two values.
-    pub(super) fn increment(&mut self, graph: &mut Graph, id: Id) -> Id {
+    pub(in super::super) fn increment(&mut self, graph: &mut Graph, id: Id) -> Id {
         if let Some(increment) = self.affine_increment(graph, id).or_else(|| self.increments.get(&id).copied()) {
             return increment;
         }
@@ -93,7 +93,7 @@ impl Slopes {
     }
 
     /// Whether a node has the same value at both ends.
-    pub(super) fn is_constant(&mut self, graph: &mut Graph, id: Id) -> bool {
+    pub(in super::super) fn is_constant(&mut self, graph: &mut Graph, id: Id) -> bool {
         self.affine_increment(graph, id).is_some_and(|increment| graph.is_zero(increment))
     }
 

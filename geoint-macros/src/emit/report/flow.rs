@@ -225,31 +225,31 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
     if flow.kept.is_empty() {
         return Ok(());
     }
-    let list = |assumed: bool| {
-        let those = flow.kept.iter().filter(|named| (named.origin == Origin::Assumed) == assumed);
-        those.map(|named| named.name.as_str()).collect::<Vec<&str>>().join(", ")
+    let list = |origin: fn(Origin) -> bool, changes: bool| {
+        let belongs = |named: &&Named| origin(named.origin) && named.conserved.but.is_some() == changes;
+        flow.kept.iter().filter(belongs).map(|named| named.name.as_str()).collect::<Vec<&str>>().join(", ")
     };
-    let (names, assumed) = (list(false), list(true));
+    let names = list(|origin| origin != Origin::Assumed, false);
     match flow.form {
         Form::Field => {
-            let methods = "`DiscreteGradient` and `FourthOrder`";
-            if !names.is_empty() {
-                writeln!(text, "- {methods} keep {names}, to rounding")?;
-            }
-            if !assumed.is_empty() {
-                writeln!(
-                    text,
-                    "- {methods} stay where they start on levels of {assumed}, which the flow is assumed to do"
-                )?;
-            }
-            Ok(())
+            let of = "`DiscreteGradient` and `FourthOrder`";
+            let (assumed, changed) = (list(|origin| origin == Origin::Assumed, false), list(|_| true, true));
+            let lines = [
+                (&names, format!("{of} keep {names}, to rounding")),
+                (
+                    &assumed,
+                    format!("{of} stay where they start on levels of {assumed}, which the flow is assumed to do"),
+                ),
+                (&changed, format!("steps of {of} change {changed} by h times the mean of b·∇I, to rounding")),
+            ];
+            lines.iter().filter(|(names, _)| !names.is_empty()).try_for_each(|(_, line)| writeln!(text, "- {line}"))
         }
         _ if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
             writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
         }
         _ => writeln!(
             text,
-            "- `DiscreteGradient` keeps the energy to rounding, and every C of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
+            "- `DiscreteGradient` keeps the energy to rounding, and every C(x) of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
         ),
     }
 }

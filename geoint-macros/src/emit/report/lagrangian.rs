@@ -65,7 +65,9 @@ fn sections<F: Fn(Symbol) -> String>(
         writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
     }
     if legendre.momenta.iter().any(|momentum| analyze::reads(graph, *momentum).s) {
-        writeln!(text, "- momenta read the action: kick and drift do not exist, contact Gauss methods do")?;
+        let forced = context.energy.options.force.is_some() || context.energy.options.rayleigh.is_some();
+        let others = if forced { "" } else { ", contact Gauss methods do" };
+        writeln!(text, "- momenta read the action: kick and drift do not exist{others}")?;
     }
     if let Some(rate) = legendre.friction {
         let rate = printer.excerpt(rate);

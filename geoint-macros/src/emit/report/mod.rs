@@ -4,6 +4,7 @@ mod bodies;
 mod canonical;
 mod constraints;
 mod contact;
+mod forced;
 mod pieces;
 mod field;
 mod flow;
@@ -15,6 +16,7 @@ pub(crate) use canonical::canonical;
 pub(crate) use constraints::constraints;
 pub(crate) use contact::contact;
 pub(crate) use flow::{OfField, Source, flow};
+pub(crate) use forced::forced;
 pub(crate) use lagrangian::{herglotz, lagrangian, velocities};
 
 /// How much something costs.

@@ -31,7 +31,11 @@ fn friction_is_least_at_rest() {
             v * v / 2.0 + q.cos() - c * s
         }
     );
-    assert!(message(quote!(rayleigh = c * v * v), herglotz).contains("leave `rayleigh` out"));
+    // With an action it leaves rates alone, but has to be friction all the same.
+    let flawed = message(quote!(rayleigh = -v * v), herglotz.clone());
+    assert!(flawed.contains("takes energy away"), "{flawed}");
+    let required = message(quote!(rayleigh = c * v * v, require(quadratic_kinetic)), herglotz);
+    assert!(required.contains("leaves no contact map"), "{required}");
 }
 
 /// Who asks for something in vain hears which term is in the way.

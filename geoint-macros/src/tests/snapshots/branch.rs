@@ -72,16 +72,16 @@ const _: () = {
         ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
         contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
-        Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
-        Inverted, Jets, LagrangianSystem, Mean, MechanicalContact, Method,
-        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
-        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
-        TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
-        VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
-        unmet, velocity_of,
+        FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
+        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
+        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
+        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
+        VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
+        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
+        recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -158,6 +158,25 @@ const _: () = {
             s: &(),
         ) -> ::core::option::Option<&'static str> {
             let [q, p] = z;
+            ::core::option::Option::None
+        }
+        fn edge(
+            &self,
+            t: R,
+            z: &[[R; 1]; 2],
+            s: &(),
+        ) -> ::core::option::Option<&'static str> {
+            let [q, p] = z;
+            let (p0, k1, v0, v1);
+            p0 = p[0];
+            k1 = R::from_f64(1.0);
+            v0 = p0 * p0;
+            v1 = k1 + v0;
+            if v1.any_not_positive() {
+                return ::core::option::Option::Some(
+                    "a derivative that is not a number: √(p² + 1)",
+                );
+            }
             ::core::option::Option::None
         }
         const JUMPS: &'static [&'static str] = &[

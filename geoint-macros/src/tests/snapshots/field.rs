@@ -86,16 +86,16 @@ const _: () = {
         ContactPolarised, ContactStage, ContactStages, ContactVelocities, MassForm,
         contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
-        FirstIntegrals, FlowState, ForceGradient, FourthOrderField, Graded, Gradients,
-        Hamiltonian, ImplicitStep, CanonicalEnergy, Integral, Integrator, KeepsEnergy,
-        Inverted, Jets, LagrangianSystem, Mean, MechanicalContact, Method,
-        ModifiedEnergy, NystromPieces, PerCoordinate, PerturbedGradient, PerturbedSystem,
-        PhaseSpace, PieceClock, PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real,
-        TaylorIntegrator, TaylorMethod, Separable, Snapshot, Square, State,
-        VelocityEnergy, StepError, Unmet, VelocityForm, canonical_rate, energy_of,
-        from_positions, fourth_order, is_positive_semidefinite, modified_verlet,
-        gradient_kick, planar_step, rate_of, recurrence, slope, state_on_constraint,
-        unmet, velocity_of,
+        FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
+        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
+        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
+        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
+        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
+        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
+        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
+        VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
+        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
+        recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -210,7 +210,6 @@ const _: () = {
         }
     }
     impl<R: Real> FirstIntegrals<R> for Turning<R> {
-        type Proof = ();
         type Values = [R; 1];
         const NAMES: &'static [&'static str] = &["radius"];
         #[inline]
@@ -218,8 +217,12 @@ const _: () = {
             let all = NamedFunctions::values(self, t, z);
             [all[0]]
         }
+    }
+    impl<R: Real> SteadyIntegrals<R> for Turning<R> {
+        type Proof = ();
+        type Steady = [R; 1];
         #[inline]
-        fn slopes(&self, t: R, z: &[R; 2]) -> [[R; 2]; 1] {
+        fn slopes(&self, z: &[R; 2]) -> [[R; 2]; 1] {
             let q = z;
             let mut slopes = [<[R; 2] as Array>::zero(); 1];
             let (k0, q0, q1, v0, v1);
@@ -233,7 +236,7 @@ const _: () = {
             slopes
         }
         #[inline]
-        fn changes(&self, t: R, z: &[R; 2], dz: &[R; 2]) -> [R; 1] {
+        fn changes(&self, z: &[R; 2], dz: &[R; 2]) -> [R; 1] {
             let q = z;
             let (k0, q0, dq0, q1, dq1, v0, v1, v2, v3);
             k0 = R::from_f64(2.0);
@@ -253,7 +256,7 @@ const _: () = {
         type Kept = Integral<0>;
         #[inline]
         fn kept_energy(&self, t: R, z: &[R; 2]) -> R {
-            FirstIntegrals::integrals(self, t, z)[0]
+            NamedFunctions::values(self, t, z)[0]
         }
     }
     impl<R: Real> FlowPieces<PoissonSplitting, R> for Turning<R> {

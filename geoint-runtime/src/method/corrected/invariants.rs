@@ -6,7 +6,7 @@ use crate::space::Array;
 use crate::space::vector::{dot, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
 use crate::system::{
-    DiscreteField, FirstIntegrals, Hamiltonian, KeepsEnergy, VectorField, VelocityForm, energy_of, velocity_of,
+    DiscreteField, Hamiltonian, KeepsEnergy, SteadyIntegrals, VectorField, VelocityForm, energy_of, velocity_of,
 };
 
 /// H itself.
@@ -90,45 +90,45 @@ impl<S: VelocityForm<R> + VectorField<R>, R: Real> Invariants<S, R> for Velocity
     }
 }
 
-/// One of the first integrals of a system.
+/// One of the first integrals of a system that do not read time.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Integral<const INDEX: usize>;
 
-impl<S: FirstIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for Integral<INDEX> {
+impl<S: SteadyIntegrals<R>, R: Real, const INDEX: usize> Invariants<S, R> for Integral<INDEX> {
     type Values = R;
     const KEEP_ENERGY: bool = true;
 
     #[inline]
     fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> R {
-        system.changes(zero(), z, dz).as_slice()[INDEX]
+        system.changes(z, dz).as_slice()[INDEX]
     }
 
     #[inline]
     fn gradients(&self, system: &S, z: &S::Phase) -> S::Phase {
-        S::Values::entries_of(&system.slopes(zero(), z))[INDEX]
+        S::Steady::entries_of(&system.slopes(z))[INDEX]
     }
 }
 
-/// All first integrals that a system was proven to keep.
+/// All first integrals that a system was proven to keep and that do not read time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Integrals;
 
-impl<S: FirstIntegrals<R>, R: Real> Invariants<S, R> for Integrals
+impl<S: SteadyIntegrals<R>, R: Real> Invariants<S, R> for Integrals
 where
-    <S as FirstIntegrals<R>>::Proof: And<S::Values, Both = S::Values>,
+    <S as SteadyIntegrals<R>>::Proof: And<S::Steady, Both = S::Steady>,
 {
-    type Values = S::Values;
+    type Values = S::Steady;
     const KEEP_ENERGY: bool = true;
 
     #[inline]
-    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> S::Values {
-        system.changes(zero(), x, d)
+    fn changes(&self, system: &S, x: &S::Phase, d: &S::Phase) -> S::Steady {
+        system.changes(x, d)
     }
 
     #[inline]
-    fn gradients(&self, system: &S, x: &S::Phase) -> <S::Values as Array>::Map<S::Phase> {
-        system.slopes(zero(), x)
+    fn gradients(&self, system: &S, x: &S::Phase) -> <S::Steady as Array>::Map<S::Phase> {
+        system.slopes(x)
     }
 }
 

@@ -3,10 +3,10 @@
 use super::Memory;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
-use crate::scalar::Real;
+use crate::scalar::{Real, zero};
+use crate::solving::noise;
 use crate::solving::rounding::correct;
-use crate::solving::size::{Sizes, largest};
-use crate::solving::{linear, noise};
+use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, sum};
 use crate::space::{Array, Compensated, Square, Summation};
 use crate::system::{Poles, VectorField};
@@ -14,7 +14,8 @@ use core::cell::Cell;
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
-/// The order of the method; invariants are kept to rounding as long as their gradients are linearly independent. Neither
+/// The order of the method; invariants are kept to rounding; where gradients depend on each other, those
+/// that say nothing new take no part. Neither
 /// symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
 /// shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
 /// units in which q and p are given, and a coordinate that has always been zero stays zero.
@@ -82,6 +83,8 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
             *terms = sizes.normalise(direction);
         }
+        // Simplified Newton for the multipliers: at y, with the gradients that are there already.
+        let triangle = orthonormalise::<I::Values, S::Phase>(directions);
         let back = |multipliers: &I::Values| {
             let mut back = S::Phase::zero();
             for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
@@ -90,9 +93,6 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
             sizes.multiply(&mut back);
             back
         };
-        // Simplified Newton for the multipliers: at y, with the gradients that are there already.
-        let mut matrix = I::Values::fill(I::Values::zero());
-        fill::<I::Values>(&mut matrix, |i, j| dot(&directions[i], &directions[j]));
         // The increments at whose end conditions of the energy were decided last.
         let decided = Cell::new(moved);
         let residual = |multipliers: &I::Values| {
@@ -110,17 +110,19 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let is_noise = |multipliers: &I::Values, delta: &I::Values, _: f64, farther: f64| {
             let units = Sizes::equal();
             !jumps && {
+                let correction = |at: &I::Values| {
+                    let mut delta = residual(at);
+                    along(&triangle, &mut delta);
+                    delta
+                };
                 let kinds = [I::Values::LEN, 1];
-                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(residual(at)));
-                noise::explains(&noise, &residual(multipliers), &units)
+                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
+                noise::explains(&noise, &correction(multipliers), &units)
             }
         };
         let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
             let mut delta = residual(multipliers);
-            let relative = largest(delta.as_slice().iter().map(|x| x.magnitude()));
-            if relative > 0.0 && linear::solve(&mut matrix.clone(), &mut delta, &Sizes::equal()).is_none() {
-                return Err(Refusal::Singular);
-            }
+            let relative = along(&triangle, &mut delta);
             Ok((delta, relative))
         })?;
         x.correct(sums, &before, &moved, &back(&multipliers));
@@ -131,11 +133,49 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 }
 
-/// Writes a matrix entry by entry.
-fn fill<A: Array>(matrix: &mut Square<A>, entry: impl Fn(usize, usize) -> A::Real) {
-    for (i, row) in A::entries::<A>(matrix).iter_mut().enumerate() {
-        for (j, x) in row.as_mut_slice().iter_mut().enumerate() {
-            *x = entry(i, j);
+/// Makes directions orthonormal, by Gram's and Schmidt's method, each twice; the triangle that takes them back to what they were.
+///
+/// Directions that agree to √ε with those before them are zero then, and so are their rows: the functions that they are gradients of differ by
+/// less than rounding from functions of the others.
+fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> Square<A> {
+    let mut triangle = A::fill(A::zero());
+    for (i, row) in A::entries::<A>(&mut triangle).iter_mut().enumerate() {
+        let (before, rest) = directions.split_at_mut(i);
+        let direction = &mut rest[0];
+        let length = dot(direction, direction).sqrt();
+        let row = row.as_mut_slice();
+        for (j, other) in before.iter().enumerate().chain(before.iter().enumerate()) {
+            let part = dot(direction, other);
+            row[j] += part;
+            direction.add_scaled(-part, other);
         }
+        let left = dot(direction, direction).sqrt();
+        // What is not a number stays so.
+        let agrees = left.magnitude() <= length.magnitude() * A::Real::epsilon().sqrt();
+        for x in direction.as_mut_slice() {
+            *x = if agrees { zero() } else { *x / left };
+        }
+        row[i] = if agrees { zero() } else { left };
     }
+    triangle
+}
+
+/// From changes of functions to multipliers of orthonormal directions; the largest change of those that have a direction.
+fn along<A: Array>(triangle: &Square<A>, changes: &mut A) -> f64 {
+    let mut greatest = 0.0_f64;
+    for (i, row) in A::entries_of::<A>(triangle).iter().enumerate() {
+        let (row, changes) = (row.as_slice(), changes.as_mut_slice());
+        if row[i].magnitude() == 0.0 {
+            changes[i] = zero();
+            continue;
+        }
+        // Not `max`: that would lose what is not a number.
+        let change = changes[i].magnitude();
+        greatest = if change <= greatest { greatest } else { change };
+        for j in 0..i {
+            changes[i] -= row[j] * changes[j];
+        }
+        changes[i] /= row[i];
+    }
+    greatest
 }

@@ -2,9 +2,8 @@
 
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Array;
-use crate::space::Summation;
-use crate::system::VectorField;
+use crate::space::{PerCoordinate, Summation};
+use crate::system::Rates;
 
 /// x₁ = x₀ + h x'(x₀). Order 1, for every H; keeps nothing: an oscillation gains energy with every step.
 ///
@@ -12,7 +11,7 @@ use crate::system::VectorField;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ExplicitEuler;
 
-impl<S: VectorField<R>, R: Real> Method<S, R> for ExplicitEuler {
+impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
     type Proof = S::Proof;
     /// h.
     type Prepared = R;
@@ -45,11 +44,10 @@ impl<S: VectorField<R>, R: Real> Method<S, R> for ExplicitEuler {
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        probe.visit(t, &x.z, &());
-        let (mut rate, mut dz) = (S::Phase::zero(), S::Phase::zero());
-        system.rate(t, &x.z, &mut rate);
-        dz.add_scaled(*h, &rate);
-        x.add(&dz);
+        probe.visit(t, &x.z, &x.s);
+        let mut increment = system.rates(t, &PerCoordinate { z: x.z, s: x.s });
+        increment.times(*h);
+        x.add_everywhere(&increment);
         Ok(())
     }
 }

@@ -10,9 +10,8 @@ use crate::method::explicit::tableau::Tableau;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Array;
-use crate::space::Summation;
-use crate::system::VectorField;
+use crate::space::{PerCoordinate, Summation};
+use crate::system::Rates;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
 ///
@@ -195,7 +194,7 @@ pub struct Prepared<R, const K: usize> {
     c: [R; K],
 }
 
-impl<S: VectorField<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
+impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     type Proof = S::Proof;
     type Prepared = Prepared<R, K>;
     type Memory = ();
@@ -229,9 +228,9 @@ impl<S: VectorField<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
         (): &mut (),
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let none = S::Phase::zero();
+        let none = PerCoordinate::zero();
         let mut rates = [none; K];
-        let sum = |weights: &[R], rates: &[S::Phase]| {
+        let sum = |weights: &[R], rates: &[PerCoordinate<S::Phase, S::Action>]| {
             let mut sum = none;
             for (w, rate) in weights.iter().zip(rates) {
                 sum.add_scaled(*w, rate);
@@ -239,12 +238,12 @@ impl<S: VectorField<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> 
             sum
         };
         for i in 0..K {
-            let mut z = x.z;
-            z.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates));
-            probe.visit(t + c[i], &z, &());
-            system.rate(t + c[i], &z, &mut rates[i]);
+            let mut stage = PerCoordinate { z: x.z, s: x.s };
+            stage.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates));
+            probe.visit(t + c[i], &stage.z, &stage.s);
+            rates[i] = system.rates(t + c[i], &stage);
         }
-        x.add(&sum(b, &rates));
+        x.add_everywhere(&sum(b, &rates));
         Ok(())
     }
 }

@@ -146,7 +146,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         self.steps.system.hamiltonian(self.time(), &self.steps.seen().z, &self.action())
     }
 
-    /// The first integrals now, in the order in which they were named.
+    /// The first integrals now, in the order in which they were named, and then those that were found.
     pub fn integrals(&self) -> S::Values
     where
         S: FirstIntegrals<R>,

@@ -58,8 +58,9 @@ pub struct ByPolarisation;
 /// A contact system whose steps of Gauss collocation can be solved for: momenta are followed.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no contact Gauss methods",
-    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
-    note = "methods for a lift: `ContactSplitting` and its compositions"
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`, nor with `rayleigh` or `force` beside an action",
+    note = "methods for a lift: `ContactSplitting` and its compositions",
+    note = "methods with forces beside an action: `DOP853`, `RK4`, and Taylor series by `system.taylor`"
 )]
 pub trait ContactCollocated<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
@@ -73,8 +74,9 @@ pub trait ContactCollocated<R: Real = f64>: Contact<R> {
 /// A contact system whose energy has a discrete gradient.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no discrete gradient of a contact system",
-    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`",
-    note = "methods for a lift: `ContactSplitting` and its compositions"
+    label = "this method is for contact Hamiltonians whose momenta are followed: not for a `lift`, nor with `rayleigh` or `force` beside an action",
+    note = "methods for a lift: `ContactSplitting` and its compositions",
+    note = "methods with forces beside an action: `DOP853`, `RK4`, and Taylor series by `system.taylor`"
 )]
 pub trait ContactGraded<R: Real = f64>: Contact<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).

@@ -37,6 +37,8 @@ const SENTENCES: &[(&str, &str)] = &[
     // Constraints.
     ("a state starts with g = 0", "tests/constraints::a_state_off_a_constraint_is_named"),
     ("momenta as unknowns", "tests/constraints::rattle"),
+    ("no step is a contact map", "tests/lagrangian::forces_read_the_action"),
+    ("F has a potential", "tests/lagrangian::forces_add_to_an_action"),
     // Contact systems.
     ("exact in time", "tests/contact::orders"),
     ("T + g·s + V", "tests/contact::forms"),
@@ -148,6 +150,9 @@ pub(crate) fn section(page: &mut Page) {
             let proven = SENTENCES.iter().any(|(words, _)| said.contains(words));
             page.claim(!sentence || proven, format_args!("“{said}”, of {path}, has no test"));
         }
+    }
+    for name in sources::missing("tests/STATEMENTS.md") {
+        page.claim(false, format_args!("{name}, of tests/STATEMENTS.md, is not there"));
     }
     flows(page);
 }

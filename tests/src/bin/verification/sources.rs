@@ -31,6 +31,14 @@ pub(crate) fn below(folder: &str) -> Vec<String> {
     found
 }
 
+/// Whether all that a page names in backticks as a test, or as a file, is there: `folder::test`, `folder/file.rs`.
+pub(crate) fn missing(page: &str) -> Vec<String> {
+    let text = read(page);
+    let named = text.split('`').skip(1).step_by(2).filter(|name| name.contains('/'));
+    let there = |name: &str| if name.contains("::") { is_test(name) } else { root().join(name).is_file() };
+    named.filter(|name| !there(name)).map(ToOwned::to_owned).collect()
+}
+
 /// Whether `folder::test` names a function in a file below a folder.
 pub(crate) fn is_test(place: &str) -> bool {
     let Some((folder, test)) = place.rsplit_once("::") else { return false };

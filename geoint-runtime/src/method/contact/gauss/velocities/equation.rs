@@ -176,6 +176,16 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                 Factors::new::<true>(coupling, &decay).unwrap_or_else(Factors::unknown)
             }
         };
+        // −∂σ/∂v: how the velocities of stages move the decay at each.
+        let mut decays = [[Y::Array::zero(); S]; S];
+        for m in 0..if varying::<Y, R>() { S } else { 0 } {
+            for k in 0..S {
+                decays[m][k] = scaled(coupling[m][k], &stages[m].by_action[1]);
+                if m == k {
+                    decays[m][k].add_scaled(one, &stages[m].by_action[0]);
+                }
+            }
+        }
         let rows = <[Y::Moved; S]>::entries::<[Y::Moved; S]>(matrix);
         let mut residuals = [Y::Moved::zero(); S];
         for (i, residual) in residuals.iter_mut().enumerate() {
@@ -195,6 +205,14 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                     value = (-(coupling[i][j] * r[j])).multiply_add(stages[j].force.as_slice()[row], value);
                 }
                 residual.as_mut_slice()[row] = scale * value;
+                let by_decay_of: [R; S] = core::array::from_fn(|m| {
+                    let mut by = p * by_decay[i][m];
+                    for j in 0..S {
+                        let f = stages[j].force.as_slice()[row];
+                        by = (-(coupling[i][j] * by_decay[j][m])).multiply_add(f, by);
+                    }
+                    by
+                });
                 for k in 0..S {
                     let mut by_v = if i == k { scaled(r[i], &mass) } else { Y::Array::zero() };
                     by_v.add_scaled(coupling[i][k] * r[i], &entry(&stages[i], MOMENTUM_BY_Q));
@@ -208,19 +226,11 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                         if i == k {
                             by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
                         }
-                        // What σ of the stage m does by all factors.
+                        // What σ of all stages does by all factors.
                         for m in 0..S {
-                            let mut by = p * by_decay[i][m];
-                            for j in 0..S {
-                                let f = stages[j].force.as_slice()[row];
-                                by = (-(coupling[i][j] * by_decay[j][m])).multiply_add(f, by);
-                            }
-                            by_v.add_scaled(-(by * coupling[m][k]), &stages[m].by_action[1]);
-                            if m == k {
-                                by_v.add_scaled(-by, &stages[m].by_action[0]);
-                                by_s = by.multiply_add(stages[m].decay_by_action, by_s);
-                            }
+                            by_v.add_scaled(-by_decay_of[m], &decays[m][k]);
                         }
+                        by_s = by_decay_of[k].multiply_add(stages[k].decay_by_action, by_s);
                     }
                     rows[i * length + row][k] = self.together(&scaled(scale, &by_v), scale * by_s);
                 }
