@@ -109,9 +109,14 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let is_noise = |multipliers: &I::Values, delta: &I::Values, _: f64, farther: f64| {
             let units = Sizes::equal();
             !jumps && {
+                let correction = |at: &I::Values| {
+                    let mut delta = residual(at);
+                    along(&triangle, &mut delta);
+                    delta
+                };
                 let kinds = [I::Values::LEN, 1];
-                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(residual(at)));
-                noise::explains(&noise, &residual(multipliers), &units)
+                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
+                noise::explains(&noise, &correction(multipliers), &units)
             }
         };
         let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
