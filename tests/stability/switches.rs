@@ -25,6 +25,9 @@ energies! {
     // These do not jump.
     bent(q, p) if q < 0.0 { q * q } else { 0.5 * q } => Bent;
     spring(q, p) if q > 0.0 { 2.0 * q * q } else { 0.5 * q * q } => Spring;
+    three_kinks(q, p) (q - 0.2).abs() + 0.5 * (q + 0.1).abs() + 0.7 * (q - 0.4).max(0.0) => ThreeKinks;
+    // This one does.
+    jump_and_kink(q, p) (q - 0.2).signum() * q + 0.5 * q.max(0.1) => JumpAndKink;
 }
 
 // The last one is at rest, exactly at a kink.
@@ -100,4 +103,43 @@ fn the_energy_is_kept_across_a_switch() {
         check(Bent { m }, m, true);
         check(Spring { m }, m, true);
     }
+}
+
+/// Where an iteration goes from side to side of a jump it has no solution, however many others are near: what jumps is not taken for
+/// rounding.
+#[test]
+fn jumps_are_no_rounding() {
+    // Each was taken, with an error of 1e-3 to 0.2 in the energy.
+    let starts = [
+        (-0.7098436037139653, 0.8889953838868171),
+        (-0.22561210646640695, 0.5765589928454418),
+        (-0.3584680296066671, 0.09441012627953915),
+        (0.2706822120892436, -0.9928532218481347),
+        (0.07881845409631882, -0.5034736742325647),
+        (-0.7215320890640515, -0.4832874672031866),
+        (-0.9061356566472132, 0.8150098492517137),
+        (0.6683098163242362, 0.8295365974591673),
+        (-0.8110975934743747, 0.8682373154441223),
+    ];
+    fn check<S: DiscreteField + Autonomous<Coordinates = f64>>(system: S, starts: &[(f64, f64)]) {
+        fn runs<S: Hamiltonian<Coordinates = f64>, M: Method<S>>(system: S, method: M, starts: &[(f64, f64)]) {
+            for (q, p) in starts {
+                for h in [0.05, 0.2, 0.7, -0.3] {
+                    let mut sim = system.integrator(method, h, State::new(*q, *p));
+                    let energy = sim.energy();
+                    while sim.steps() < 40 && sim.step().is_ok() {
+                        let error = (sim.energy() - energy).abs();
+                        assert!(error < 1e-12, "{}: {error:.1e}, h = {h} from {q}, {p}", method.name());
+                    }
+                }
+            }
+        }
+        runs(system, DiscreteGradient, starts);
+        runs(system, FourthOrder(DiscreteGradient), starts);
+        runs(system, Gonzalez, starts);
+        runs(system, ItohAbePair, starts);
+    }
+    check(ThreeKinks { m: 0.7 }, &starts);
+    check(JumpAndKink { m: 1.0 }, &starts);
+    check(JumpAndKink { m: 1.3 }, &starts);
 }

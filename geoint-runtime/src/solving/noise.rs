@@ -12,8 +12,8 @@ use crate::space::Array;
 /// Points on a line at which the residual is evaluated.
 const POINTS: usize = 16;
 
-/// Places for a spread and for differences of lower orders.
-const SPARE: usize = 1 + LOWER_DEVIATIONS.len();
+/// Places for a spread, two deviations, and for differences of lower orders.
+const SPARE: usize = 3 + LOWER_DEVIATIONS.len();
 
 /// The order of the differences, and the standard deviation of one for noise of 1: (8 choose 4)½.
 const ORDER: usize = 4;
@@ -133,6 +133,9 @@ impl<R: Real> Memory<'_, R> {
         let n = noise.len();
         let (differences, spare) = values.split_at_mut(POINTS * n);
         let (spread, lower) = spare.split_at_mut(n);
+        let (least, lower) = lower.split_at_mut(n);
+        let (before, lower) = lower.split_at_mut(n);
+        before.fill(R::from_f64(f64::INFINITY));
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
         let mut distance = if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() };
         'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
@@ -147,8 +150,11 @@ impl<R: Real> Memory<'_, R> {
             difference(differences, n);
             for (order, (lower, deviation)) in (2..).zip(lower.chunks_exact_mut(n).zip(LOWER_DEVIATIONS)) {
                 difference(&mut differences[..(POINTS - order + 1) * n], n);
-                for (i, lower) in lower.iter_mut().enumerate() {
-                    *lower = R::from_f64(by_rank(&differences[..(POINTS - order) * n], i, n)[QUARTER] / deviation);
+                for (i, (lower, least)) in lower.iter_mut().zip(&mut *least).enumerate() {
+                    let by_rank = by_rank(&differences[..(POINTS - order) * n], i, n).map(|x| x / deviation);
+                    let median = by_rank[(POINTS - order - 1) / 2] / MEDIAN;
+                    *lower = R::from_f64(by_rank[QUARTER]);
+                    *least = R::from_f64(if order == 2 { median } else { median.min(least.magnitude()) });
                 }
             }
             difference(&mut differences[..(POINTS - ORDER + 1) * n], n);
@@ -157,14 +163,18 @@ impl<R: Real> Memory<'_, R> {
                 let orders = lower.chunks_exact(n);
                 let last = orders.fold(0.0, |last, lower| lower[i].magnitude().max(SMOOTH * last));
                 let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n).map(|x| x / DEVIATION);
-                let deviation = high[HALF] / MEDIAN;
+                // Two jumps are in most of the high differences, and in few of the lower ones.
+                let deviation = (high[HALF] / MEDIAN).min(least[i].magnitude());
                 smooth[i] |= high[MOST] < SMOOTH * last;
                 // Far away other terms are rounded: those that the residual has grown by.
                 let grown = distance > NEAR && deviation <= GROWN * R::epsilon() * spread[i].magnitude();
                 over &= smooth[i] || grown;
                 resolved[i] |= smooth[i] || grown;
-                if !(smooth[i] || grown) && deviation > noise[i].magnitude() {
-                    noise[i] = R::from_f64(deviation);
+                // Rounding is there at the distance before as well; jumps and kinks come into reach at one distance.
+                let seen = deviation.min(before[i].magnitude());
+                before[i] = R::from_f64(deviation);
+                if !(smooth[i] || grown) && seen > noise[i].magnitude() {
+                    noise[i] = R::from_f64(seen);
                 }
             }
             if over {
