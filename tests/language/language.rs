@@ -1,4 +1,6 @@
 //! Everything that a body may say, against the value of the function itself.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
 use geoint_runtime::prelude::*;
 
 #[hamiltonian]

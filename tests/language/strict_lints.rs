@@ -19,6 +19,14 @@
     clippy::pedantic,
     clippy::nursery
 )]
+// These would have the energies themselves written otherwise.
+#![allow(
+    clippy::many_single_char_names,
+    clippy::must_use_candidate,
+    clippy::suboptimal_flops,
+    clippy::imprecise_flops,
+    clippy::default_constructed_unit_structs
+)]
 
 /// Everything is public, everything has a doc.
 pub mod model {
