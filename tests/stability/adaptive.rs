@@ -217,8 +217,10 @@ fn the_edge_of_the_domain_is_approached() {
             panic!("{name}: {error:?}")
         };
         println!("{name}: q = 1 − {:.1e}, h = {h:.1e}", 1.0 - last.q);
-        assert!(what.contains("sqrt"), "{name}: {what}");
-        assert!(error.to_string().contains("sqrt"), "{error}");
+        // Behind the edge, or on it, where the root has no derivative.
+        let named = |text: &str| text.contains("`sqrt`") || text.ends_with("√(-q² + 1)");
+        assert!(named(what), "{name}: {what}");
+        assert!(error.to_string().contains(what), "{error}");
         assert!(h > 0.0 && h < 1e-14 && t == last.t, "{name}: {h:.1e}");
         assert!(last.q <= 1.0 && last.q > 1.0 - 1e-6, "{name}: {}", last.q);
         assert_eq!(sim.state(), last, "{name}");

@@ -1,6 +1,6 @@
 //! The value of a graph to hundreds of digits, by the functions of another crate.
 
-use crate::ir::op::of_steps;
+use crate::ir::of_steps;
 use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;

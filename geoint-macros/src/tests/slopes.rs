@@ -8,8 +8,8 @@ use super::precise::{self, Big, big};
 use super::{Noise, graph_of};
 use crate::diff;
 use crate::ir::eval::eval;
+use crate::ir::of_steps;
 use crate::ir::op::FUNCTIONS;
-use crate::ir::op::of_steps;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 const Q: Symbol = Symbol::Q(0);

@@ -1,7 +1,7 @@
 //! The recurrence of every function: one exhaustive match.
 
 use super::{Builder, Factor, Rule};
-use crate::ir::op::of_steps;
+use crate::ir::of_steps;
 use crate::ir::{Function, Id, Number, Ratio, Relation};
 
 impl Builder<'_> {

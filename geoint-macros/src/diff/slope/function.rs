@@ -2,7 +2,7 @@
 
 use super::ends::Slopes;
 use super::power;
-use crate::ir::op::of_steps;
+use crate::ir::of_steps;
 use crate::ir::{Function, Graph, Id, Number, Ratio};
 use std::f64::consts::{LN_2, LN_10};
 
