@@ -1,5 +1,5 @@
-//! What must hold in every build: long runs and single precision. CI runs these without the standard library too, and optimised with a hundred
-//! thousand steps of every method.
+//! What must hold in every build: long runs and single precision. CI runs these without the standard library too. Optimised
+//! (`cargo test --release --test builds`) every method takes a hundred thousand steps.
 
 mod conservation;
 mod single;
