@@ -50,7 +50,7 @@ pub(super) fn check<const N: usize, S: Closed<N>>(instance: &Instance, system: S
             let (exact, condition) = solved(&system, &x, START, h);
             for i in 0..x.len() {
                 let error = (Double::from(found[i]) - exact[i]).magnitude() / condition[i].max(1e-10);
-                assert!(error.is_finite(), "{name}, h = {h}");
+                assert!(error.is_finite(), "{name}, h = {h}: {found:?}, not {exact:?} from {x:?}");
                 worst = worst.max(error / f64::EPSILON);
             }
             // Derivatives are wrong where the value of a helper is its limit.

@@ -49,6 +49,13 @@ instances! { one_degree_of_freedom, f64, (q p t):
     SquareOfOscillator, "function of a piece" => (p * p + q * q).powi(2) / 4.0;
     RootOfOscillator, "function of a piece" => (1.0 + p * p + 2.0 * q * q).sqrt();
     SineOfProduct, "function of a piece" => (q * p).sin();
+    // Momenta that their own position shifts.
+    OwnShift, "function of a piece" => (p - q * q).powi(2) / 2.0;
+    OwnShiftWithSpring, "change of gauge", "(p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q" =>
+        (p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q;
+    OwnShiftOfAWave, "change of gauge" => (1.0 + (p - q.cos()).powi(2)).sqrt();
+    OwnShiftWrittenOut, "change of gauge" => p * p * 0.6875 - 0.5 * p * q * q + q.powi(4) / 11.0;
+    OwnShiftOfAPower, "change of gauge" => (2.0 * p - q.exp()).powi(4) / 64.0;
 }
 
 instances! { two_degrees_of_freedom, [f64; 2], (q p t):
@@ -76,6 +83,15 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
     Waves, "forms in involution" => (2.0 * q[0] - p[1] + 0.5 * q[1]).cos();
     MonomialOfTwo, "monomial" => 0.5 * q[0].powi(2) * p[0].powi(3) * q[1];
     MonomialOfTwoPairs, "monomial" => 0.25 * q[0].powi(2) * p[0].powi(1) * q[1] * p[1].powi(2);
+    // Fields whose components read their own coordinate: with what these read besides, and gradients.
+    OwnField, "change of gauge", "(p[0] - 0.75 * q[0] * q[1]).powi(2) / 3.0 + q[1].powi(4)" =>
+        (p[0] - 0.75 * q[0] * q[1]).powi(2) / 3.0 + q[1].powi(4);
+    OwnFieldOfWaves, "change of gauge", "(p[0] - 0.75 * (2.0 * q[0]).sin() * q[1].cos()).powi(2) / 3.0 + q[1].powi(3)" =>
+        (p[0] - 0.75 * (2.0 * q[0]).sin() * q[1].cos()).powi(2) / 3.0 + q[1].powi(3);
+    OwnFieldOfBoth, "change of gauge", "(p[0] - q[0] * q[1] * q[1]).powi(2) / 2.0 + (p[1] - q[0] * q[0] * q[1] - q[1].powi(3)).powi(2) / 3.0" =>
+        (p[0] - q[0] * q[1] * q[1]).powi(2) / 2.0 + (p[1] - q[0] * q[0] * q[1] - q[1].powi(3)).powi(2) / 3.0;
+    OwnFieldUniform, "change of gauge", "(p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0" =>
+        (p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0;
     SquareOfSpin, "function of a piece" => (q[0] * p[1] - q[1] * p[0]).powi(2) / 2.0;
     SquareOfLandau, "function of a piece" => (1.0 + p[0] * p[0] + (p[1] - 0.5 * q[0]).powi(2)).sqrt();
 }
@@ -90,4 +106,44 @@ instances! { three_degrees_of_freedom, [f64; 3], (q p t):
     Ramp, "coupled oscillators" => t * (p[0] * q[1] - p[1] * q[0] + 0.5 * p[1] * q[2] + p[2] * p[2] / 2.0);
     SquareOfChain, "function of a piece" =>
         (1.0 + (p[0] + 0.5 * q[1]).powi(2) + (p[1] + 0.5 * q[2]).powi(2) + (p[2] - 0.5 * q[0]).powi(2)).sqrt();
+}
+
+// Motion about a centre: walls 1/y² of one coordinate, with an oscillator, unstable, attractive; of a vector, of two bodies, of two forms in which
+// lengths are measured otherwise; and Kepler's.
+instances! { one_centre, f64, (q p t):
+    Wall, "inverse square", "p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2)" => p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2);
+    WallBehind, "inverse square", "p * p * 0.6875 + 0.4375 / (1.0 - 0.5 * q).powi(2)" => p * p * 0.6875 + 0.4375 / (1.0 - 0.5 * q).powi(2);
+    WallAndSpring, "inverse square", "p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2) + 0.375 * (q + 1.5).powi(2)" =>
+        p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2) + 0.375 * (q + 1.5).powi(2);
+    WallAndHill, "inverse square", "p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2) - 0.375 * (q + 1.5).powi(2)" =>
+        p * p * 0.6875 + 0.4375 / (q + 1.5).powi(2) - 0.375 * (q + 1.5).powi(2);
+    Well, "inverse square", "p * p * 0.6875 - 0.0625 / (q + 1.5).powi(2)" => p * p * 0.6875 - 0.0625 / (q + 1.5).powi(2);
+}
+
+instances! { centres_in_the_plane, [f64; 2], (q p t):
+    Radial, "inverse square", "(p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.4375 / ((q[0] + 1.5).powi(2) + q[1] * q[1])" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.4375 / ((q[0] + 1.5).powi(2) + q[1] * q[1]);
+    RadialWell, "inverse square", "(p[0] * p[0] + p[1] * p[1]) / 3.0 - 0.1875 / ((q[0] + 1.5).powi(2) + q[1] * q[1])" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 - 0.1875 / ((q[0] + 1.5).powi(2) + q[1] * q[1]);
+    Turning, "inverse square", "(p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.4375 / ((q[0] + 1.5).powi(2) + q[1] * q[1]) + 0.75 * ((q[0] + 1.5).powi(2) + q[1] * q[1])" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.4375 / ((q[0] + 1.5).powi(2) + q[1] * q[1]) + 0.75 * ((q[0] + 1.5).powi(2) + q[1] * q[1]);
+    TwoOnALine, "inverse square", "p[0] * p[0] / 3.0 + p[1] * p[1] / 5.0 + 0.75 / (q[0] - q[1] + 2.0).powi(2)" =>
+        p[0] * p[0] / 3.0 + p[1] * p[1] / 5.0 + 0.75 / (q[0] - q[1] + 2.0).powi(2);
+    TwoWalls, "inverse square", "p[0] * p[0] / 3.0 + p[1] * p[1] / 5.0 + 0.75 / (q[0] + 2.0).powi(2) + 0.25 / (q[1] - 1.5).powi(2) + 0.125 * (q[1] - 1.5).powi(2)" =>
+        p[0] * p[0] / 3.0 + p[1] * p[1] / 5.0 + 0.75 / (q[0] + 2.0).powi(2) + 0.25 / (q[1] - 1.5).powi(2) + 0.125 * (q[1] - 1.5).powi(2);
+    Ellipses, "inverse square", "p[0] * p[0] / 3.0 + p[1] * p[1] / 6.0 + 0.75 / ((q[0] + 1.5).powi(2) + 2.0 * q[1] * q[1])" =>
+        p[0] * p[0] / 3.0 + p[1] * p[1] / 6.0 + 0.75 / ((q[0] + 1.5).powi(2) + 2.0 * q[1] * q[1]);
+    Orbit, "Kepler motion", "(p[0] * p[0] + p[1] * p[1]) / 3.0 - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1]).sqrt()" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1]).sqrt();
+    Scattered, "Kepler motion", "(p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.75 / (q[0] + 1.5).hypot(q[1])" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 + 0.75 / (q[0] + 1.5).hypot(q[1]);
+}
+
+instances! { centres_in_space, [f64; 3], (q p t):
+    RadialInSpace, "inverse square", "(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 3.0 + 0.25 / ((q[0] + 1.5).powi(2) + q[1] * q[1] + q[2] * q[2])" =>
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 3.0 + 0.25 / ((q[0] + 1.5).powi(2) + q[1] * q[1] + q[2] * q[2]);
+    OrbitInSpace, "Kepler motion", "(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 3.0 - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1] + (q[2] - 0.5).powi(2)).sqrt()" =>
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]) / 3.0 - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1] + (q[2] - 0.5).powi(2)).sqrt();
+    OrbitBeside, "Kepler motion", "(p[0] * p[0] + p[1] * p[1]) / 3.0 + p[2] * p[2] - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1]).sqrt()" =>
+        (p[0] * p[0] + p[1] * p[1]) / 3.0 + p[2] * p[2] - 0.75 / ((q[0] + 1.5).powi(2) + q[1] * q[1]).sqrt();
 }

@@ -1,5 +1,6 @@
 //! Pieces of canonical energies: every family against its differential equation, methods for them, and what is refused.
 
+mod centres;
 mod check;
 mod flows;
 mod methods;

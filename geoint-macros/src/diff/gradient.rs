@@ -57,6 +57,11 @@ pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
     coordinate_as_time(graph, mean, start)
 }
 
+/// What a node grows by between (q, p) and (q + dq, p + dp), never a difference of two values.
+pub(crate) fn increment(graph: &mut Graph, root: Id) -> Id {
+    slope::Slopes::default().increment(graph, root)
+}
+
 /// A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
 const TIME: u32 = u32::MAX;
 

@@ -16,4 +16,4 @@ mod gradient;
 
 pub(crate) use force_gradient::gradient_kick;
 pub(crate) use forward::jacobian;
-pub(crate) use gradient::{Gradient, discrete_gradient, gradient, mean_rate, partial};
+pub(crate) use gradient::{Gradient, discrete_gradient, gradient, increment, mean_rate, partial};

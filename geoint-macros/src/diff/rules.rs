@@ -207,6 +207,8 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
         | Function::CosineSlope
         | Function::FlowMatrix
         | Function::FlowChange
+        | Function::Spread
+        | Function::Swept
         | Function::KeplerF
         | Function::KeplerG
         | Function::KeplerFRate

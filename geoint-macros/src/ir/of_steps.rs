@@ -37,6 +37,8 @@ macro_rules! of_steps {
             | $crate::ir::Function::CosineSlope
             | $crate::ir::Function::FlowMatrix
             | $crate::ir::Function::FlowChange
+            | $crate::ir::Function::Spread
+            | $crate::ir::Function::Swept
             | $crate::ir::Function::KeplerF
             | $crate::ir::Function::KeplerG
             | $crate::ir::Function::KeplerFRate

@@ -209,6 +209,9 @@ functions! {
     // Of linear flows in more: exp(A) − 1 of a matrix, by its size and its entries with their places, and a row of it times a vector.
     FlowMatrix flow_matrix(size, place, entry) Neither Everywhere => matrix;
     FlowChange flow_change(row, matrix, x) Neither Everywhere => matrix;
+    // Of motion about a centre.
+    Spread spread(x, s, kappa, square, h) Neither Everywhere;
+    Swept swept(x, s, kappa, square, h) Neither Everywhere;
     // The four results of one call.
     KeplerF kepler_f(square, eta, speed, mu, h) Neither Everywhere;
     KeplerG kepler_g(square, eta, speed, mu, h) Neither Everywhere;

@@ -37,7 +37,10 @@ fn every_function_has_its_derivative() {
         entry.name.ends_with("_derivative") && entry.function != Function::AbsSlopeDerivative
             || Function::KEPLER.contains(&entry.function)
             || Function::LINEAR_FLOW.contains(&entry.function)
-            || matches!(entry.function, Function::FlowMatrix | Function::FlowChange)
+            || matches!(
+                entry.function,
+                Function::FlowMatrix | Function::FlowChange | Function::Spread | Function::Swept
+            )
             || entry.function == Function::DecayMean
     };
     for entry in FUNCTIONS.iter().filter(|entry| !once(entry)) {

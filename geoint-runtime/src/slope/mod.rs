@@ -9,6 +9,7 @@
 //! First divided differences are accurate to 3 ε and second ones to 30 ε, relative to their size and to how they change
 //! with the last digits of both ends.
 
+mod central;
 mod circular;
 mod coupled;
 mod exponential;
@@ -19,6 +20,7 @@ mod kepler;
 mod kinks;
 mod linear;
 
+pub use central::{spread, swept};
 pub use circular::{arc, arc_derivative, sinc, sinc_derivative};
 pub use coupled::{flow_change, flow_matrix, joined};
 pub use exponential::{exp, exp_derivative, exp2, ln, ln_derivative, powf, powf_derivative};

@@ -9,8 +9,10 @@ mod quadratic;
 pub(super) mod prolongation;
 mod conjugate;
 mod block;
+mod central;
 mod forms;
 mod function;
+mod gauge;
 mod monomial;
 
 use super::flow::{Family, Flow, Group, Piece, Solve, Space};
@@ -76,6 +78,20 @@ pub(crate) static FAMILIES: &[Family] = &[
         solve: block::block,
     },
     Family {
+        name: "inverse square",
+        energies: "p·Wp/2 + Σ k/|y|² + b|y|²/2, y = Aq + c with y'' along y",
+        source: "F. Calogero, J. Math. Phys. 10 (1969) 2191",
+        action: false,
+        solve: central::inverse_square,
+    },
+    Family {
+        name: "Kepler motion",
+        energies: "p·Wp/2 − Σ k/|y|, y = Aq + c with y'' along y",
+        source: "H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376",
+        action: false,
+        solve: central::kepler,
+    },
+    Family {
         name: "forms in involution",
         energies: "F(ℓ₁, …, ℓₖ), ℓ = a·q + b·p with {ℓᵢ, ℓⱼ} = 0",
         source: "Y. K. Wu, E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502",
@@ -96,6 +112,13 @@ pub(crate) static FAMILIES: &[Family] = &[
         action: false,
         solve: function,
     },
+    Family {
+        name: "change of gauge",
+        energies: "H(q, p − ∇S(q)) for H of another family",
+        source: "Y. K. Wu, E. Forest & D. S. Robin, Phys. Rev. E 68 (2003) 046502",
+        action: false,
+        solve: gauge,
+    },
 ];
 
 const ARNOLD: &str = "V. I. Arnold, Mathematical Methods of Classical Mechanics (1989), appendix 4";
@@ -110,6 +133,11 @@ fn conjugate(graph: &mut Graph, group: &Group) -> Option<Flow> {
 /// A function of an energy that any other rule knows.
 fn function(graph: &mut Graph, group: &Group) -> Option<Flow> {
     function::solve(graph, group, |graph, group| others(graph, group, function))
+}
+
+/// An energy that another rule knows in another gauge.
+fn gauge(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    gauge::solve(graph, group, |graph, group| others(graph, group, gauge))
 }
 
 /// The flow by one of the rules before `of`.

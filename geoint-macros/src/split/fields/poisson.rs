@@ -32,7 +32,8 @@ impl Group {
 /// The parts in the order of half a step.
 pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Result<Vec<Part>, NoPart> {
     let mut system = System { structure, involution: vec![vec![None; structure.len()]; structure.len()] };
-    let mut open = analyze::terms(graph, energy);
+    let terms = analyze::terms(graph, energy);
+    let mut open = system.with_scalar_products(graph, terms);
     open.reverse();
     let mut groups: Vec<Group> = vec![];
     while let Some(term) = open.pop() {
@@ -90,6 +91,66 @@ impl System<'_> {
         let reads = read(graph, energy);
         let involutive = self.not_in_involution(graph, &reads).is_none();
         Some(Group { energy, reads, involutive, ends })
+    }
+
+    /// The terms, three products x₁y₁, x₂y₂ and x₃y₃ that have a flow together as one: each turns two vectors by itself, and all of
+    /// them turn both about their sum.
+    fn with_scalar_products(&mut self, graph: &mut Graph, terms: Vec<Id>) -> Vec<Id> {
+        let mut products: Vec<(Id, [u32; 2], Id)> = vec![];
+        let mut whole = vec![];
+        let mut found = false;
+        for term in &terms {
+            let coordinates: Vec<u32> = read(graph, *term).into_iter().collect();
+            let second = match coordinates[..] {
+                [i, j] => {
+                    let slope = diff::partial(graph, *term, Symbol::Q(i));
+                    diff::partial(graph, slope, Symbol::Q(j))
+                }
+                _ => graph.zero(),
+            };
+            let constant = read(graph, second).is_empty() && !graph.is_zero(second);
+            match coordinates[..] {
+                [i, j] if constant && self.commute(graph, i, j) => products.push((*term, [i, j], second)),
+                _ => whole.push(*term),
+            }
+        }
+        while let Some(first) = products.pop() {
+            match self.scalar_product(graph, first, &products) {
+                Some((together, others)) => {
+                    found = true;
+                    products.retain(|(term, ..)| !others.contains(term));
+                    whole.push(together);
+                }
+                None => whole.push(first.0),
+            }
+        }
+        if found { whole } else { terms }
+    }
+
+    /// The sum of a product and two of the others, and these, if together they have a flow.
+    fn scalar_product(
+        &mut self,
+        graph: &mut Graph,
+        (term, own, strength): (Id, [u32; 2], Id),
+        products: &[(Id, [u32; 2], Id)],
+    ) -> Option<(Id, [Id; 2])> {
+        let mut beside: Vec<(Id, [u32; 2])> = vec![];
+        for (other, [i, j], of_other) in products {
+            let apart = !self.commute(graph, own[0], *i) && !self.commute(graph, own[1], *j);
+            if apart && *of_other == strength {
+                beside.push((*other, [*i, *j]));
+            }
+        }
+        for (n, (second, [i, j])) in beside.iter().enumerate() {
+            for (third, [k, l]) in &beside[..n] {
+                let apart = !self.commute(graph, *i, *k) && !self.commute(graph, *j, *l);
+                let sum = graph.sum(&[term, *second, *third]);
+                if apart && self.group(graph, sum).is_some() {
+                    return Some((sum, [*second, *third]));
+                }
+            }
+        }
+        None
     }
 
     /// Two groups as one, if nothing depends on which of them flows first. `next`: the second follows the first.

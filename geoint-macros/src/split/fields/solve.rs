@@ -1,5 +1,6 @@
 //! The flow of a field, all of whose coordinates that move depend on few others that move.
 
+use super::super::polynomial::{Polynomial, times_powers};
 use super::super::scalar::{self, Equation};
 use super::super::time::Clock;
 use super::{Rule, linear, read};
@@ -15,10 +16,12 @@ const SCALAR: Rule = Rule { name: "single equations", fields: "x' = g(x), all el
 /// The ends of x' = rate for the coordinates that move, if they are known in closed form.
 pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<Ends> {
     blocks(graph, rates).into_iter().try_fold((vec![], vec![]), |(mut ends, mut rules), block| {
-        let found = block_ends(graph, &block, clock).or_else(|| {
-            let cleared = cleared(graph, &block)?;
-            block_ends(graph, &cleared, clock)
-        });
+        let found = block_ends(graph, &block, clock)
+            .or_else(|| {
+                let cleared = cleared(graph, &block)?;
+                block_ends(graph, &cleared, clock)
+            })
+            .or_else(|| by_constant_sums(graph, &block, clock));
         let (own, rule) = found?;
         ends.extend(own);
         if !rules.contains(&rule) {
@@ -64,6 +67,53 @@ fn block_ends(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option
         return Some((vec![(x, solution.end)], SCALAR));
     }
     linear::ends(graph, rates)
+}
+
+/// Where xᵢ + xⱼ stays for pairs of coordinates, half of them are known by these sums: two spins turn about the sum of both.
+fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<(Vec<(Symbol, Id)>, Rule)> {
+    let (mut left, mut pairs): (Rates, Vec<[Symbol; 2]>) = (vec![], vec![]);
+    for (x, rate) in rates {
+        let opposite = |graph: &mut Graph, (y, other): &(Symbol, Id)| {
+            let sum = graph.add(*rate, *other);
+            graph.is_zero(sum) && pairs.iter().all(|pair| !pair.contains(y))
+        };
+        match left.iter().find(|other| opposite(graph, other)) {
+            Some((y, _)) => pairs.push([*y, *x]),
+            None => left.push((*x, *rate)),
+        }
+    }
+    if pairs.is_empty() {
+        return None;
+    }
+    // A sum is a constant under a name of its own while the equations of the others are solved.
+    let name = |symbol: Symbol| index(symbol).map(Symbol::Dq);
+    let partner = |symbol: Symbol| pairs.iter().find(|[_, y]| *y == symbol).map(|[x, _]| *x);
+    let mut known = Substitution::new(|graph: &mut Graph, y| {
+        let [sum, x] = [name(y)?, partner(y)?].map(|symbol| graph.symbol(symbol));
+        Some(graph.sub(sum, x))
+    });
+    let mut reduced: Rates = vec![];
+    for (x, rate) in left {
+        let rate = known.apply(graph, rate);
+        let powers = Polynomial::of(graph, rate, &|symbol| matches!(symbol, Symbol::Q(_)))?;
+        let terms: Vec<Id> = powers.into_terms().map(|(monomial, c)| times_powers(graph, c, &monomial)).collect();
+        reduced.push((x, graph.sum(&terms)));
+    }
+    let (mut ends, rule) = block_ends(graph, &reduced, clock)?;
+    let mut named = Substitution::new(|graph: &mut Graph, symbol| {
+        let [x, y] = *pairs.iter().find(|[_, y]| name(*y) == Some(symbol))?;
+        let [x, y] = [x, y].map(|symbol| graph.symbol(symbol));
+        Some(graph.add(x, y))
+    });
+    for (_, end) in &mut ends {
+        *end = named.apply(graph, *end);
+    }
+    for [x, y] in &pairs {
+        let end = ends.iter().find(|(symbol, _)| symbol == x)?.1;
+        let terms = [graph.symbol(*x), graph.symbol(*y), graph.neg(end)];
+        ends.push((*y, graph.sum(&terms)));
+    }
+    Some((ends, Rule { name: "constant sums", ..rule }))
 }
 
 /// The same with 1/u for the reciprocals of what is positive wherever H is defined. That it is, is examined by itself.
