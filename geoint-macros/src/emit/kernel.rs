@@ -143,8 +143,10 @@ impl<'a> Context<'a> {
             Symbol::H => quote!(h),
             Symbol::G => quote!(g),
             Symbol::Parameter(i) => self.parameter(i),
-            // Increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => TokenStream::new(),
+            // What a kick adds before a flow.
+            Symbol::Dp(i) => element(quote!(dp), &self.coordinate(i)),
+            // Other increments are unknowns wherever they are read.
+            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => TokenStream::new(),
         }
     }
 

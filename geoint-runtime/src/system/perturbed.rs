@@ -2,7 +2,7 @@
 
 use super::{Cotangent, FlowPart};
 use crate::scalar::Real;
-use crate::space::PerCoordinate;
+use crate::space::{Array, PerCoordinate};
 
 /// H = A(q, p, t) + B(q, t), A with an exact flow: where B is small, steps are as long as B is small.
 ///
@@ -17,6 +17,8 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     type Proof;
     /// What the flow of A of given length needs from the parameters.
     type Exact: Clone;
+    /// What the flow of A after a kick needs from the parameters, if it is linear.
+    type After: Clone;
     /// What a kick by B of given length needs from the parameters.
     type Rest: Clone;
     /// Whether the flow of A from t on is exact in its own time, or takes place at the frozen time t of the kicks.
@@ -28,6 +30,8 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     const REST_IS_KICK: bool = true;
     /// Whether [`rest`](Perturbed::rest) is the flow of B. If not, it is a symmetric step of order 2.
     const REST_IS_EXACT: bool = true;
+    /// Whether the flow of A is a linear map whose coefficients are prepared, so that [`exact_after`](Perturbed::exact_after) is there.
+    const IS_LINEAR: bool = false;
     /// Parts of the flow of A that may end within a step.
     const PARTS: &'static [FlowPart] = &[];
     /// Whether A and B move in other coordinates than those of states.
@@ -41,6 +45,14 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     fn exact(&self, flow: &Self::Exact, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
     /// The flow of B at frozen time: p ← p − h ∂B/∂q.
     fn rest(&self, kick: &Self::Rest, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut ());
+
+    /// Coefficients of the flow of A after a kick.
+    fn prepare_after(&self, h: R) -> Self::After;
+    /// The flow of A after momenta have grown by `dp`: the sums of where they were do not wait for the kick.
+    #[inline(always)]
+    fn exact_after(&self, _: &Self::After, _: &mut Self::Array, p: &mut Self::Array, dp: &Self::Array) {
+        p.add_scaled(R::from_f64(1.0), dp);
+    }
 
     /// What the flow of A from `x` adds, for sums that compensate.
     #[inline(always)]

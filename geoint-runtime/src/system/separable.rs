@@ -45,6 +45,8 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     const KICKS_ADD: bool = true;
     /// Whether a kick where the energy is not defined leaves momenta that are not finite.
     const KICKS_SHOW: bool = false;
+    /// Whether a drift is a linear map, so that it takes what a kick has added by itself.
+    const DRIFTS_TAKE_KICKS: bool = false;
     /// Parts of a drift that may end within a step.
     const DRIFT_PARTS: &'static [FlowPart] = &[];
     /// Whether a drift adds to positions what momenta alone decide, and does nothing else. If not,
@@ -59,6 +61,21 @@ pub trait Separable<R: Real = f64>: Cotangent<R> {
     fn kick(&self, kick: &Self::Kick, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
     /// The flow of T: q ← q + h ∂T/∂p; of T + g·s: p ← e^(−gh)·p, …
     fn drift(&self, drift: &Self::Drift, t: R, q: &mut Self::Array, p: &mut Self::Array, s: &mut Self::Action);
+
+    /// A drift after momenta have grown by `dp`. Where [`DRIFTS_TAKE_KICKS`](Separable::DRIFTS_TAKE_KICKS), the sums of where they were do not
+    /// wait for the kick.
+    #[inline(always)]
+    fn drift_after(
+        &self,
+        drift: &Self::Drift,
+        t: R,
+        [q, p]: [&mut Self::Array; 2],
+        s: &mut Self::Action,
+        dp: &Self::Array,
+    ) {
+        p.add_scaled(R::from_f64(1.0), dp);
+        self.drift(drift, t, q, p, s);
+    }
 
     /// What a kick from `x` adds, for sums that compensate. A kick that does nothing but add is given zeros to add to.
     #[inline(always)]

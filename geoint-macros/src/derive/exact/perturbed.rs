@@ -5,7 +5,7 @@ use crate::analyze::reads;
 use crate::derive::system::{FlowKernel, Inner, Missing, Perturbed};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
 use crate::messages::{JUMP_IS_NO_KICK, NOT_NYSTROM_EXACT};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Division, NoExactPart};
@@ -20,7 +20,9 @@ pub(in crate::derive) fn kernels(
         Ok(parts) => parts,
         Err(NoExactPart { term, why }) => return Err(Missing { marker: "Parted", term: *term, why, pair: None }),
     };
-    let changed = parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::S).collect();
+    let changed: Vec<(Symbol, Id)> =
+        parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::S).collect();
+    let after = after_kick(graph, &changed, degrees).filter(|_| parts.jump.is_none() && parts.inner.is_none());
     let gradient_kick = match &parts.velocity {
         Ok(velocity) => {
             let force: Vec<Id> =
@@ -46,6 +48,7 @@ pub(in crate::derive) fn kernels(
         parts: parts.parts.clone(),
         known: parts.known.clone(),
         flow: FlowKernel::with_increments(graph, Levels::Prepared, changed),
+        after,
         exact_in_time: parts.clock == Clock::Own,
         kick: {
             let impulse = impulse(graph, parts.kick, degrees);
@@ -64,6 +67,43 @@ pub(in crate::derive) fn kernels(
             leave: FlowKernel::new(Levels::One, inner.leave.clone()),
         }),
     })
+}
+
+/// Where a linear flow ends after momenta have grown by Dp; nothing if its coefficients are not constant.
+fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Option<FlowKernel<Kernel>> {
+    let momenta: Vec<Symbol> = (0..degrees).map(Symbol::P).collect();
+    let ends: Vec<(Symbol, Id)> = [Symbol::Q as fn(u32) -> Symbol, Symbol::P]
+        .into_iter()
+        .flat_map(|of| (0..degrees).map(of))
+        .map(|symbol| {
+            let found = changed.iter().find(|(other, _)| *other == symbol);
+            (symbol, found.map_or_else(|| graph.symbol(symbol), |(_, end)| *end))
+        })
+        .collect();
+    let all: Vec<Id> = ends.iter().map(|(_, end)| *end).collect();
+    if graph.reachable(&all).iter().any(|id| matches!(graph.node(*id), Node::Call(Function::FlowChange, _))) {
+        return None;
+    }
+    let weights = diff::jacobian(graph, &all, &momenta);
+    let moves = |id: &Id| {
+        let reads = reads(graph, *id);
+        reads.state() || reads.t
+    };
+    // With more than one momentum in an end the additional products cost what is not waited for.
+    let coupled = weights.iter().any(|row| row.iter().filter(|weight| !graph.is_zero(**weight)).count() > 1);
+    if coupled || weights.iter().flatten().any(moves) {
+        return None;
+    }
+    let mut after = vec![];
+    for ((symbol, end), weights) in ends.into_iter().zip(weights) {
+        let mut terms = vec![end];
+        for (i, weight) in (0..).zip(weights) {
+            let grown = graph.symbol(Symbol::Dp(i));
+            terms.push(graph.mul(weight, grown));
+        }
+        after.push((symbol, graph.sum(&terms)));
+    }
+    Some(FlowKernel::new(Levels::Prepared, after))
 }
 
 /// A jump and a kick that leave each other as they are.

@@ -19,6 +19,8 @@ pub(crate) struct Perturbed<K> {
     /// How the flow of A is known.
     pub(crate) known: Vec<String>,
     pub(crate) flow: FlowKernel<K>,
+    /// The same after momenta have grown by Dp, if that is a linear map: what momenta grow by is then waited for by one product and one sum.
+    pub(crate) after: Option<FlowKernel<K>>,
     /// Whether that flow is exact in its own time.
     pub(crate) exact_in_time: bool,
     pub(crate) kick: FlowKernel<K>,
@@ -46,6 +48,7 @@ impl<K> Perturbed<K> {
             parts: self.parts,
             known: self.known,
             flow: self.flow.map(of),
+            after: self.after.map(|after| after.map(of)),
             exact_in_time: self.exact_in_time,
             kick: self.kick.map(of),
             repeats: self.repeats,

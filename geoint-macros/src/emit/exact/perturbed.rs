@@ -37,6 +37,7 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
         }
     });
     let (exact_type, prepare_exact, exact) = flow(context, "exact", &found.flow);
+    let after = after(context, found.after.as_ref());
     let (rest_type, prepare_rest, rest) = flow(context, "rest", &found.kick);
     let inner = found.inner.as_ref().map(|inner| {
         let [enter, leave] =
@@ -64,6 +65,7 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
             #may_end
             type Exact = #exact_type;
             type Rest = #rest_type;
+            #after
             #prepare_exact
             #prepare_rest
             #exact
@@ -71,6 +73,30 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
             #inner
         }
         #gradient
+    }
+}
+
+/// The flow of A after a kick, as one map.
+fn after(context: &Context<'_>, after: Option<&FlowKernel<Plan>>) -> TokenStream {
+    let Some(after) = after else {
+        return quote! {
+            type After = ();
+            fn prepare_after(&self, _: R) {}
+        };
+    };
+    let (array, slots) = (context.array(), slots(after));
+    let (prepare, body) = (context.stored(&after.kernel, 0), assign(context, after));
+    quote! {
+        type After = [R; #slots];
+        const IS_LINEAR: bool = true;
+        #[inline]
+        fn prepare_after(&self, h: R) -> [R; #slots] {
+            #prepare
+        }
+        #[inline(always)]
+        fn exact_after(&self, prepared: &[R; #slots], q: &mut #array, p: &mut #array, dp: &#array) {
+            #body
+        }
     }
 }
 
@@ -161,7 +187,9 @@ fn none(context: &Context<'_>, graph: &Graph, missing: Missing) -> TokenStream {
         impl<R: Real + #marker> PerturbedSystem<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Exact = #never;
+            type After = ();
             type Rest = #never;
+            fn prepare_after(&self, _: R) {}
             #(#flows)*
         }
         #no_gradient

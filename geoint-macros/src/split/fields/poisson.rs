@@ -158,8 +158,9 @@ impl System<'_> {
         let commute = if first.involutive && second.involutive {
             self.not_in_involution(graph, &(&first.reads | &second.reads)).is_none()
         } else {
-            // What moves what it reads stays where it is in the order.
-            next && first.reads.is_disjoint(&second.reads)
+            // What moves what it reads stays where it is in the order, unless both do: those may follow each other in any order.
+            (next || !first.involutive && !second.involutive)
+                && first.reads.is_disjoint(&second.reads)
                 && first.reads.iter().all(|i| second.reads.iter().all(|j| self.commute(graph, *i, *j)))
         };
         if !commute {

@@ -13,6 +13,11 @@ pub(super) type Ends = (Vec<(Symbol, Id)>, Vec<Rule>);
 
 const SCALAR: Rule = Rule { name: "single equations", fields: "x' = g(x), all else at rest" };
 
+const SUMS: Rule = Rule {
+    name: "constant sums",
+    fields: "xᵢ + xⱼ at rest for pairs of coordinates, by which half of them follow",
+};
+
 /// The ends of x' = rate for the coordinates that move, if they are known in closed form.
 pub(super) fn solve(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> Option<Ends> {
     blocks(graph, rates).into_iter().try_fold((vec![], vec![]), |(mut ends, mut rules), block| {
@@ -75,7 +80,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
     for (x, rate) in rates {
         let opposite = |graph: &mut Graph, (y, other): &(Symbol, Id)| {
             let sum = graph.add(*rate, *other);
-            graph.is_zero(sum) && pairs.iter().all(|pair| !pair.contains(y))
+            linear::is_zero(graph, sum) && pairs.iter().all(|pair| !pair.contains(y))
         };
         match left.iter().find(|other| opposite(graph, other)) {
             Some((y, _)) => pairs.push([*y, *x]),
@@ -99,7 +104,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
         let terms: Vec<Id> = powers.into_terms().map(|(monomial, c)| times_powers(graph, c, &monomial)).collect();
         reduced.push((x, graph.sum(&terms)));
     }
-    let (mut ends, rule) = block_ends(graph, &reduced, clock)?;
+    let (mut ends, _) = block_ends(graph, &reduced, clock)?;
     let mut named = Substitution::new(|graph: &mut Graph, symbol| {
         let [x, y] = *pairs.iter().find(|[_, y]| name(*y) == Some(symbol))?;
         let [x, y] = [x, y].map(|symbol| graph.symbol(symbol));
@@ -113,7 +118,7 @@ fn by_constant_sums(graph: &mut Graph, rates: &[(Symbol, Id)], clock: Clock) -> 
         let terms = [graph.symbol(*x), graph.symbol(*y), graph.neg(end)];
         ends.push((*y, graph.sum(&terms)));
     }
-    Some((ends, Rule { name: "constant sums", ..rule }))
+    Some((ends, SUMS))
 }
 
 /// The same with 1/u for the reciprocals of what is positive wherever H is defined. That it is, is examined by itself.

@@ -84,6 +84,10 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
             let (inner, outer) = (&self.inner[i], &self.outer[i]);
+            if !P::PATIENT && i + 1 < K {
+                O::both((inner, inner_at), (outer, outer_at), moving(system, x));
+                continue;
+            }
             seen(!O::DRIFT_IS_OUTER, Step { system, t: inner_at.other, x, probe }, |x| O::inner(inner, inner_at, x));
             if i + 1 < K {
                 seen(O::DRIFT_IS_OUTER, Step { system, t: outer_at.other, x, probe }, |x| O::outer(outer, outer_at, x));
@@ -175,8 +179,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             let t = clock.at(n);
             for i in 0..K {
                 let [inner_at, outer_at] = self.times(t, i);
-                O::inner(&self.inner[i], inner_at, x!());
-                O::outer(&self.outer[i], outer_at, x!());
+                O::both((&self.inner[i], inner_at), (&self.outer[i], outer_at), x!());
             }
         }
         (point.z, point.s) = ([q, p], s);

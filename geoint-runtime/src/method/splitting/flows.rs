@@ -133,6 +133,16 @@ pub trait Order<S: Separable<R>, R: Real>: Sealed + Copy {
     fn outer<C: Summation<S::Phase>>(flow: &Self::Outer, at: Times<R>, x: Moving<'_, S, R, C>);
     /// An inner flow.
     fn inner<C: Summation<S::Phase>>(flow: &Self::Inner, at: Times<R>, x: Moving<'_, S, R, C>);
+    /// An inner flow and the outer one behind it.
+    #[inline(always)]
+    fn both<C: Summation<S::Phase>>(
+        (inner, inner_at): (&Self::Inner, Times<R>),
+        (outer, outer_at): (&Self::Outer, Times<R>),
+        mut x: Moving<'_, S, R, C>,
+    ) {
+        Self::inner(inner, inner_at, x.again());
+        Self::outer(outer, outer_at, x);
+    }
 }
 
 impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for KickFirst<F> {
@@ -179,6 +189,22 @@ impl<S: Separable<R>, R: Real, F: Kicks<S, R>> Order<S, R> for DriftFirst<F> {
     fn inner<C: Summation<S::Phase>>(flow: &F::Kick, at: Times<R>, x: Moving<'_, S, R, C>) {
         x.kick::<F>(flow, at);
     }
+    #[inline(always)]
+    fn both<C: Summation<S::Phase>>(
+        (kick, kick_at): (&F::Kick, Times<R>),
+        (drift, drift_at): (&S::Drift, Times<R>),
+        mut x: Moving<'_, S, R, C>,
+    ) {
+        if C::PLAIN && S::KICKS_ADD && S::DRIFTS_TAKE_KICKS {
+            let Moving { system, q, p, s, .. } = x;
+            let mut dp = S::Array::nothing();
+            F::kick(system, kick, kick_at.other, q, &mut dp, s);
+            system.drift_after(drift, drift_at.own, [q, p], s, &dp);
+        } else {
+            Self::inner(kick, kick_at, x.again());
+            Self::outer(drift, drift_at, x);
+        }
+    }
 }
 
 /// The times of a flow: the one that flows of its own kind have reached, and the one that the others have reached.
@@ -198,6 +224,15 @@ pub struct Moving<'a, S: Cotangent<R>, R: Real, C> {
     pub(crate) sums: &'a mut C,
     /// Of the sum s.
     pub(crate) compensation: &'a mut S::Action,
+}
+
+impl<S: Cotangent<R>, R: Real, C> Moving<'_, S, R, C> {
+    /// The same point, for a flow before another.
+    #[inline(always)]
+    fn again(&mut self) -> Moving<'_, S, R, C> {
+        let Moving { system, q, p, s, sums, compensation } = self;
+        Moving { system, q, p, s, sums, compensation }
+    }
 }
 
 impl<S: Separable<R>, R: Real, C: Summation<S::Phase>> Moving<'_, S, R, C> {

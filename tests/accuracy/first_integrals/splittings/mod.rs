@@ -2,6 +2,7 @@
 
 mod increments;
 mod planes;
+mod spins;
 mod terms;
 
 use super::systems::*;
