@@ -4,7 +4,7 @@ use super::families::FAMILIES;
 use super::flow::{Family, Space};
 use super::polynomial::{Monomial, Polynomial, degree as sum_of_powers, is_momentum};
 use crate::analyze::{self, Reads};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
 
 /// What families are told apart by.
 struct Shape {
@@ -17,6 +17,14 @@ struct Shape {
     momenta: usize,
     /// Whether the whole is a function, or a power, of something.
     of_one: bool,
+    /// The largest denominator of the powers of positions by which it is divided, 2 of lengths.
+    divided_by: Option<i128>,
+}
+
+impl Shape {
+    fn is_kinetic(&self) -> bool {
+        self.reads.q && self.of_momenta == Some(Ratio::integer(2))
+    }
 }
 
 /// Whether energies of a shape are near to those of a family.
@@ -29,6 +37,8 @@ const NEAREST: &[(&str, IsNear)] = &[
     ("drift", |shape| !shape.reads.q),
     ("prolongation", |shape| shape.of_momenta == Some(Ratio::ONE)),
     ("weighted drift", |shape| shape.reads.s && shape.of_momenta == Some(Ratio::integer(2))),
+    ("Kepler motion", |shape| shape.is_kinetic() && shape.momenta > 1 && shape.divided_by == Some(2)),
+    ("inverse square", |shape| shape.is_kinetic() && shape.divided_by.is_some()),
     ("coupled oscillators", |shape| shape.powers.is_some_and(|(_, degree)| degree <= Ratio::integer(2))),
     ("monomial", |shape| shape.powers.is_some_and(|(terms, _)| terms == 1)),
     ("geodesic", |shape| shape.momenta == 1 && shape.of_momenta == Some(Ratio::integer(2))),
@@ -61,8 +71,21 @@ fn shape(graph: &mut Graph, energy: Id) -> Shape {
         powers: all.and_then(|powers| Some((powers.terms().count(), largest(&powers, &Symbol::is_coordinate)?))),
         of_momenta: of_momenta.and_then(|powers| largest(&powers, &is_momentum)),
         momenta: analyze::symbols(graph, energy).into_iter().filter(|symbol| is_momentum(*symbol)).count(),
+        divided_by: divided_by(graph, energy),
         of_one: matches!(graph.node(graph.coefficient(energy).1), Node::Call(..) | Node::Power(..)),
     }
+}
+
+fn divided_by(graph: &Graph, energy: Id) -> Option<i128> {
+    let mut largest = None;
+    for id in graph.reachable(&[energy]) {
+        let Node::Power(base, exponent) = graph.node(id) else { continue };
+        if exponent.numerator < 0 && analyze::reads(graph, *base).q {
+            let is_length = matches!(graph.node(*base), Node::Call(Function::Hypot | Function::Abs, _));
+            largest = largest.max(Some(if is_length { 2 } else { exponent.denominator }));
+        }
+    }
+    largest
 }
 
 #[cfg(test)]

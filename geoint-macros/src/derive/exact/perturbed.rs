@@ -1,11 +1,11 @@
 //! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
 
 use super::kick_drift::{impulse, increments};
-use crate::analyze::reads;
+use crate::analyze::{is_polynomial_in, reads};
 use crate::derive::system::{FlowKernel, Inner, Missing, Perturbed};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Node, Number, Symbol};
+use crate::ir::{Graph, Id, Number, Symbol};
 use crate::messages::{JUMP_IS_NO_KICK, NOT_NYSTROM_EXACT};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Division, NoExactPart};
@@ -81,7 +81,7 @@ fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Opti
         })
         .collect();
     let all: Vec<Id> = ends.iter().map(|(_, end)| *end).collect();
-    if graph.reachable(&all).iter().any(|id| matches!(graph.node(*id), Node::Call(Function::FlowChange, _))) {
+    if !is_polynomial_in(graph, &all, 1, Symbol::is_coordinate) {
         return None;
     }
     let weights = diff::jacobian(graph, &all, &momenta);

@@ -181,6 +181,10 @@ impl Central {
         if !is_free(graph, group.energy, &|symbol| symbol == Symbol::S || reads_time(symbol)) {
             return None;
         }
+        let divides = |id: Id| matches!(graph.node(id), Node::Power(base, r) if r.numerator < 0 && analyze::reads(graph, *base).q);
+        if !graph.reachable(&[group.energy]).into_iter().any(divides) {
+            return None;
+        }
         let powers = Polynomial::of(graph, group.energy, &is_momentum)?;
         let mut inverse_mass = vec![vec![graph.zero(); group.degrees as usize]; group.degrees as usize];
         let mut potential = graph.zero();

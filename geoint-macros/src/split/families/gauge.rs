@@ -68,8 +68,18 @@ pub(in super::super) fn solve(
 /// What shifts a momentum and reads its own position: −r/c where a sum is c·pᵢ + r, or half of what multiplies pᵢ, by its square.
 fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<Id> {
     let (own, position) = (Symbol::P(i), Symbol::Q(i));
+    let momentum = graph.symbol(own);
+    if is_free(graph, energy, &|symbol| symbol == own) || is_free(graph, energy, &|symbol| symbol == position) {
+        return None;
+    }
     for id in graph.reachable(&[energy]) {
-        if !matches!(graph.node(id), Node::Linear(..)) {
+        // The terms of the whole are parted elsewhere.
+        let Node::Linear(_, terms) = graph.node(id) else { continue };
+        let has_own = |term: &Id| match graph.node(*term) {
+            Node::Product(factors) => factors.contains(&momentum),
+            _ => *term == momentum,
+        };
+        if id == energy || !terms.iter().any(|(_, term)| has_own(term)) {
             continue;
         }
         let slope = diff::partial(graph, id, own);

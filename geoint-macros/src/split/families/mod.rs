@@ -137,7 +137,12 @@ fn function(graph: &mut Graph, group: &Group) -> Option<Flow> {
 
 /// An energy that another rule knows in another gauge.
 fn gauge(graph: &mut Graph, group: &Group) -> Option<Flow> {
-    gauge::solve(graph, group, |graph, group| others(graph, group, gauge))
+    // None of those that ask all others again.
+    gauge::solve(graph, group, |graph, group| {
+        let derived = [conjugate as Solve, function, gauge];
+        let plain = |family: &&Family| !derived.iter().any(|solve| std::ptr::fn_addr_eq(family.solve, *solve));
+        FAMILIES.iter().filter(plain).find_map(|family| (family.solve)(graph, group))
+    })
 }
 
 /// The flow by one of the rules before `of`.

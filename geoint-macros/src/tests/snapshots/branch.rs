@@ -384,7 +384,9 @@ const _: () = {
     impl<R: Real + PartedSpring> PerturbedSystem<R> for Spring {
         type Proof = <R as PartedSpring>::Proof;
         type Exact = ::core::convert::Infallible;
+        type After = ();
         type Rest = ::core::convert::Infallible;
+        fn prepare_after(&self, _: R) {}
         fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }

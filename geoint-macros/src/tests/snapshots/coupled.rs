@@ -508,7 +508,9 @@ const _: () = {
     impl<R: Real + PartedCoupled> PerturbedSystem<R> for Coupled {
         type Proof = <R as PartedCoupled>::Proof;
         type Exact = ::core::convert::Infallible;
+        type After = ();
         type Rest = ::core::convert::Infallible;
+        fn prepare_after(&self, _: R) {}
         fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }

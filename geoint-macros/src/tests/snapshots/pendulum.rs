@@ -312,7 +312,9 @@ const _: () = {
     impl<R: Real + PartedPendulum> PerturbedSystem<R> for Pendulum<R> {
         type Proof = <R as PartedPendulum>::Proof;
         type Exact = ::core::convert::Infallible;
+        type After = ();
         type Rest = ::core::convert::Infallible;
+        fn prepare_after(&self, _: R) {}
         fn prepare_exact(&self, _: R) -> ::core::convert::Infallible {
             ::core::unreachable!()
         }
