@@ -54,7 +54,6 @@ instances! { one_degree_of_freedom, f64, (q p t):
     OwnShiftWithSpring, "change of gauge", "(p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q" =>
         (p - 0.5 * q.powi(3)).powi(2) * 0.6875 + 1.1875 * q * q;
     OwnShiftOfAWave, "change of gauge" => (1.0 + (p - q.cos()).powi(2)).sqrt();
-    OwnShiftWrittenOut, "change of gauge" => p * p * 0.6875 - 0.5 * p * q * q + q.powi(4) / 11.0;
     OwnShiftOfAPower, "change of gauge" => (2.0 * p - q.exp()).powi(4) / 64.0;
 }
 

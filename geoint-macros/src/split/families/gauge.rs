@@ -10,7 +10,7 @@ use super::super::time::Clock;
 use crate::analyze::{self, liouville};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Graph, Id, Node, Number, Symbol};
 
 /// The flow by `rules` after a change of gauge.
 pub(in super::super) fn solve(
@@ -65,7 +65,7 @@ pub(in super::super) fn solve(
     Some(changed)
 }
 
-/// What shifts a momentum and reads its own position: −r/c where a sum is c·pᵢ + r, or half of what multiplies pᵢ, by its square.
+/// What shifts a momentum and reads its own position: −r/c where a sum is c·pᵢ + r.
 fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<Id> {
     let (own, position) = (Symbol::P(i), Symbol::Q(i));
     let momentum = graph.symbol(own);
@@ -91,13 +91,7 @@ fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<Id> {
             return Some(graph.neg(shift));
         }
     }
-    let powers = Polynomial::of(graph, energy, &|symbol| symbol == own)?;
-    let square = powers.coefficient(graph, &[(own, 2)]);
-    let constant = !graph.is_zero(square) && is_free(graph, square, &Symbol::is_coordinate);
-    let linear = powers.coefficient(graph, &[(own, 1)]);
-    let rest = reading(graph, linear, position).filter(|_| constant)?;
-    let shift = graph.div(rest, square);
-    Some(graph.scale(Number::Exact(Ratio { numerator: -1, denominator: 2 }), shift))
+    None
 }
 
 /// The terms that read a position and no momenta.

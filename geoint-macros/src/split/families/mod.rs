@@ -79,14 +79,14 @@ pub(crate) static FAMILIES: &[Family] = &[
     },
     Family {
         name: "inverse square",
-        energies: "p·Wp/2 + Σ k/|y|² + b|y|²/2, y = Aq + c with y'' along y",
+        energies: "p·Wp/2 + Σ k/r² + b r²/2, r the length of Aq + c, which is accelerated along itself",
         source: "F. Calogero, J. Math. Phys. 10 (1969) 2191",
         action: false,
         solve: central::inverse_square,
     },
     Family {
         name: "Kepler motion",
-        energies: "p·Wp/2 − Σ k/|y|, y = Aq + c with y'' along y",
+        energies: "p·Wp/2 − Σ k/r, r the length of Aq + c, which is accelerated along itself",
         source: "H. Rein & D. Tamayo, Mon. Not. R. Astron. Soc. 452 (2015) 376",
         action: false,
         solve: central::kepler,

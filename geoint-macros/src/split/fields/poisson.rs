@@ -4,7 +4,7 @@
 //! its flow, and what they move mostly obeys single equations, or a linear field. R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
 
 use super::linear::is_zero;
-use super::solve::{Ends, solve};
+use super::solve::{Ends, SUMS, solve};
 use super::{Motion, NoPart, Part, clock, read};
 use crate::analyze;
 use crate::diff;
@@ -158,8 +158,10 @@ impl System<'_> {
         let commute = if first.involutive && second.involutive {
             self.not_in_involution(graph, &(&first.reads | &second.reads)).is_none()
         } else {
-            // What moves what it reads stays where it is in the order, unless both do: those may follow each other in any order.
-            (next || !first.involutive && !second.involutive)
+            // What moves what it reads stays where it is in the order, unless both are scalar products: these may follow each other in any
+            // order.
+            let products = [first, second].iter().all(|group| group.ends.1.contains(&SUMS));
+            (next || products)
                 && first.reads.is_disjoint(&second.reads)
                 && first.reads.iter().all(|i| second.reads.iter().all(|j| self.commute(graph, *i, *j)))
         };

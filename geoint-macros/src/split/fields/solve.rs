@@ -13,7 +13,7 @@ pub(super) type Ends = (Vec<(Symbol, Id)>, Vec<Rule>);
 
 const SCALAR: Rule = Rule { name: "single equations", fields: "x' = g(x), all else at rest" };
 
-const SUMS: Rule = Rule {
+pub(super) const SUMS: Rule = Rule {
     name: "constant sums",
     fields: "xᵢ + xⱼ at rest for pairs of coordinates, by which half of them follow",
 };
