@@ -25,14 +25,14 @@ pub(in super::super) fn solve(
     let degrees = group.degrees;
     let (mut energy, mut shift) = (group.energy, vec![graph.zero(); degrees as usize]);
     for i in 0..degrees {
-        let Some(own) = own_shift(graph, energy, i) else { continue };
+        let Some((sum, rest, own)) = own_shift(graph, energy, i) else { continue };
         let logarithm = liouville::Logarithm::OfMagnitude;
         let Ok((potential, _)) = liouville::antiderivative(graph, (&[Symbol::Q(i)], &[own]), logarithm) else {
             continue;
         };
         let mut slopes = diff::gradient(graph, potential, degrees).q;
         slopes[i as usize] = own;
-        energy = shifted(graph, energy, &slopes, Number::ONE);
+        energy = freed(graph, energy, (sum, rest), &slopes, i);
         for (shift, slope) in shift.iter_mut().zip(slopes) {
             *shift = graph.add(*shift, slope);
         }
@@ -65,8 +65,8 @@ pub(in super::super) fn solve(
     Some(changed)
 }
 
-/// What shifts a momentum and reads its own position: −r/c where a sum is c·pᵢ + r.
-fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<Id> {
+/// What shifts a momentum and reads its own position, −r/c where a sum is c·pᵢ + r; with that sum, and r.
+fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<(Id, Id, Id)> {
     let (own, position) = (Symbol::P(i), Symbol::Q(i));
     let momentum = graph.symbol(own);
     if is_free(graph, energy, &|symbol| symbol == own) || is_free(graph, energy, &|symbol| symbol == position) {
@@ -88,10 +88,20 @@ fn own_shift(graph: &mut Graph, energy: Id, i: u32) -> Option<Id> {
         }
         if let Some(rest) = reading(graph, id, position) {
             let shift = graph.div(rest, slope);
-            return Some(graph.neg(shift));
+            return Some((id, rest, graph.neg(shift)));
         }
     }
     None
+}
+
+/// p + shift in place of p, where the sum loses its rest by that.
+fn freed(graph: &mut Graph, energy: Id, (sum, rest): (Id, Id), shift: &[Id], i: u32) -> Id {
+    let others: Vec<Id> = (0..).zip(shift).map(|(j, shift)| if j == i { graph.zero() } else { *shift }).collect();
+    let left = graph.sub(sum, rest);
+    let left = shifted(graph, left, &others, Number::ONE);
+    let mut moved = by_shift(shift, Number::ONE);
+    moved.insert(sum, left);
+    moved.apply(graph, energy)
 }
 
 /// The terms that read a position and no momenta.
@@ -103,14 +113,17 @@ fn reading(graph: &mut Graph, sum: Id, position: Symbol) -> Option<Id> {
 
 /// p + c·shift in place of p.
 fn shifted(graph: &mut Graph, id: Id, shift: &[Id], c: Number) -> Id {
-    let moved = |graph: &mut Graph, symbol| match symbol {
+    by_shift(shift, c).apply(graph, id)
+}
+
+fn by_shift(shift: &[Id], c: Number) -> Substitution<impl Fn(&mut Graph, Symbol) -> Option<Id>> {
+    Substitution::new(move |graph: &mut Graph, symbol| match symbol {
         Symbol::P(i) => {
             let (p, shift) = (graph.symbol(symbol), graph.scale(c, shift[i as usize]));
             Some(graph.add(p, shift))
         }
         _ => None,
-    };
-    Substitution::new(moved).apply(graph, id)
+    })
 }
 
 /// A polynomial by its terms, without those that are zero; anything else as it is.
