@@ -15,8 +15,8 @@ use core::cell::Cell;
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
 /// The order of the method; invariants are kept to rounding; where gradients depend on each other, those that say nothing new take
-/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
-/// shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
+/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
+/// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
 /// units in which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
