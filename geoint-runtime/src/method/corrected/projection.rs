@@ -8,7 +8,7 @@ use crate::solving::noise;
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, sum};
-use crate::space::{Array, Compensated, Square, Summation};
+use crate::space::{Array, Square, Summation};
 use crate::system::{Poles, VectorField};
 use core::cell::Cell;
 
@@ -58,7 +58,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new() }
+        Memory::new(M::memory())
     }
 
     #[inline]
@@ -106,7 +106,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         };
         // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
         let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
-        let is_noise = |multipliers: &I::Values, delta: &I::Values, _: f64, farther: f64| {
+        let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
             let units = Sizes::equal();
             !jumps && {
                 let correction = |at: &I::Values| {
