@@ -4,5 +4,6 @@
 
 mod dense;
 mod edges;
+mod events;
 mod recurrences;
 mod solutions;

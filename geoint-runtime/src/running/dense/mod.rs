@@ -180,7 +180,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Dense for TaylorIntegrator<S, M, R> {
     }
 
     fn steps_backwards(&self) -> bool {
-        self.step_size() < 0.0
+        self.steps.backwards
     }
 
     fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {

@@ -30,8 +30,9 @@ impl<'a, T: Dense> Between<'a, T> {
         }
         while !has_reached(self.run.time(), t, self.backwards) {
             self.before = self.run.clone();
+            // Steps of one length lead the other way.
             if !step(self.run, self.backwards)? {
-                return Ok(None);
+                return Err(StepError::TimePassed { t: signed(t) });
             }
         }
         if self.run.time() == t {

@@ -33,6 +33,8 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
     pub(in crate::running) clock: Clock<R>,
     pub(in crate::running) x: Carried<S, R>,
     pub(in crate::running) taken: u64,
+    /// How many there were when the user gave a state.
+    given: u64,
     estimate: Estimate<S::Phase, S::Action>,
     /// At the start of the last step, and at the present: which of them that is changes with every step.
     expansions: [Expansion<S, M, R>; 2],
@@ -72,6 +74,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             clock,
             x,
             taken: 0,
+            given: 0,
             estimate,
             expansions: [expansion; 2],
             present: 0,
@@ -88,7 +91,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         (self.clock, self.x, self.known, self.last) = (clock, x, false, (clock, self.last.1));
         self.estimate.include(&PerCoordinate::of(&x));
         // There is no last step to look into.
-        self.within = false;
+        (self.within, self.given) = (false, self.taken);
     }
 
     /// Everything but the coefficients.
@@ -97,6 +100,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         self.clock.record(tape);
         self.x.record(tape);
         tape.steps(&mut self.taken);
+        tape.steps(&mut self.given);
         tape.flag(&mut self.backwards);
         self.estimate.record(tape);
         tape.number(&mut self.last.1);
@@ -222,10 +226,24 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             let what = self.system.outside_domain(t, &x.z, &x.s);
             return Err(what.map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        if compared && !self.is_fixed() && !self.estimate.agree(part, [&rate, &here], &self.jet()[0]) {
-            return Err(Reason::Diverges);
+        if compared && !self.is_fixed() {
+            let (rates, before) = ([&rate, &here], &self.jet()[0]);
+            let agree = |late: PerCoordinate<_, _>| self.estimate.agree(part, rates, before, &late);
+            if !agree(PerCoordinate::zero()) && !agree(self.late(t)) {
+                return Err(Reason::Diverges);
+            }
         }
         Ok((x, clock))
+    }
+
+    /// How much rates at the end of the step may be off because the time there is rounded, in the unit of the coefficients at the present:
+    /// near a pole in time.
+    #[cold]
+    fn late(&self, t: R) -> PerCoordinate<S::Phase, S::Action> {
+        let [from, to] = [self.present, 1 - self.present].map(|place| self.expansions[place].unit);
+        let mut late = self.expansions[1 - self.present].jet.as_ref()[1];
+        late.times(R::from_f64(2.0 * from / to * (2.0 * R::epsilon() * t.magnitude() / to)));
+        late
     }
 
     /// Why there is no step.
@@ -241,7 +259,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     }
 
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
-        if self.taken > 0 {
+        // Later states are good because the steps that led to them were.
+        if self.taken != self.given {
             return Ok(());
         }
         if self.order < 2 {
