@@ -5,5 +5,6 @@
 mod dense;
 mod edges;
 mod events;
+mod output;
 mod recurrences;
 mod solutions;

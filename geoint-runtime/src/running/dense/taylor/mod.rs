@@ -16,7 +16,7 @@ use pieces::{Piece, number};
 const NEAR: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 
 /// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
-pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod, R: Real, F, G> {
+pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
     run: &'a mut TaylorIntegrator<S, M, R>,
     g: F,
     direction: Direction,
@@ -43,10 +43,10 @@ pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod, R: Real, F, G> {
     done: bool,
 }
 
-impl<'a, S: Jets<R>, M: TaylorMethod, R: Real, F, G> TaylorCrossings<'a, S, M, R, F, G>
+impl<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> TaylorCrossings<'a, S, M, R, F, G>
 where
-    G: Array<Real = M::Series<R>>,
-    F: Fn(&S::Over<M::Series<R>>) -> G,
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
 {
     pub(in crate::running) fn new(run: &'a mut TaylorIntegrator<S, M, R>, direction: Direction, g: F) -> Self {
         let backwards = run.steps.backwards;
@@ -85,8 +85,8 @@ where
             for i in 0..G::LEN {
                 let zeros = self.zeros_of(&piece, i);
                 let near = zeros.iter().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
-                self.sides.as_mut_slice()[i] = M::Series::<R>::from_f64(zeros.end());
-                self.near.as_mut_slice()[i] = M::Series::<R>::from_f64(f64::from(u8::from(near)));
+                self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(zeros.end());
+                self.near.as_mut_slice()[i] = <M::Series as Real>::from_f64(f64::from(u8::from(near)));
             }
             self.first = false;
             if piece.to < 1.0 {
@@ -123,7 +123,8 @@ where
         // Without a step there was no side.
         let count = if self.first { 0 } else { G::LEN };
         self.last = (self.asked..count).find(|i| {
-            let [value, side, near] = [&self.ahead, &self.sides, &self.near].map(|g| number::<M, R>(&g.as_slice()[*i]));
+            let [value, side, near] =
+                [&self.ahead, &self.sides, &self.near].map(|g| number::<S, M, R>(&g.as_slice()[*i]));
             let rounding = || 8.0 * R::epsilon() * self.scale(*i) + 4.0 * self.noise(*i, 1.0);
             side != 0.0 && near == 0.0 && self.direction.counts(-side) && value.abs() <= rounding()
         });
@@ -137,13 +138,13 @@ where
         let g = self.in_parts(&piece.values, i, piece.to - piece.from);
         let noise = if self.first && piece.from == 0.0 { 4.0 * self.noise(i, 0.0) } else { 0.0 };
         let inner = taylor::roots(&g[..count.min(taylor::MOST)], noise);
-        Zeros { inner, side: number::<M, R>(&self.sides.as_slice()[i]) }
+        Zeros { inner, side: number::<S, M, R>(&self.sides.as_slice()[i]) }
     }
 
     /// The first zero in the piece that has not been given out.
     fn earliest(&mut self) -> Option<Crossing<StateOf<S, R>>> {
         if let Some(which) = self.last.take() {
-            let rises = number::<M, R>(&self.sides.as_slice()[which]) < 0.0;
+            let rises = number::<S, M, R>(&self.sides.as_slice()[which]) < 0.0;
             return Some(Crossing { state: self.run.state(), which, rises });
         }
         let piece = self.piece?;
@@ -172,7 +173,7 @@ where
         let width = piece.to - piece.from;
         let g = self.in_parts(&piece.values, i, width);
         let slope = (1..g.len()).rev().fold(0.0, |slope, k| slope * at + k as f64 * g[k]);
-        let value = |part: f64| number::<M, R>(&self.along(part, None).as_slice()[i]);
+        let value = |part: f64| number::<S, M, R>(&self.along(part, None).as_slice()[i]);
         let mut part = piece.from + at * width;
         let mut now = value(part);
         // At the start of a piece a function may have jumped.
@@ -221,10 +222,10 @@ impl Zeros {
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real, F, G> Iterator for TaylorCrossings<'_, S, M, R, F, G>
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> Iterator for TaylorCrossings<'_, S, M, R, F, G>
 where
-    G: Array<Real = M::Series<R>>,
-    F: Fn(&S::Over<M::Series<R>>) -> G,
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
 {
     type Item = Result<Crossing<StateOf<S, R>>, StepError>;
 
@@ -238,7 +239,7 @@ where
     }
 }
 
-impl<S: Jets<R> + Debug, M: TaylorMethod, R: Real, F, G> Debug for TaylorCrossings<'_, S, M, R, F, G> {
+impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real, F, G> Debug for TaylorCrossings<'_, S, M, R, F, G> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let mut crossings = f.debug_struct("TaylorCrossings");
         crossings.field("run", self.run).field("direction", &self.direction).finish_non_exhaustive()

@@ -29,28 +29,28 @@ pub(super) struct Piece<G> {
     pub(super) values: G,
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real, F, G> TaylorCrossings<'_, S, M, R, F, G>
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> TaylorCrossings<'_, S, M, R, F, G>
 where
-    G: Array<Real = M::Series<R>>,
-    F: Fn(&S::Over<M::Series<R>>) -> G,
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
 {
     /// The functions along a part of the last step that begins at `from`, and is not longer than `width`.
     pub(super) fn part(&mut self, from: f64, width: f64) -> Result<Piece<G>, StepError> {
         let values = self.along(from, None);
-        if !all_finite::<M, R, G>(&values) {
+        if !all_finite::<S, M, R, G>(&values) {
             return Err(self.no_event(from));
         }
         if from == 0.0 {
             for i in 0..G::LEN {
-                let [start, end] = [&values, &self.ahead].map(|g| number::<M, R>(&g.as_slice()[i]).abs());
-                self.scales.as_mut_slice()[i] = M::Series::<R>::from_f64(start.max(end));
+                let [start, end] = [&values, &self.ahead].map(|g| number::<S, M, R>(&g.as_slice()[i]).abs());
+                self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
             }
         }
         let mut to = (from + width).min(1.0);
         while !self.agree(&values, from, to) {
             if to - from <= SHORTEST {
                 let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
-                if ends.as_slice().iter().any(|g| !number::<M, R>(g).is_finite()) {
+                if ends.as_slice().iter().any(|g| !number::<S, M, R>(g).is_finite()) {
                     return Err(self.no_event(from));
                 }
                 break;
@@ -69,7 +69,7 @@ where
         };
         (0..G::LEN).all(|i| {
             let value: f64 = self.in_parts(values, i, to - from).iter().sum();
-            let [start, end] = [values, &ends].map(|g| number::<M, R>(&g.as_slice()[i]));
+            let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
             let gap = (value - end).abs();
             gap <= part * start.abs().max(end.abs()) || gap <= 64.0 * self.noise(i, to)
         })
@@ -77,7 +77,7 @@ where
 
     /// The size of a function at the ends of the last step.
     pub(super) fn scale(&self, i: usize) -> f64 {
-        number::<M, R>(&self.scales.as_slice()[i])
+        number::<S, M, R>(&self.scales.as_slice()[i])
     }
 
     /// The polynomial of a function in parts of a piece of this width.
@@ -89,8 +89,8 @@ where
 
     /// By how much a function changes if every coordinate, and time, is rounded.
     pub(super) fn noise(&self, i: usize, part: f64) -> f64 {
-        let here = number::<M, R>(&self.along(part, None).as_slice()[i]);
-        let moved = |coordinate| (number::<M, R>(&self.along(part, Some(coordinate)).as_slice()[i]) - here).abs();
+        let here = number::<S, M, R>(&self.along(part, None).as_slice()[i]);
+        let moved = |coordinate| (number::<S, M, R>(&self.along(part, Some(coordinate)).as_slice()[i]) - here).abs();
         let noise: f64 = (0..S::Phase::LEN + S::Action::LEN + 1).map(moved).sum();
         // Where there is no number there is nothing to compare.
         if noise >= 0.0 { noise } else { 0.0 }
@@ -135,9 +135,9 @@ where
         self.functions(coordinate, now, R::from_f64(expansion.unit))
     }
 
-    fn functions(&self, coordinate: impl Fn(usize) -> M::Series<R>, now: R, unit: R) -> G {
-        let mut z = <<S::Over<M::Series<R>> as Snapshot>::Phase as Array>::zero();
-        let mut s = <<S::Over<M::Series<R>> as Snapshot>::Action as Action<_>>::zero();
+    fn functions(&self, coordinate: impl Fn(usize) -> M::Series, now: R, unit: R) -> G {
+        let mut z = <<S::Over<M::Series> as Snapshot>::Phase as Array>::zero();
+        let mut s = <<S::Over<M::Series> as Snapshot>::Action as Action<_>>::zero();
         for (i, x) in z.as_mut_slice().iter_mut().enumerate() {
             *x = coordinate(i);
         }
@@ -160,10 +160,10 @@ where
 }
 
 /// The value of a series at its start.
-pub(super) fn number<M: TaylorMethod, R: Real>(series: &M::Series<R>) -> f64 {
+pub(super) fn number<S: Jets<R>, M: TaylorMethod<S, R>, R: Real>(series: &M::Series) -> f64 {
     signed(M::coefficients(series)[0])
 }
 
-fn all_finite<M: TaylorMethod, R: Real, G: Array<Real = M::Series<R>>>(values: &G) -> bool {
+fn all_finite<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, G: Array<Real = M::Series>>(values: &G) -> bool {
     values.as_slice().iter().flat_map(|g| M::coefficients(g)).all(|g| g.magnitude().is_finite())
 }

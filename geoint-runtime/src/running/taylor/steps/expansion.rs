@@ -8,7 +8,7 @@ use crate::taylor::{self, TaylorMethod};
 
 /// The coefficients at a point.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
+pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
     /// The unit of time in the coefficients, a power of two.
     pub(in crate::running) unit: f64,
@@ -18,7 +18,7 @@ pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
     pub(in crate::running) switches: M::Orders<S::Switches>,
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The coefficients at a point into a place, for steps of about this length.
     #[inline(always)]
     pub(super) fn expand(&mut self, place: usize, h: f64, t: R, x: PerCoordinate<S::Phase, S::Action>) {

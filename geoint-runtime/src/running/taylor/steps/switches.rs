@@ -20,7 +20,7 @@ pub(super) struct Switch {
 /// So many steps in a row that a switch has ended where they began are no accident.
 pub(super) const STUCK: u32 = 16;
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The first condition of the energy that changes sides within a step.
     #[inline(always)]
     pub(super) fn switch(&self, h: f64) -> Option<Switch> {
