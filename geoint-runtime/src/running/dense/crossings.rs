@@ -1,5 +1,6 @@
 //! Where a function of the state changes sign between the ends of steps.
 
+use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
 use super::roots::{differ, excursion, illinois};
 use super::{Dense, has_reached, step};
 use crate::running::StepError;
@@ -7,47 +8,8 @@ use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
 use crate::space::{Action, Array, Snapshot};
 
-/// Which changes of sign count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// From negative to positive, as time goes on in the run.
-    Up,
-    /// From positive to negative.
-    Down,
-    /// Both.
-    Any,
-}
-
-impl Direction {
-    /// Whether a change to this sign counts.
-    pub(super) fn counts(self, to: f64) -> bool {
-        match self {
-            Direction::Up => to > 0.0,
-            Direction::Down => to < 0.0,
-            Direction::Any => true,
-        }
-    }
-}
-
-/// A change of sign.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing<X> {
-    /// Where and when: the function is zero there, to rounding.
-    pub state: X,
-    /// Which of several functions it is.
-    pub which: usize,
-    /// Whether the function rises.
-    pub rises: bool,
-}
-
-/// So many points in a row at which a function is zero are no accident.
-pub(super) const ZEROS: u32 = 1024;
-
 /// Parts of a step after which a function that starts with zero has its sign: the first at which it is above rounding.
 const LITTLE: [f64; 2] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64];
-
-/// A zero so near to the end of a step is one at the end.
-const NEAR: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 
 /// The crossings of a run, in order; ends after the first error, or at a time.
 #[derive(Debug)]
@@ -82,14 +44,6 @@ fn none<G: Array>() -> G {
     let mut none = G::zero();
     none.as_mut_slice().fill(G::Real::from_f64(f64::NAN));
     none
-}
-
-/// That a search can end at a time.
-pub(super) fn check_end<R: Real>(end: Option<R>, now: R) -> Result<(), StepError> {
-    match end {
-        Some(t) if t.magnitude().is_nan() => Err(StepError::InvalidStepSize { h: signed(t - now) }),
-        _ => Ok(()),
-    }
 }
 
 impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<'a, T, F, G> {
@@ -318,23 +272,5 @@ impl<T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Iterator for C
         let found = next(self, Self::earliest, Self::step);
         self.done = !matches!(found, Some(Ok(_)));
         found
-    }
-}
-
-/// The first zero that a step has, in as many steps as that takes; `None` where no step is left.
-pub(super) fn next<S, X>(
-    search: &mut S,
-    mut earliest: impl FnMut(&mut S) -> Option<Result<X, StepError>>,
-    mut step: impl FnMut(&mut S) -> Result<bool, StepError>,
-) -> Option<Result<X, StepError>> {
-    loop {
-        if let Some(found) = earliest(search) {
-            return Some(found);
-        }
-        match step(search) {
-            Ok(true) => {}
-            Ok(false) => return None,
-            Err(error) => return Some(Err(error)),
-        }
     }
 }

@@ -1,12 +1,14 @@
 //! States between the ends of steps, and what happens there. Output never changes the steps of a run.
 
+mod crossing;
 mod crossings;
 mod interpolated;
 mod roots;
 mod samples;
 mod taylor;
 
-pub use crossings::{Crossing, Crossings, Direction};
+pub use crossing::{Crossing, Direction};
+pub use crossings::Crossings;
 pub use interpolated::{Curve, Exactly, Hermite, Interpolated, Within};
 pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;

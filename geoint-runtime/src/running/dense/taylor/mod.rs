@@ -2,7 +2,7 @@
 
 mod pieces;
 
-use super::crossings::{Crossing, Direction, ZEROS, check_end, next};
+use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
 use super::has_reached;
 use crate::running::{StepError, TaylorIntegrator};
 use crate::scalar::{Real, signed};
@@ -11,9 +11,6 @@ use crate::system::{Jets, StateOf};
 use crate::taylor::{self, TaylorMethod};
 use core::fmt::{self, Debug, Formatter};
 use pieces::{Piece, number};
-
-/// A zero so near to the end of a step is one at the end.
-const NEAR: f64 = 1.0 - 1.0 / (1_u64 << 40) as f64;
 
 /// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
 pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
@@ -186,10 +183,11 @@ where
                 break;
             }
             let there = value(next);
-            if !(there.abs() < now.abs()) {
+            if there.abs() < now.abs() {
+                (part, now) = (next, there);
+            } else {
                 break;
             }
-            (part, now) = (next, there);
         }
         (now.abs() <= self.scale(i)).then_some(part)
     }
