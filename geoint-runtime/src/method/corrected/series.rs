@@ -6,9 +6,8 @@ use super::projection::{Projection, way_back};
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::solving::size::Sizes;
+use crate::space::PerCoordinate;
 use crate::space::vector::difference;
-use crate::space::{Compensated, PerCoordinate, Summation};
 use crate::system::{Jets, VectorField};
 use crate::taylor::{Steps, TaylorMethod};
 use core::fmt::Debug;
@@ -33,7 +32,7 @@ where
         self.0.order()
     }
     fn memory() -> Memory<(), S::Phase> {
-        Memory { method: (), sizes: Sizes::new(), sums: Compensated::new() }
+        Memory::new(())
     }
     #[inline]
     fn correction(
