@@ -134,7 +134,7 @@ fn logarithm(q: f64, p: f64) -> f64 {
     p * p / 2.0 + 0.1 * q + q * q.ln()
 }
 
-fn first_error<M: TaylorMethod>(method: M, state: State<f64>) -> StepError {
+fn first_error<M: TaylorMethod<Logarithm>>(method: M, state: State<f64>) -> StepError {
     let mut sim = Logarithm.taylor(method, state);
     let error = sim.step().unwrap_err();
     assert!(sim.steps() == 0 && sim.time() == state.t || state.t.is_nan());

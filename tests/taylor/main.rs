@@ -4,5 +4,7 @@
 
 mod dense;
 mod edges;
+mod events;
+mod output;
 mod recurrences;
 mod solutions;

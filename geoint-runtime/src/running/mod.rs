@@ -19,7 +19,10 @@ mod watch;
 
 pub use adaptive::Adaptive;
 pub use constraints::state_on_constraint;
-pub use dense::{Crossing, Crossings, Dense, Direction, SampledAt, SampledEvery, TaylorCrossings};
+pub use dense::{
+    Crossing, Crossings, Curve, Dense, Direction, Exactly, Hermite, Interpolated, SampledAt, SampledEvery,
+    TaylorCrossings, Within,
+};
 pub use error::{Reason, StepError};
 pub use integrator::Integrator;
 #[cfg(feature = "alloc")]

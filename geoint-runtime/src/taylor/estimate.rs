@@ -7,6 +7,9 @@ use crate::space::{Action, Array, PerCoordinate, Record, Tape};
 /// orbit would drift with what is truncated, 1.7·10⁻¹³ in 10⁴ periods, where it walks 2·10⁻¹⁴ by rounding.
 const BELOW: f64 = 6.0;
 
+/// Beyond this the last terms say nothing of the error: the series may not converge.
+const LOOSEST: f64 = 1.0 / 16.0;
+
 /// The largest magnitudes that positions, momenta and so on have had, and the tolerance relative to them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Estimate<Z, S> {
@@ -26,7 +29,7 @@ impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for Estimate<Z, S> {
 
 impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     pub(crate) fn new(tolerance: f64, alike: usize) -> Self {
-        let tolerance = tolerance.max(Z::Real::epsilon());
+        let tolerance = tolerance.max(Z::Real::epsilon()).min(LOOSEST);
         Estimate { tolerance: Real::log2(tolerance) - BELOW, alike, sizes: PerCoordinate::zero() }
     }
 
@@ -105,14 +108,22 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
         times.map(|(size, rate)| size / rate).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding.
+    /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding: of coordinates, and of the
+    /// time of the end, which changes rates by `late`.
     #[inline(always)]
-    pub(crate) fn agree(&self, h: f64, rates: [&PerCoordinate<Z, S>; 2], before: &PerCoordinate<Z, S>) -> bool {
+    pub(crate) fn agree(
+        &self,
+        h: f64,
+        rates: [&PerCoordinate<Z, S>; 2],
+        before: &PerCoordinate<Z, S>,
+        late: &PerCoordinate<Z, S>,
+    ) -> bool {
         let part = exp2(0.5 * self.tolerance);
         let (rounding, smallest) = (64.0 * Z::Real::epsilon(), Z::Real::smallest());
         let mut gap = *rates[0];
         gap.add_scaled(Z::Real::from_f64(-1.0), rates[1]);
-        let groups = Self::magnitudes(self.alike, &gap).zip(self.sizes());
+        let late = Self::magnitudes(self.alike, late);
+        let groups = Self::magnitudes(self.alike, &gap).zip(late).map(|(gap, late)| gap - late).zip(self.sizes());
         let scales = Self::magnitudes(self.alike, rates[1]).zip(Self::magnitudes(self.alike, before));
         groups.zip(scales).fold(true, |good, ((gap, size), (here, before))| {
             good & (h.abs() * gap <= h.abs() * part * here.max(before) + rounding * size + smallest)

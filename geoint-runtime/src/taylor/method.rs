@@ -2,7 +2,8 @@
 
 use crate::scalar::{Real, Series};
 use crate::sealed::Sealed;
-use crate::space::PerCoordinate;
+use crate::solving::Refusal;
+use crate::space::{PerCoordinate, Record};
 use crate::system::Jets;
 use core::fmt::Debug;
 
@@ -13,7 +14,7 @@ const LARGE: usize = 12;
 ///
 /// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
 /// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
-/// Tolerances below the accuracy of the scalar count as that. Nothing is kept exactly, everything to the tolerance: at the default the
+/// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16. Nothing is kept exactly, everything to the tolerance: at the default the
 /// energy of a Kepler orbit walks 3 to 7·10⁻¹⁴ in 10⁴ periods, by rounding. The order is 20; of large systems 12 or 16 where the tolerance is
 /// above 10⁻⁸ or 10⁻¹².
 ///
@@ -75,27 +76,42 @@ pub enum Steps {
     Length(f64),
 }
 
-/// [`Taylor`], [`TaylorOrder`] or [`TaylorFixed`].
+/// [`Taylor`], [`TaylorOrder`] or [`TaylorFixed`], and these [projected](crate::Projection) to invariants.
 ///
 /// Sealed: orders are part of types.
-pub trait TaylorMethod: Sealed + Copy + Debug {
+pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
     /// A value for each order, from 1 on or from 0 on.
     type Orders<X: Copy + Debug>: Copy + Debug + AsRef<[X]> + AsMut<[X]>;
     /// A series of as many coefficients, as a scalar.
-    type Series<R: Real>: Real;
+    type Series: Real;
+    /// What steps hand on to the next one, where their ends are put right.
+    type Memory: Copy + Debug + Record<R>;
 
     /// How steps are chosen.
     fn steps(&self) -> Steps;
-    /// The order for a system.
-    fn order<S: Jets<R>, R: Real>(&self) -> usize;
+    /// The order.
+    fn order(&self) -> usize;
+    /// The memory before the first step.
+    fn memory() -> Self::Memory;
+    /// What is added to the end `z` of a step from `before` that follows from the series.
+    ///
+    /// # Errors
+    /// Where it can not be put right.
+    fn correction(
+        &self,
+        memory: &mut Self::Memory,
+        system: &S,
+        before: &S::Phase,
+        z: &S::Phase,
+    ) -> Result<Option<S::Phase>, Refusal>;
     /// A series from its coefficients, that of order 0 first.
-    fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Self::Series<R>;
+    fn series(coefficient: impl FnMut(usize) -> R) -> Self::Series;
     /// The coefficients of a series.
-    fn coefficients<R: Real>(series: &Self::Series<R>) -> &[R];
+    fn coefficients(series: &Self::Series) -> &[R];
     /// The same value for each order.
     fn fill<X: Copy + Debug>(x: X) -> Self::Orders<X>;
     /// The coefficients of [`Jets::jet`] up to `order`, in the unit and at the time `start`.
-    fn jet<S: Jets<R>, R: Real>(
+    fn jet(
         order: usize,
         system: &S,
         start: [R; 2],
@@ -105,35 +121,48 @@ pub trait TaylorMethod: Sealed + Copy + Debug {
     );
 }
 
+/// Ends of steps that are left as they are.
+macro_rules! as_it_is {
+    () => {
+        fn memory() {}
+        #[inline(always)]
+        fn correction(&self, (): &mut (), _: &S, _: &S::Phase, _: &S::Phase) -> Result<Option<S::Phase>, Refusal> {
+            Ok(None)
+        }
+    };
+}
+
 impl Sealed for Taylor {}
 impl<const P: usize> Sealed for TaylorOrder<P> {}
 impl<const P: usize> Sealed for TaylorFixed<P> {}
 
-impl TaylorMethod for Taylor {
+impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
     type Orders<X: Copy + Debug> = [X; 20];
-    type Series<R: Real> = Series<R, 20>;
+    type Series = Series<R, 20>;
+    type Memory = ();
 
     fn steps(&self) -> Steps {
         Steps::Tolerance(self.tolerance)
     }
-    fn order<S: Jets<R>, R: Real>(&self) -> usize {
+    as_it_is!();
+    fn order(&self) -> usize {
         match S::CONVOLUTIONS {
             LARGE.. if self.tolerance >= 1e-8 => 12,
             LARGE.. if self.tolerance >= 1e-12 => 16,
             _ => 20,
         }
     }
-    fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Series<R, 20> {
+    fn series(coefficient: impl FnMut(usize) -> R) -> Series<R, 20> {
         Series(core::array::from_fn(coefficient))
     }
-    fn coefficients<R: Real>(series: &Series<R, 20>) -> &[R] {
+    fn coefficients(series: &Series<R, 20>) -> &[R] {
         &series.0
     }
     fn fill<X: Copy + Debug>(x: X) -> [X; 20] {
         [x; 20]
     }
     #[inline]
-    fn jet<S: Jets<R>, R: Real>(
+    fn jet(
         order: usize,
         system: &S,
         start: [R; 2],
@@ -167,28 +196,30 @@ fn part<const P: usize, S: Jets<R>, R: Real>(
 /// The methods of one order.
 macro_rules! of_one_order {
     ($($method:ident, $steps:expr;)*) => { $(
-        impl<const P: usize> TaylorMethod for $method<P> {
+        impl<S: Jets<R>, R: Real, const P: usize> TaylorMethod<S, R> for $method<P> {
             type Orders<X: Copy + Debug> = [X; P];
-            type Series<R: Real> = Series<R, P>;
+            type Series = Series<R, P>;
+            type Memory = ();
 
             fn steps(&self) -> Steps {
                 let steps: fn(&Self) -> Steps = $steps;
                 steps(self)
             }
-            fn order<S: Jets<R>, R: Real>(&self) -> usize {
+            as_it_is!();
+            fn order(&self) -> usize {
                 P
             }
-            fn series<R: Real>(coefficient: impl FnMut(usize) -> R) -> Series<R, P> {
+            fn series(coefficient: impl FnMut(usize) -> R) -> Series<R, P> {
                 Series(core::array::from_fn(coefficient))
             }
-            fn coefficients<R: Real>(series: &Series<R, P>) -> &[R] {
+            fn coefficients(series: &Series<R, P>) -> &[R] {
                 &series.0
             }
             fn fill<X: Copy + Debug>(x: X) -> [X; P] {
                 [x; P]
             }
             #[inline]
-            fn jet<S: Jets<R>, R: Real>(
+            fn jet(
                 _: usize,
                 system: &S,
                 [unit, t]: [R; 2],

@@ -47,6 +47,17 @@ fn times_and_add<Z: Array, S: Action<Z::Real>>(y: &mut PerCoordinate<Z, S>, w: Z
     }
 }
 
+/// Coefficients of a polynomial about a point as those about a point so much later; that of the highest order is `last`.
+pub(crate) fn shift<R: Real>(coefficients: &mut [R], last: R, by: R) {
+    let n = coefficients.len();
+    for first in 0..n {
+        for k in (first..n).rev() {
+            let next = if k + 1 == n { last } else { coefficients[k + 1] };
+            coefficients[k] = by.multiply_add(next, coefficients[k]);
+        }
+    }
+}
+
 /// Coefficients c₀, c₁, … of powers of time as those of powers of a part of a step: cₖ hᵏ. What is zero stays so, however long the step is.
 #[inline(always)]
 pub(crate) fn in_parts(coefficients: impl Iterator<Item = f64>, h: f64) -> [f64; MOST] {

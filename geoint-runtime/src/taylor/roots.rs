@@ -27,19 +27,19 @@ impl Roots {
 
 /// The roots of Σ gₖτᵏ in (0, 1].
 ///
-/// A g₀ that is no more than rounding is a root at 0, which does not count.
+/// A g₀ that is no more than rounding, of the polynomial or `noise`, is a root at 0, which does not count.
 #[inline]
-pub(crate) fn roots(g: &[f64]) -> Roots {
+pub(crate) fn roots(g: &[f64], noise: f64) -> Roots {
     let rest: f64 = g[1..].iter().map(|g| g.abs()).sum();
     let none = |sign: f64| Roots { roots: [0.0; MOST], len: 0, sign };
     // Almost every step ends here.
-    if g[0].abs() > rest {
+    if g[0].abs() > rest && g[0].abs() > noise {
         return none(g[0].signum());
     }
     if !(rest > 0.0 && g[0].abs() + rest < f64::INFINITY) {
         return none(0.0);
     }
-    isolate(g, rest)
+    isolate(g, (8.0 * f64::EPSILON * rest).max(noise))
 }
 
 /// An interval, and the polynomial on it in Bernstein's form.
@@ -52,9 +52,8 @@ struct Piece {
 }
 
 #[inline(never)]
-fn isolate(g: &[f64], rest: f64) -> Roots {
+fn isolate(g: &[f64], small: f64) -> Roots {
     // Without the roots at 0, and without what is zero at the end.
-    let small = 8.0 * f64::EPSILON * rest;
     let mut g = if g[0].abs() <= small { &g[1..] } else { g };
     while let [zero, later @ ..] = g
         && *zero == 0.0
@@ -230,7 +229,7 @@ mod tests {
                 continue;
             }
             let g = polynomial(&expected, 20, &mut noise);
-            let found = roots(&g);
+            let found = roots(&g, 0.0);
             assert_eq!(found.as_slice().len(), expected.len(), "{expected:?} {:?}", found.as_slice());
             for (found, expected) in found.as_slice().iter().zip(&expected) {
                 let error = (found - expected).abs();
@@ -249,21 +248,21 @@ mod tests {
     #[test]
     fn roots_at_the_ends() {
         // τ(τ − 1/2): the one at 0 does not count.
-        let found = roots(&[0.0, -0.5, 1.0]);
+        let found = roots(&[0.0, -0.5, 1.0], 0.0);
         assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
-        let found = roots(&[1e-18, -0.5, 1.0]);
+        let found = roots(&[1e-18, -0.5, 1.0], 0.0);
         assert_eq!((found.as_slice(), found.sign), (&[0.5][..], -1.0));
         // 1 − τ, which has not changed sign yet at the end.
-        assert_eq!(roots(&[1.0, -1.0]).as_slice(), []);
-        assert_eq!(roots(&[1.0, -0.999]).as_slice(), []);
-        assert_eq!(roots(&[0.0, 0.0, 0.0]).sign, 0.0);
-        assert_eq!(roots(&[f64::NAN, 1.0]).as_slice(), []);
+        assert_eq!(roots(&[1.0, -1.0], 0.0).as_slice(), []);
+        assert_eq!(roots(&[1.0, -0.999], 0.0).as_slice(), []);
+        assert_eq!(roots(&[0.0, 0.0, 0.0], 0.0).sign, 0.0);
+        assert_eq!(roots(&[f64::NAN, 1.0], 0.0).as_slice(), []);
         let mut fall = [0.0; 20];
         (fall[1], fall[2]) = (357.0, -48612.0);
-        let found = roots(&fall);
+        let found = roots(&fall, 0.0);
         assert_eq!((found.as_slice().len(), found.sign), (1, 1.0));
         assert!((found.as_slice()[0] - 357.0 / 48612.0).abs() < 1e-17);
         // A double root is no change of sign.
-        assert_eq!(roots(&[0.25, -1.0, 1.0]).as_slice(), []);
+        assert_eq!(roots(&[0.25, -1.0, 1.0], 0.0).as_slice(), []);
     }
 }

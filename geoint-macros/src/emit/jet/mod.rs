@@ -69,7 +69,7 @@ pub(super) fn jets(context: &Context<'_>, found: &JetKernel<Plan>) -> TokenStrea
             /// This system by Taylor series of its solution, from `state` on.
             ///
             /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-            pub fn taylor<M: TaylorMethod>(self, method: M, state: #state<#coordinates>) -> TaylorIntegrator<Self, M, #float> {
+            pub fn taylor<M: TaylorMethod<Self, #float>>(self, method: M, state: #state<#coordinates>) -> TaylorIntegrator<Self, M, #float> {
                 TaylorIntegrator::new(self, method, state)
             }
         }

@@ -1000,7 +1000,7 @@ const _: () = {
         /// This system by Taylor series of its solution, from `state` on.
         ///
         /// Nothing is checked yet: an unusable tolerance or state is reported by the first step.
-        pub fn taylor<M: TaylorMethod>(
+        pub fn taylor<M: TaylorMethod<Self, f64>>(
             self,
             method: M,
             state: State<[f64; 2]>,

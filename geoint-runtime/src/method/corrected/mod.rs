@@ -29,6 +29,7 @@
 pub mod invariants;
 pub mod projection;
 pub mod relaxation;
+mod series;
 
 pub use invariants::{Energy, Integrals, Invariants};
 pub use projection::Projection;
@@ -38,7 +39,7 @@ use crate::solving::size::Sizes;
 use crate::space::{Array, Compensated, Record, Summation, Tape};
 
 /// What a step hands on to the next one.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Memory<M, A: Array> {
     method: M,
     sizes: Sizes<A>,

@@ -19,6 +19,9 @@ use core::cell::Cell;
 /// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
 /// units in which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
+///
+/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Their energy then has no drift at
+/// any tolerance. States between the ends of steps are those of the series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 
@@ -75,61 +78,80 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
 
-        // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
-        let mut gradients = invariants.gradients(system, &x.z);
-        let directions = I::Values::entries(&mut gradients);
-        let mut terms = I::Values::zero();
-        for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
-            *terms = sizes.normalise(direction);
-        }
-        // Simplified Newton for the multipliers: at y, with the gradients that are there already.
-        let triangle = orthonormalise::<I::Values, S::Phase>(directions);
-        let back = |multipliers: &I::Values| {
-            let mut back = S::Phase::zero();
-            for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
-                back.add_scaled(*multiplier, direction);
-            }
-            sizes.multiply(&mut back);
-            back
-        };
-        // The increments at whose end conditions of the energy were decided last.
-        let decided = Cell::new(moved);
-        let residual = |multipliers: &I::Values| {
-            let change = sum(&moved, &back(multipliers));
-            decided.set(change);
-            let mut changes = invariants.changes(system, &before, &change);
-            for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
-                // Also where gradients vanish there may be nothing to do.
-                *change = if change.magnitude() == 0.0 { *change } else { *change / *terms };
-            }
-            changes
-        };
-        // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
-        let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
-        let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
-            let units = Sizes::equal();
-            !jumps && {
-                let correction = |at: &I::Values| {
-                    let mut delta = residual(at);
-                    along(&triangle, &mut delta);
-                    delta
-                };
-                let kinds = [I::Values::LEN, 1];
-                let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
-                noise::explains(&noise, &correction(multipliers), &units)
-            }
-        };
-        let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
-            let mut delta = residual(multipliers);
-            let relative = along(&triangle, &mut delta);
-            Ok((delta, relative))
-        })?;
-        x.correct(sums, &before, &moved, &back(&multipliers));
+        let way = way_back(system, invariants, sizes, [&before, &x.z], &moved)?;
+        x.correct(sums, &before, &moved, &way.back);
         if I::KEEP_ENERGY {
-            check_conditions(system, t, &sum(&before, &decided.get()), x)?;
+            check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
         check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }
+}
+
+/// From the end of a step to where the invariants are what they were.
+pub(super) struct WayBack<Z> {
+    pub(super) back: Z,
+    /// The increment of the step at whose end conditions of the energy were decided last.
+    decided: Z,
+}
+
+/// The way back from the end of a step by `moved`, in units of sizes.
+pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
+    system: &S,
+    invariants: &I,
+    sizes: &Sizes<S::Phase>,
+    [before, end]: [&S::Phase; 2],
+    moved: &S::Phase,
+) -> Result<WayBack<S::Phase>, Refusal> {
+    // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
+    let mut gradients = invariants.gradients(system, end);
+    let directions = I::Values::entries(&mut gradients);
+    let mut terms = I::Values::zero();
+    for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
+        *terms = sizes.normalise(direction);
+    }
+    // Simplified Newton for the multipliers: at y, with the gradients that are there already.
+    let triangle = orthonormalise::<I::Values, S::Phase>(directions);
+    let back = |multipliers: &I::Values| {
+        let mut back = S::Phase::zero();
+        for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
+            back.add_scaled(*multiplier, direction);
+        }
+        sizes.multiply(&mut back);
+        back
+    };
+    // The increments at whose end conditions of the energy were decided last.
+    let decided = Cell::new(*moved);
+    let residual = |multipliers: &I::Values| {
+        let change = sum(moved, &back(multipliers));
+        decided.set(change);
+        let mut changes = invariants.changes(system, before, &change);
+        for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
+            // Also where gradients vanish there may be nothing to do.
+            *change = if change.magnitude() == 0.0 { *change } else { *change / *terms };
+        }
+        changes
+    };
+    // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
+    let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+    let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
+        let units = Sizes::equal();
+        !jumps && {
+            let correction = |at: &I::Values| {
+                let mut delta = residual(at);
+                along(&triangle, &mut delta);
+                delta
+            };
+            let kinds = [I::Values::LEN, 1];
+            let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
+            noise::explains(&noise, &correction(multipliers), &units)
+        }
+    };
+    let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
+        let mut delta = residual(multipliers);
+        let relative = along(&triangle, &mut delta);
+        Ok((delta, relative))
+    })?;
+    Ok(WayBack { back: back(&multipliers), decided: decided.get() })
 }
 
 /// Makes directions orthonormal, by Gram's and Schmidt's method, each twice; the triangle that takes them back to what they were.

@@ -25,6 +25,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     pub(super) clock: Clock<R>,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,
+    /// How many there were when the user gave a state.
+    given: u64,
     pub(super) rejections: u64,
 }
 
@@ -41,6 +43,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             clock: Clock::new(t, zero()),
             x,
             taken: 0,
+            given: 0,
             rejections: 0,
         };
         steps.controller.start(steps.guess(), tolerance);
@@ -50,6 +53,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// Goes on from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
+        self.given = self.taken;
         let backwards = self.size() < 0.0;
         self.controller.start(self.guess(), self.tolerance.relative);
         self.controller.turn(backwards);
@@ -157,12 +161,15 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             return Err(StepError::NonFiniteState { t });
         }
         // Later states are good because the steps that led to them were.
-        if let (0, Some(length)) = (self.taken, wrong_length::<S, R>(&self.x.z)) {
+        if self.taken != self.given {
+            return Ok(());
+        }
+        if let Some(length) = wrong_length::<S, R>(&self.x.z) {
             return Err(StepError::NotNormalised { t, length });
         }
         match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
-            Some(what) if self.taken == 0 => Err(StepError::OutsideDomain { t, what }),
-            _ => Ok(()),
+            Some(what) => Err(StepError::OutsideDomain { t, what }),
+            None => Ok(()),
         }
     }
 }

@@ -1,50 +1,15 @@
 //! Where a function of the state changes sign between the ends of steps.
 
-use super::roots::illinois;
+use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
+use super::roots::{differ, excursion, illinois};
 use super::{Dense, has_reached, step};
 use crate::running::StepError;
 use crate::running::trajectory::Scalar;
 use crate::scalar::{Real, signed};
-use crate::space::Array;
+use crate::space::{Action, Array, Snapshot};
 
-/// Which changes of sign count.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Direction {
-    /// From negative to positive, as time goes on in the run.
-    Up,
-    /// From positive to negative.
-    Down,
-    /// Both.
-    Any,
-}
-
-impl Direction {
-    /// Whether a change to this sign counts.
-    pub(super) fn counts(self, to: f64) -> bool {
-        match self {
-            Direction::Up => to > 0.0,
-            Direction::Down => to < 0.0,
-            Direction::Any => true,
-        }
-    }
-}
-
-/// A change of sign.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Crossing<X> {
-    /// Where and when: the function is zero there, to rounding.
-    pub state: X,
-    /// Which of several functions it is.
-    pub which: usize,
-    /// Whether the function rises.
-    pub rises: bool,
-}
-
-/// So many points in a row at which a function is zero are no accident.
-pub(super) const ZEROS: u32 = 1024;
-
-/// A part of a step after which a function that starts with zero has its sign.
-const LITTLE: f64 = 1.0 / 1024.0;
+/// Parts of a step after which a function that starts with zero has its sign: the first at which it is above rounding.
+const LITTLE: [f64; 2] = [1.0 / (1 << 20) as f64, 1.0 / (1 << 10) as f64];
 
 /// The crossings of a run, in order; ends after the first error, or at a time.
 #[derive(Debug)]
@@ -55,26 +20,55 @@ pub struct Crossings<'a, T: Dense, F, G> {
     direction: Direction,
     end: Option<Scalar<T>>,
     backwards: bool,
-    /// Values at the start and at the end of the last step; at the start, of those that are zero, with the sign of before.
+    /// Values at the start and at the end of the last step.
     values: Option<[G; 2]>,
     /// Signs before the last step; 0 where there was none yet.
     sides: G,
+    /// Values one step before that, and when that was, in parts of the last step.
+    earlier: Option<(f64, G)>,
     zeros: u32,
-    /// When the functions are zero in the last step, as a part of it; not a number where they are not, or have been given out.
-    roots: G,
+    /// When the functions are zero in the last step, once or twice, as a part of it; not a number where they are not, or have been given
+    /// out.
+    roots: [G; 2],
+    /// Signs behind those.
+    rises: [G; 2],
+    /// Functions that had a zero next to the end of the last step.
+    near: G,
+    /// Where no step is left: the functions that have been asked for a zero at the end.
+    asked: usize,
     done: bool,
+}
+
+/// Of each function none.
+fn none<G: Array>() -> G {
+    let mut none = G::zero();
+    none.as_mut_slice().fill(G::Real::from_f64(f64::NAN));
+    none
 }
 
 impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<'a, T, F, G> {
     pub(super) fn new(run: &'a mut T, direction: Direction, g: F) -> Self {
         let (before, backwards) = (run.clone(), run.steps_backwards());
-        let (sides, mut roots) = (G::zero(), G::zero());
-        roots.as_mut_slice().fill(Scalar::<T>::from_f64(f64::NAN));
-        let (end, values) = (None, None);
-        Crossings { run, before, g, direction, end, backwards, values, sides, zeros: 0, roots, done: false }
+        Crossings {
+            run,
+            before,
+            g,
+            direction,
+            end: None,
+            backwards,
+            values: None,
+            sides: G::zero(),
+            earlier: None,
+            zeros: 0,
+            roots: [none(); 2],
+            rises: [G::zero(); 2],
+            near: G::zero(),
+            asked: 0,
+            done: false,
+        }
     }
 
-    /// The same up to a time, before or after now. Runs with fixed steps end up to a step before it.
+    /// The same up to a time, before or after now; zeros at that time, to rounding, count. Runs with fixed steps end up to a step before it.
     pub fn until(mut self, t: Scalar<T>) -> Self {
         self.backwards = (t - self.run.time()).any_below(0.0);
         self.end = Some(t);
@@ -85,19 +79,21 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
     fn values(&self) -> Result<G, StepError> {
         let values = (self.g)(&self.run.state());
         let t = signed(self.run.time());
-        if values.as_slice().iter().any(|g| g.magnitude().is_nan()) {
-            Err(StepError::NoEvent { t })
-        } else {
+        if values.as_slice().iter().all(|g| g.magnitude().is_finite()) {
             Ok(values)
+        } else {
+            Err(StepError::NoEvent { t })
         }
     }
 
     /// The next step, and which functions are zero in it; `false` if there is none.
     fn step(&mut self) -> Result<bool, StepError> {
-        let before = match self.values {
-            Some([_, now]) => now,
-            None => self.values()?,
+        check_end(self.end, self.run.time())?;
+        let (first, before) = match self.values {
+            Some([_, now]) => (false, now),
+            None => (true, self.values()?),
         };
+        let start = self.before.time();
         self.before = self.run.clone();
         let stepped = match self.end {
             Some(t) if has_reached(self.run.time(), t, self.backwards) => false,
@@ -105,36 +101,137 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
             None => step(self.run, self.backwards)?,
         };
         if !stepped {
-            return Ok(false);
+            return self.stop(!first);
         }
         let after = self.values()?;
+        let passed = |from: Scalar<T>, to: Scalar<T>| signed(to - from);
+        self.earlier = self.values.map(|[earlier, _]| {
+            let step = passed(self.before.time(), self.run.time());
+            (-passed(start, self.before.time()) / step, earlier)
+        });
         self.values = Some([before, after]);
         let mut all_zero = G::LEN > 0;
         for i in 0..G::LEN {
-            let [first, last] = [&before, &after].map(|g| signed(g.as_slice()[i]));
-            all_zero &= first == 0.0 && last == 0.0;
-            // Where the function has a side, and its value there.
-            let (from, value) = match signed(self.sides.as_slice()[i]) {
-                // It starts on a zero, after an impact: on which side it leaves is seen a little later.
-                0.0 if first == 0.0 => (LITTLE, self.value(i, LITTLE)?),
-                side if first == 0.0 => (0.0, side),
-                _ => (0.0, first),
-            };
-            if value * last < 0.0 && self.direction.counts(last) {
-                let root = match first {
-                    0.0 if from == 0.0 => 0.0,
-                    _ => illinois([(from, value), (1.0, last)], |part| self.value(i, part))?,
-                };
-                self.roots.as_mut_slice()[i] = Scalar::<T>::from_f64(root);
-            }
-            let side = if value == 0.0 { 0.0 } else { value.signum() };
-            self.sides.as_mut_slice()[i] = Scalar::<T>::from_f64(if last != 0.0 { last.signum() } else { side });
+            let ends = [&before, &after].map(|g| signed(g.as_slice()[i]));
+            all_zero &= ends == [0.0; 2];
+            self.search(i, ends)?;
         }
         self.zeros = if all_zero { self.zeros + 1 } else { 0 };
         if self.zeros >= ZEROS {
             return Err(StepError::NoEvent { t: signed(self.run.time()) });
         }
         Ok(true)
+    }
+
+    /// The zeros of a function in the last step, at whose ends it has these values.
+    fn search(&mut self, i: usize, ends: [f64; 2]) -> Result<(), StepError> {
+        let side = signed(self.sides.as_slice()[i]);
+        // Where it has a side, and its value there.
+        let (from, value) = match ends[0] {
+            _ if side == 0.0 => self.leaving(i, ends)?,
+            0.0 => (0.0, side),
+            start => (0.0, start),
+        };
+        if value == 0.0 {
+            return Ok(());
+        }
+        let mut found = [f64::NAN; 2];
+        if differ(value, ends[1]) {
+            let in_joint = ends[0] == 0.0 && from == 0.0;
+            let mut g = |part: f64| self.value(i, part);
+            let root = if in_joint { Some(0.0) } else { illinois([(from, value), (1.0, ends[1])], &mut g)? };
+            found[0] = root.unwrap_or(f64::NAN);
+        } else if ends[1] != 0.0 && from < 1.0 && (ends[0] != 0.0 || from > 0.0) {
+            let mut g = |part: f64| self.value(i, part);
+            let earlier = match &self.earlier {
+                Some((part, values)) if values.as_slice()[i].magnitude() > 0.0 => (*part, signed(values.as_slice()[i])),
+                _ => (LITTLE[1], g(LITTLE[1])?),
+            };
+            if let Some(there) = excursion(earlier, [value, ends[1]], &mut g)? {
+                let roots = [[(from, value), there], [there, (1.0, ends[1])]];
+                for (found, bracket) in found.iter_mut().zip(roots) {
+                    *found = illinois(bracket, &mut g)?.unwrap_or(f64::NAN);
+                }
+            }
+        }
+        let near = found.iter().any(|root| *root > NEAR);
+        let behind = if found[1].is_nan() { [ends[1].signum(), 0.0] } else { [-ends[1].signum(), ends[1].signum()] };
+        for (k, sign) in behind.into_iter().enumerate() {
+            let root = if self.direction.counts(sign) { found[k] } else { f64::NAN };
+            self.roots[k].as_mut_slice()[i] = Scalar::<T>::from_f64(root);
+            self.rises[k].as_mut_slice()[i] = Scalar::<T>::from_f64(sign);
+        }
+        let end = if ends[1] != 0.0 { ends[1].signum() } else { value.signum() };
+        self.sides.as_mut_slice()[i] = Scalar::<T>::from_f64(end);
+        self.near.as_mut_slice()[i] = Scalar::<T>::from_f64(f64::from(u8::from(near)));
+        Ok(())
+    }
+
+    /// Where a function has a side that it starts with, and its value there: a little later, if it starts with the event, or impact, at which
+    /// the search before it has ended. Zero if it does not leave zero, to rounding.
+    fn leaving(&self, i: usize, [start, end]: [f64; 2]) -> Result<(f64, f64), StepError> {
+        let state = self.before.state();
+        let noise = self.noise(&state, i);
+        // Times are rounded, too.
+        let step = (self.run.time() - self.before.time()).magnitude();
+        let part = 64.0 * Scalar::<T>::epsilon() * (1.0 + self.run.time().magnitude() / step);
+        let rounding =
+            |(at, value): (f64, f64)| 4.0 * noise + part * (end - start).abs().max((value - start).abs() / at);
+        for at in LITTLE {
+            let later = (at, self.value(i, at)?);
+            if start.abs() > rounding(later) {
+                return Ok((0.0, start));
+            }
+            if later.1.abs() > rounding(later) {
+                return Ok(later);
+            }
+        }
+        Ok((1.0, if end.abs() > rounding((1.0, end)) { end } else { 0.0 }))
+    }
+
+    /// By how much a function changes if every coordinate, and time, is rounded.
+    fn noise(&self, state: &T::State, i: usize) -> f64 {
+        let value = |state: &T::State| signed((self.g)(state).as_slice()[i]);
+        let (t, z, s) = state.parts();
+        let nudge = |x: &mut Scalar<T>| *x *= Scalar::<T>::from_f64(1.0 + Scalar::<T>::epsilon());
+        let mut noise = 0.0;
+        let mut include = |(t, z, s)| noise += (value(&T::State::of(t, z, s)) - value(state)).abs();
+        for k in 0..z.as_slice().len() {
+            let mut z = z;
+            nudge(&mut z.as_mut_slice()[k]);
+            include((t, z, s));
+        }
+        let (mut moved, mut later) = (s, t);
+        moved.numbers_mut().iter_mut().for_each(nudge);
+        nudge(&mut later);
+        include((t, z, moved));
+        include((later, z, s));
+        if noise >= 0.0 { noise } else { 0.0 }
+    }
+
+    /// No step is left; whether a function is zero, to rounding, at the end of the last one, and had no zero just before: it is asked for
+    /// next. An error where the end is none that this run comes to.
+    fn stop(&mut self, stepped: bool) -> Result<bool, StepError> {
+        if let Some(t) = self.end
+            && !has_reached(self.run.time(), t, self.backwards)
+            && self.backwards != self.run.steps_backwards()
+        {
+            return Err(StepError::TimePassed { t: signed(t) });
+        }
+        let Some([earlier, now]) = self.values.filter(|_| stepped) else { return Ok(false) };
+        for i in self.asked..G::LEN {
+            self.asked = i + 1;
+            let [before, value, side, near] =
+                [&earlier, &now, &self.sides, &self.near].map(|g| signed(g.as_slice()[i]));
+            let rounding =
+                || 8.0 * Scalar::<T>::epsilon() * (before - value).abs() + 4.0 * self.noise(&self.run.state(), i);
+            if side != 0.0 && near == 0.0 && self.direction.counts(-side) && value.abs() <= rounding() {
+                self.roots[0].as_mut_slice()[i] = Scalar::<T>::from_f64(1.0);
+                self.rises[0].as_mut_slice()[i] = Scalar::<T>::from_f64(-side);
+                return Ok(true);
+            }
+        }
+        Ok(false)
     }
 
     /// The time at a part of the last step.
@@ -151,15 +248,16 @@ impl<'a, T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Crossings<
 
     /// The first of the zeros in the last step that has not been given out.
     fn earliest(&mut self) -> Option<Result<Crossing<T::State>, StepError>> {
-        let roots = self.roots.as_slice().iter().map(|root| signed(*root)).enumerate();
-        let (which, root) = roots.filter(|(_, root)| !root.is_nan()).min_by(|(_, a), (_, b)| a.total_cmp(b))?;
-        self.roots.as_mut_slice()[which] = Scalar::<T>::from_f64(f64::NAN);
+        let roots =
+            (0..G::LEN).flat_map(|i| [(0, i), (1, i)]).map(|(k, i)| (k, i, signed(self.roots[k].as_slice()[i])));
+        let (k, which, root) = roots.filter(|(.., root)| !root.is_nan()).min_by(|(.., a), (.., b)| a.total_cmp(b))?;
+        self.roots[k].as_mut_slice()[which] = Scalar::<T>::from_f64(f64::NAN);
         let state = match root {
             0.0 => Ok(self.before.state()),
             1.0 => Ok(self.run.state()),
             part => T::between(&self.before, self.run, self.time(part)),
         };
-        let rises = signed(self.sides.as_slice()[which]) > 0.0;
+        let rises = signed(self.rises[k].as_slice()[which]) > 0.0;
         Some(state.map(|state| Crossing { state, which, rises }))
     }
 }
@@ -174,23 +272,5 @@ impl<T: Dense, F: Fn(&T::State) -> G, G: Array<Real = Scalar<T>>> Iterator for C
         let found = next(self, Self::earliest, Self::step);
         self.done = !matches!(found, Some(Ok(_)));
         found
-    }
-}
-
-/// The first zero that a step has, in as many steps as that takes; `None` where no step is left.
-pub(super) fn next<S, X>(
-    search: &mut S,
-    mut earliest: impl FnMut(&mut S) -> Option<Result<X, StepError>>,
-    mut step: impl FnMut(&mut S) -> Result<bool, StepError>,
-) -> Option<Result<X, StepError>> {
-    loop {
-        if let Some(found) = earliest(search) {
-            return Some(found);
-        }
-        match step(search) {
-            Ok(true) => {}
-            Ok(false) => return None,
-            Err(error) => return Some(Err(error)),
-        }
     }
 }

@@ -1,11 +1,15 @@
 //! States between the ends of steps, and what happens there. Output never changes the steps of a run.
 
+mod crossing;
 mod crossings;
+mod interpolated;
 mod roots;
 mod samples;
 mod taylor;
 
-pub use crossings::{Crossing, Crossings, Direction};
+pub use crossing::{Crossing, Direction};
+pub use crossings::Crossings;
+pub use interpolated::{Curve, Exactly, Hermite, Interpolated, Within};
 pub use samples::{SampledAt, SampledEvery};
 pub use taylor::TaylorCrossings;
 
@@ -87,7 +91,10 @@ pub trait Dense: Trajectory + Clone {
     /// Where `g` changes sign from one step to the next: a number, or an array of them, all in order of time. Without end, unless
     /// [`Crossings::until`] gives one. Forwards, or in the direction in which an integrator steps.
     ///
-    /// Two changes within one step are not seen. Runs by Taylor series have [`crossings`](crate::TaylorIntegrator::crossings) that see them.
+    /// Two changes within one step are found where the parabola through three values comes near zero between them. Runs by Taylor series have
+    /// [`crossings`](crate::TaylorIntegrator::crossings) that find all zeros of a polynomial. A search that begins where another one has ended
+    /// does not find that event again; a function that is zero where it ends has an event there. Poles are none; a function that is no finite
+    /// number at the end of a step is an error.
     fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,
         direction: Direction,
@@ -166,7 +173,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Dense for Adaptive<S
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Dense for TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Dense for TaylorIntegrator<S, M, R> {
     fn set_state(&mut self, state: StateOf<S, R>) {
         self.restart(state);
     }
@@ -180,7 +187,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Dense for TaylorIntegrator<S, M, R> {
     }
 
     fn steps_backwards(&self) -> bool {
-        self.step_size() < 0.0
+        self.steps.backwards
     }
 
     fn between(_: &Self, after: &Self, t: R) -> Result<StateOf<S, R>, StepError> {

@@ -1,15 +1,20 @@
-//! The zero of a function that is known by evaluation alone, between points at which it has different signs.
+//! The zeros of a function that is known by evaluation alone, within a step from 0 to 1.
 
 use crate::running::StepError;
 
+/// A parabola through three points is followed to its extremum so many times.
+const ROUNDS: u32 = 8;
+
 /// Where g(θ) = 0 between two points with values of different signs: the secant with an end that is kept twice counting half (Illinois).
 /// M. Dowell & P. Jarratt, BIT 11 (1971) 168. Three to five evaluations in a step of a good method.
+///
+/// `None` where g is larger than at both ends: that is a pole.
 pub(super) fn illinois(
     [mut low, mut high]: [(f64, f64); 2],
-    mut g: impl FnMut(f64) -> Result<f64, StepError>,
-) -> Result<f64, StepError> {
+    g: &mut impl FnMut(f64) -> Result<f64, StepError>,
+) -> Result<Option<f64>, StepError> {
     let (first, largest) = (low.1, low.1.abs().max(high.1.abs()));
-    let mut kept = 0;
+    let (mut kept, mut last) = (0, 0.0_f64);
     for round in 0..100 {
         if high.0 - low.0 <= f64::EPSILON * high.0 {
             break;
@@ -22,19 +27,64 @@ pub(super) fn illinois(
             break;
         }
         let value = g(theta)?;
-        if value == 0.0 {
-            return Ok(theta);
-        }
-        if value * first > 0.0 {
-            high.1 *= if kept == 1 { 0.5 } else { 1.0 };
-            (low, kept) = ((theta, value), 1);
-        } else {
+        last = value.abs();
+        if differ(value, first) {
             low.1 *= if kept == -1 { 0.5 } else { 1.0 };
             (high, kept) = ((theta, value), -1);
+        } else if value != 0.0 {
+            high.1 *= if kept == 1 { 0.5 } else { 1.0 };
+            (low, kept) = ((theta, value), 1);
         }
-        if value.abs() <= 4.0 * f64::EPSILON * largest {
-            return Ok(theta);
+        if last <= 4.0 * f64::EPSILON * largest {
+            return Ok(Some(theta));
         }
     }
-    Ok(0.5 * (low.0 + high.0))
+    Ok((last <= largest).then_some(0.5 * (low.0 + high.0)))
+}
+
+/// Whether two numbers have different signs: their product may be zero.
+pub(super) fn differ(a: f64, b: f64) -> bool {
+    a < 0.0 && b > 0.0 || a > 0.0 && b < 0.0
+}
+
+/// A point in a step at which a function has another sign than at both ends, which have the same one.
+///
+/// `before` is a third point, outside of the step or inside. The parabola through the three says whether there may be such a point, and
+/// its extremum is followed: nothing is evaluated where it stays away from zero.
+pub(super) fn excursion(
+    before: (f64, f64),
+    ends: [f64; 2],
+    g: &mut impl FnMut(f64) -> Result<f64, StepError>,
+) -> Result<Option<(f64, f64)>, StepError> {
+    let side = ends[0].signum();
+    let mut points = [before, (0.0, ends[0]), (1.0, ends[1])];
+    for round in 0..ROUNDS {
+        let Some((at, value)) = extremum(points) else { return Ok(None) };
+        let nearest = ends[0].abs().min(ends[1].abs());
+        // Far from zero, on the same side.
+        if !(at > 0.0 && at < 1.0) || value * side > if round == 0 { 0.5 * nearest } else { 0.25 * nearest } {
+            return Ok(None);
+        }
+        let there = (at, g(at)?);
+        if there.1.is_nan() || differ(there.1, side) {
+            return Ok((!there.1.is_nan()).then_some(there));
+        }
+        // The three next to the extremum.
+        let farthest =
+            (0..3).max_by(|i, j| (points[*i].0 - at).abs().total_cmp(&(points[*j].0 - at).abs())).unwrap_or(0);
+        if points.iter().any(|point| (point.0 - at).abs() < 1e-9) {
+            return Ok(None);
+        }
+        points[farthest] = there;
+    }
+    Ok(None)
+}
+
+/// Where the parabola through three points has its extremum, and its value.
+fn extremum([a, b, c]: [(f64, f64); 3]) -> Option<(f64, f64)> {
+    let first = (b.1 - a.1) / (b.0 - a.0);
+    let second = ((c.1 - b.1) / (c.0 - b.0) - first) / (c.0 - a.0);
+    let at = 0.5 * (a.0 + b.0) - 0.5 * first / second;
+    let value = a.1 + (at - a.0) * (first + (at - b.0) * second);
+    (at.is_finite() && value.is_finite()).then_some((at, value))
 }

@@ -1,5 +1,6 @@
 //! States at given times.
 
+use super::interpolated::{Exactly, Within};
 use super::{Dense, has_reached, step};
 use crate::running::StepError;
 use crate::running::trajectory::Scalar;
@@ -7,17 +8,18 @@ use crate::scalar::{Real, signed};
 
 /// A run and where its last step began.
 #[derive(Debug)]
-struct Between<'a, T: Dense> {
+struct Between<'a, T: Dense, W> {
     run: &'a mut T,
     before: T,
+    within: W,
     backwards: bool,
     failed: bool,
 }
 
-impl<'a, T: Dense> Between<'a, T> {
+impl<'a, T: Dense, W: Within<T>> Between<'a, T, W> {
     fn new(run: &'a mut T, backwards: bool) -> Self {
         let before = run.clone();
-        Between { run, before, backwards, failed: false }
+        Between { run, before, within: W::new(), backwards, failed: false }
     }
 
     /// The state at the time `t`; nothing if the run goes the other way.
@@ -30,14 +32,16 @@ impl<'a, T: Dense> Between<'a, T> {
         }
         while !has_reached(self.run.time(), t, self.backwards) {
             self.before = self.run.clone();
+            self.within.stepped();
+            // Steps of one length lead the other way.
             if !step(self.run, self.backwards)? {
-                return Ok(None);
+                return Err(StepError::TimePassed { t: signed(t) });
             }
         }
         if self.run.time() == t {
             return Ok(Some(self.run.state()));
         }
-        T::between(&self.before, self.run, t).map(Some)
+        self.within.state(&self.before, self.run, t).map(Some)
     }
 
     fn next(&mut self, t: Scalar<T>) -> Option<Result<T::State, StepError>> {
@@ -49,8 +53,8 @@ impl<'a, T: Dense> Between<'a, T> {
 
 /// States at equal distances in time; ends with the first error.
 #[derive(Debug)]
-pub struct SampledEvery<'a, T: Dense> {
-    between: Between<'a, T>,
+pub struct SampledEvery<'a, T: Dense, W = Exactly> {
+    between: Between<'a, T, W>,
     start: Scalar<T>,
     dt: Scalar<T>,
     taken: u64,
@@ -61,9 +65,16 @@ impl<'a, T: Dense> SampledEvery<'a, T> {
         let start = run.time();
         SampledEvery { between: Between::new(run, dt.any_below(0.0)), start, dt, taken: 0 }
     }
+
+    /// States within steps in another way.
+    pub(super) fn by<W: Within<T>>(self) -> SampledEvery<'a, T, W> {
+        let Between { run, before, backwards, failed, .. } = self.between;
+        let between = Between { run, before, within: W::new(), backwards, failed };
+        SampledEvery { between, start: self.start, dt: self.dt, taken: self.taken }
+    }
 }
 
-impl<T: Dense> Iterator for SampledEvery<'_, T> {
+impl<T: Dense, W: Within<T>> Iterator for SampledEvery<'_, T, W> {
     type Item = Result<T::State, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {
@@ -83,9 +94,9 @@ impl<T: Dense> Iterator for SampledEvery<'_, T> {
 
 /// States at given times; ends with them, or after the first error.
 #[derive(Debug)]
-pub struct SampledAt<'a, T: Dense, I: Iterator<Item = Scalar<T>>> {
+pub struct SampledAt<'a, T: Dense, I: Iterator<Item = Scalar<T>>, W = Exactly> {
     /// The direction is known with the first time that is not now.
-    between: Option<Between<'a, T>>,
+    between: Option<Between<'a, T, W>>,
     run: Option<&'a mut T>,
     times: I,
 }
@@ -94,9 +105,15 @@ impl<'a, T: Dense, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
     pub(super) fn new(run: &'a mut T, times: I) -> Self {
         SampledAt { between: None, run: Some(run), times }
     }
+
+    /// States within steps in another way, before the first of them.
+    pub(super) fn by<W: Within<T>>(self) -> SampledAt<'a, T, I, W> {
+        let run = self.run.or(self.between.map(|between| between.run));
+        SampledAt { between: None, run, times: self.times }
+    }
 }
 
-impl<T: Dense, I: Iterator<Item = Scalar<T>>> Iterator for SampledAt<'_, T, I> {
+impl<T: Dense, I: Iterator<Item = Scalar<T>>, W: Within<T>> Iterator for SampledAt<'_, T, I, W> {
     type Item = Result<T::State, StepError>;
 
     fn next(&mut self) -> Option<Self::Item> {

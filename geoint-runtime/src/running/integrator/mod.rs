@@ -40,6 +40,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 memory: M::memory(),
                 clock: Clock::new(t0, h),
                 taken: 0,
+                given: 0,
                 x: Point::with_action(z, s),
                 inside: false,
             },
@@ -121,6 +122,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         let steps = &mut self.steps;
         (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
         steps.clock = Clock::new(t, steps.clock.step_size());
+        steps.given = steps.taken;
     }
 
     /// The step size.
@@ -198,8 +200,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Steps { system, method, prepared, memory, clock, taken, x, inside } = self.steps;
-        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, x: x.with_sums(), inside } }
+        let Steps { system, method, prepared, memory, clock, taken, given, x, inside } = self.steps;
+        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, x: x.with_sums(), inside } }
     }
 }
 

@@ -21,6 +21,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) clock: Clock<R>,
     /// Steps since the beginning.
     pub(super) taken: u64,
+    /// How many there were when the user gave a state.
+    pub(super) given: u64,
     /// The point of a state, or where there is another one that the method moves, that one from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
     /// Whether it is the one that the method moves.
@@ -165,7 +167,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             return Err(StepError::InvalidStepSize { h: signed(self.clock.step_size()) });
         }
         // Later states are good because the steps that led to them were.
-        if self.taken == 0 { self.check_state() } else { Ok(()) }
+        if self.taken == self.given { self.check_state() } else { Ok(()) }
     }
 
     #[cold]

@@ -43,13 +43,13 @@ use steps::Steps;
 /// # Ok::<(), StepError>(())
 /// ```
 #[derive(Clone, Copy)]
-pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod, R: Real = f64> {
+pub struct TaylorIntegrator<S: Jets<R>, M: TaylorMethod<S, R>, R: Real = f64> {
     pub(in crate::running) steps: Steps<S, M, R>,
     /// Steps on the way to a time.
     most_steps: u64,
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// A system by Taylor series of its solution, from `state` on.
     ///
     /// Nothing is checked yet: an unusable tolerance, order or state is reported by the first step.
@@ -133,7 +133,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
     /// [`TaylorCrossings::until`] gives one. Forwards, or in the direction of the last step.
     ///
     /// `g` is a function of truncated series, [`Series`](crate::scalar::Series), which stand for the coordinates along a step: written as
-    /// it is for numbers. Its zeros are those of a polynomial, all of them.
+    /// it is for numbers. Its zeros are those of a polynomial, all of them; where the series of `g` ends before a step does, of several
+    /// polynomials. A search that begins where another one has ended does not find that event again.
     ///
     /// ```
     /// use geoint_runtime::prelude::*;
@@ -152,8 +153,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
     /// ```
     pub fn crossings<G, F>(&mut self, direction: Direction, g: F) -> TaylorCrossings<'_, S, M, R, F, G>
     where
-        G: Array<Real = M::Series<R>>,
-        F: Fn(&S::Over<M::Series<R>>) -> G,
+        G: Array<Real = M::Series>,
+        F: Fn(&S::Over<M::Series>) -> G,
     {
         TaylorCrossings::new(self, direction, g)
     }
@@ -171,8 +172,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
         g: F,
     ) -> Result<Option<Crossing<StateOf<S, R>>>, StepError>
     where
-        G: Array<Real = M::Series<R>>,
-        F: Fn(&S::Over<M::Series<R>>) -> G,
+        G: Array<Real = M::Series>,
+        F: Fn(&S::Over<M::Series>) -> G,
     {
         let found = TaylorCrossings::new(self, direction, g).until(t).next().transpose()?;
         if let Some(found) = found {
@@ -222,7 +223,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> TaylorIntegrator<S, M, R> {
     }
 }
 
-impl<S: Jets<R> + Debug, M: TaylorMethod, R: Real> Debug for TaylorIntegrator<S, M, R> {
+impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real> Debug for TaylorIntegrator<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let Steps { system, method, clock, x, taken, order, .. } = &self.steps;
         let mut run = f.debug_struct("TaylorIntegrator");
@@ -231,7 +232,7 @@ impl<S: Jets<R> + Debug, M: TaylorMethod, R: Real> Debug for TaylorIntegrator<S,
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Trajectory for TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Trajectory for TaylorIntegrator<S, M, R> {
     type State = StateOf<S, R>;
 
     fn step(&mut self) -> Result<(), StepError> {

@@ -7,7 +7,7 @@ use crate::space::Tape;
 use crate::system::Jets;
 use crate::taylor::TaylorMethod;
 
-impl<S: Jets<R>, M: TaylorMethod, R: Bits> TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Bits> TaylorIntegrator<S, M, R> {
     /// The run now, to go on from later: [`Saved`] says what it holds.
     pub fn saved(&self) -> Saved {
         saved::saved(self)
@@ -23,7 +23,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Bits> TaylorIntegrator<S, M, R> {
     }
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Bits> Recorded for TaylorIntegrator<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Bits> Recorded for TaylorIntegrator<S, M, R> {
     type Real = R;
 
     fn name(&self) -> Name {

@@ -188,7 +188,7 @@ fn taylors<S: Jets + 'static>(system: S, way: Way<StateOf<S, f64>>) -> [Entry; 3
     ]
 }
 
-fn series<S: Jets + 'static, M: TaylorMethod + 'static>(
+fn series<S: Jets + 'static, M: TaylorMethod<S> + 'static>(
     name: &'static str,
     method: fn(f64) -> M,
     system: S,

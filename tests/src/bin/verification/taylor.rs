@@ -23,7 +23,7 @@ const RECIPROCALS: f64 = 4e-18;
 /// Errors at the end of the ways above, in units of the tolerance, or of rounding.
 const WORST: f64 = 64.0;
 
-fn started<P: Scene, M: TaylorMethod, R: Scalar>(method: M) -> TaylorIntegrator<P::Over<R>, M, R>
+fn started<P: Scene, M: TaylorMethod<P::Over<R>, R>, R: Scalar>(method: M) -> TaylorIntegrator<P::Over<R>, M, R>
 where
     P::Over<R>: Jets<R>,
 {
@@ -33,7 +33,7 @@ where
 }
 
 /// The error over the times of the other tables, in the root-mean-square; infinite where a step is refused.
-fn error<P: Scene, M: TaylorMethod>(method: M, duration: f64, solutions: &[Vec<Double>]) -> f64
+fn error<P: Scene, M: TaylorMethod<P::Over<Double>, Double>>(method: M, duration: f64, solutions: &[Vec<Double>]) -> f64
 where
     P::Over<Double>: Jets<Double>,
 {
@@ -57,7 +57,7 @@ where
 }
 
 /// The error at the end in `f64` relative to the size of the state, steps, and allocations.
-fn run<P: Scene, M: TaylorMethod>(method: M, duration: f64, solutions: &[Vec<Double>]) -> (f64, u64, u64)
+fn run<P: Scene, M: TaylorMethod<P::Over<f64>>>(method: M, duration: f64, solutions: &[Vec<Double>]) -> (f64, u64, u64)
 where
     P::Over<f64>: Jets<f64>,
 {

@@ -8,7 +8,7 @@ use crate::taylor::{self, TaylorMethod};
 
 /// The coefficients at a point.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
+pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
     /// The unit of time in the coefficients, a power of two.
     pub(in crate::running) unit: f64,
@@ -18,7 +18,7 @@ pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod, R: Real> {
     pub(in crate::running) switches: M::Orders<S::Switches>,
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The coefficients at a point into a place, for steps of about this length.
     #[inline(always)]
     pub(super) fn expand(&mut self, place: usize, h: f64, t: R, x: PerCoordinate<S::Phase, S::Action>) {
@@ -29,12 +29,13 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
     }
 
-    /// The coefficients where a run starts, in a unit of time in which none of them overflows, or goes on, in the unit before.
+    /// The coefficients at a state that the user gave, in a unit of time in which none of them overflows, or where a run goes on, in the unit
+    /// before.
     #[cold]
     pub(super) fn begin(&mut self) {
         let (t, x) = (self.time(), PerCoordinate::of(&self.x));
         self.expand(self.present, self.expansions[self.present].unit, t, x);
-        if self.taken == 0 {
+        if self.taken == self.given {
             self.expand(self.present, self.guess(), t, x);
         }
         self.known = true;
@@ -65,9 +66,14 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         (after * h >= 0.0 && before * h <= 0.0 && *h != 0.0).then(|| self.inside(after, t))
     }
 
-    /// The expansion of the last step, its start and its length.
-    pub(in crate::running) fn last_expansion(&self) -> (&Expansion<S, M, R>, R, f64) {
-        (&self.expansions[1 - self.present], self.last.0.now(zero()), self.last.1)
+    /// The expansion of the last step, and when it started.
+    pub(in crate::running) fn last_expansion(&self) -> (&Expansion<S, M, R>, R) {
+        (&self.expansions[1 - self.present], self.last.0.now(zero()))
+    }
+
+    /// The expansion at the end of the last step, and when that was.
+    pub(in crate::running) fn present_expansion(&self) -> (&Expansion<S, M, R>, R) {
+        (&self.expansions[self.present], self.time())
     }
 
     /// The state so long after the start of the last step, which is at the time `t`.

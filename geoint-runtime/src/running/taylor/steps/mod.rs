@@ -22,9 +22,12 @@ type Carried<S, R> = Point<
     <S as crate::system::PhaseSpace<R>>::Action,
 >;
 
+/// Where a step leads, when that is, and what it hands on.
+type Arrival<S, M, R> = (Carried<S, R>, Clock<R>, <M as TaylorMethod<S, R>>::Memory);
+
 /// A system, and all that decides on the next step.
 #[derive(Clone, Copy)]
-pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
+pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
     pub(in crate::running) method: M,
     pub(in crate::running) order: usize,
@@ -33,7 +36,11 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
     pub(in crate::running) clock: Clock<R>,
     pub(in crate::running) x: Carried<S, R>,
     pub(in crate::running) taken: u64,
+    /// How many there were when the user gave a state.
+    given: u64,
     estimate: Estimate<S::Phase, S::Action>,
+    /// Of the method, where it puts ends of steps right.
+    memory: M::Memory,
     /// At the start of the last step, and at the present: which of them that is changes with every step.
     expansions: [Expansion<S, M, R>; 2],
     present: usize,
@@ -47,7 +54,7 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod, R: Real> {
     stuck: u32,
 }
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     pub(in crate::running) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
         let here = PerCoordinate::of(&x);
         let expansion = Expansion {
@@ -64,7 +71,8 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         estimate.include(&here);
         let clock = Clock::new(t, zero());
         Steps {
-            order: method.order::<S, R>(),
+            order: method.order(),
+            memory: M::memory(),
             system,
             method,
             bounds: Bounds::default(),
@@ -72,6 +80,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             clock,
             x,
             taken: 0,
+            given: 0,
             estimate,
             expansions: [expansion; 2],
             present: 0,
@@ -88,7 +97,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         (self.clock, self.x, self.known, self.last) = (clock, x, false, (clock, self.last.1));
         self.estimate.include(&PerCoordinate::of(&x));
         // There is no last step to look into.
-        self.within = false;
+        (self.within, self.given) = (false, self.taken);
     }
 
     /// Everything but the coefficients.
@@ -97,8 +106,10 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         self.clock.record(tape);
         self.x.record(tape);
         tape.steps(&mut self.taken);
+        tape.steps(&mut self.given);
         tape.flag(&mut self.backwards);
         self.estimate.record(tape);
+        self.memory.record(tape);
         tape.number(&mut self.last.1);
         tape.number(&mut self.expansions[self.present].unit);
         let mut stuck = u64::from(self.stuck);
@@ -180,7 +191,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             return Err(self.refused(t, h.abs(), Reason::Sliding));
         }
         self.last = (self.clock, h);
-        (self.x, self.clock) = arrival;
+        (self.x, self.clock, self.memory) = arrival;
         self.present = 1 - self.present;
         self.estimate.include(&PerCoordinate::of(&self.x));
         (self.taken, self.within) = (self.taken + 1, true);
@@ -199,13 +210,16 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
     /// Where a step of length h, in place of a whole one, leads, and when that is. The coefficients there are computed, and, if `compared`,
     /// their first order with that of the polynomial.
     #[inline(always)]
-    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(Carried<S, R>, Clock<R>), Reason> {
-        let (mut x, mut clock) = (self.x, self.clock);
+    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<Arrival<S, M, R>, Reason> {
+        let (mut x, mut clock, mut memory) = (self.x, self.clock, self.memory);
         let part = self.in_units(h);
         let (increment, rate) = taylor::increment_and_rate(self.jet(), part);
         x.add_everywhere(&increment);
         if !x.is_finite() {
             return Err(Reason::Diverges);
+        }
+        if let Some(correction) = self.method.correction(&mut memory, &self.system, &self.x.z, &x.z)? {
+            x.add(&correction);
         }
         clock.pass_step(R::from_f64(h), DoubleWord::new(zero()));
         let t = clock.now(zero());
@@ -222,10 +236,24 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
             let what = self.system.outside_domain(t, &x.z, &x.s);
             return Err(what.map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        if compared && !self.is_fixed() && !self.estimate.agree(part, [&rate, &here], &self.jet()[0]) {
-            return Err(Reason::Diverges);
+        if compared && !self.is_fixed() {
+            let (rates, before) = ([&rate, &here], &self.jet()[0]);
+            let agree = |late: PerCoordinate<_, _>| self.estimate.agree(part, rates, before, &late);
+            if !agree(PerCoordinate::zero()) && !agree(self.late(t)) {
+                return Err(Reason::Diverges);
+            }
         }
-        Ok((x, clock))
+        Ok((x, clock, memory))
+    }
+
+    /// How much rates at the end of the step may be off because the time there is rounded, in the unit of the coefficients at the present:
+    /// near a pole in time.
+    #[cold]
+    fn late(&self, t: R) -> PerCoordinate<S::Phase, S::Action> {
+        let [from, to] = [self.present, 1 - self.present].map(|place| self.expansions[place].unit);
+        let mut late = self.expansions[1 - self.present].jet.as_ref()[1];
+        late.times(R::from_f64(2.0 * from / to * (2.0 * R::epsilon() * t.magnitude() / to)));
+        late
     }
 
     /// Why there is no step.
@@ -235,13 +263,14 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         match reason {
             _ if !self.is_fixed() => StepError::StepTooSmall { t, h, reason },
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
-            // Nothing else is wrong with a step that is not compared.
+            Reason::NotConverged | Reason::Singular => StepError::Singular { t },
             _ => StepError::NonFinite { t },
         }
     }
 
     pub(in crate::running) fn check_start(&self) -> Result<(), StepError> {
-        if self.taken > 0 {
+        // Later states are good because the steps that led to them were.
+        if self.taken != self.given {
             return Ok(());
         }
         if self.order < 2 {

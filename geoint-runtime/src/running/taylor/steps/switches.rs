@@ -20,7 +20,7 @@ pub(super) struct Switch {
 /// So many steps in a row that a switch has ended where they began are no accident.
 pub(super) const STUCK: u32 = 16;
 
-impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The first condition of the energy that changes sides within a step.
     #[inline(always)]
     pub(super) fn switch(&self, h: f64) -> Option<Switch> {
@@ -34,7 +34,7 @@ impl<S: Jets<R>, M: TaylorMethod, R: Real> Steps<S, M, R> {
         let mut first: Option<Switch> = None;
         for place in 0..S::Switches::LEN {
             let g = taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), h);
-            let roots = taylor::roots(&g[..self.order.min(taylor::MOST)]);
+            let roots = taylor::roots(&g[..self.order.min(taylor::MOST)], 0.0);
             let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
             let at = match roots.as_slice() {
                 // It is zero all along.

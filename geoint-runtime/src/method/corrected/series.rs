@@ -1,0 +1,69 @@
+//! Steps by Taylor series, projected to invariants.
+
+use super::Memory;
+use super::invariants::Invariants;
+use super::projection::{Projection, way_back};
+use crate::method::Refusal;
+use crate::scalar::Real;
+use crate::sealed::Sealed;
+use crate::space::PerCoordinate;
+use crate::space::vector::difference;
+use crate::system::{Jets, VectorField};
+use crate::taylor::{Steps, TaylorMethod};
+use core::fmt::Debug;
+
+impl<M: Sealed, I> Sealed for Projection<M, I> {}
+
+impl<S, R, M, I> TaylorMethod<S, R> for Projection<M, I>
+where
+    S: Jets<R, Action = ()> + VectorField<R>,
+    R: Real,
+    M: TaylorMethod<S, R>,
+    I: Invariants<S, R> + Debug,
+{
+    type Orders<X: Copy + Debug> = M::Orders<X>;
+    type Series = M::Series;
+    type Memory = Memory<(), S::Phase>;
+
+    fn steps(&self) -> Steps {
+        self.0.steps()
+    }
+    fn order(&self) -> usize {
+        self.0.order()
+    }
+    fn memory() -> Memory<(), S::Phase> {
+        Memory::new(())
+    }
+    #[inline]
+    fn correction(
+        &self,
+        Memory { sizes, .. }: &mut Memory<(), S::Phase>,
+        system: &S,
+        before: &S::Phase,
+        z: &S::Phase,
+    ) -> Result<Option<S::Phase>, Refusal> {
+        let moved = difference(z, before);
+        sizes.include(before, &moved);
+        way_back(system, &self.1, sizes, [before, z], &moved).map(|way| Some(way.back))
+    }
+    fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
+        M::series(coefficient)
+    }
+    fn coefficients(series: &M::Series) -> &[R] {
+        M::coefficients(series)
+    }
+    fn fill<X: Copy + Debug>(x: X) -> M::Orders<X> {
+        M::fill(x)
+    }
+    #[inline]
+    fn jet(
+        order: usize,
+        system: &S,
+        start: [R; 2],
+        x: (&S::Phase, &S::Action),
+        jet: &mut M::Orders<PerCoordinate<S::Phase, S::Action>>,
+        switches: &mut M::Orders<S::Switches>,
+    ) {
+        M::jet(order, system, start, x, jet, switches);
+    }
+}

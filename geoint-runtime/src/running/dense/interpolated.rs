@@ -1,0 +1,203 @@
+//! Many states within a step: a polynomial through states and rates at some of its points, in place of a step of part of the length for each.
+
+use super::{Dense, SampledAt, SampledEvery};
+use crate::method::Method;
+use crate::running::trajectory::Scalar;
+use crate::running::{Adaptive, Integrator, StepError};
+use crate::scalar::Real;
+use crate::space::{PerCoordinate, Snapshot, Summation, normalisation};
+use crate::system::{PhaseSpace, Rates, StateOf, has_attitudes};
+
+/// A polynomial is known by so many coefficients at most: states and rates at seven points, for methods of order 12.
+const MOST: usize = 14;
+
+/// A run whose steps have a polynomial.
+///
+/// The polynomial goes through states and rates at p/2 + 1 points of a step, of which those inside are steps of part of the length: its error
+/// has an order above that of a step, hᵖ⁺². What a method keeps it keeps at those points, and between them to that error.
+pub trait Interpolated: Dense {
+    /// The polynomial of a step.
+    type Curve: Clone + core::fmt::Debug;
+
+    /// The polynomial of the step that led from `before` to `after`.
+    ///
+    /// # Errors
+    /// Where a step of part of the length is refused; see [`StepError`].
+    fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError>;
+
+    /// The state at a time within that step.
+    fn on(&self, curve: &Self::Curve, t: Scalar<Self>) -> Self::State;
+}
+
+/// How states within a step are computed.
+pub trait Within<T: Dense> {
+    /// Before the first step.
+    fn new() -> Self;
+    /// Another step has been taken.
+    fn stepped(&mut self) {}
+    /// The state at a time in the step that led from `before` to `after`.
+    ///
+    /// # Errors
+    /// See [`StepError`].
+    fn state(&mut self, before: &T, after: &T, t: Scalar<T>) -> Result<T::State, StepError>;
+}
+
+/// By [`Dense::between`].
+#[derive(Clone, Copy, Debug)]
+pub struct Exactly;
+
+impl<T: Dense> Within<T> for Exactly {
+    fn new() -> Self {
+        Exactly
+    }
+    fn state(&mut self, before: &T, after: &T, t: Scalar<T>) -> Result<T::State, StepError> {
+        T::between(before, after, t)
+    }
+}
+
+/// By the polynomial of the last step, if it is known.
+#[derive(Clone, Debug)]
+pub struct Curve<T: Interpolated>(Option<T::Curve>);
+
+impl<T: Interpolated> Within<T> for Curve<T> {
+    fn new() -> Self {
+        Curve(None)
+    }
+    fn stepped(&mut self) {
+        self.0 = None;
+    }
+    fn state(&mut self, before: &T, after: &T, t: Scalar<T>) -> Result<T::State, StepError> {
+        if self.0.is_none() {
+            self.0 = Some(T::curve(before, after)?);
+        }
+        match &self.0 {
+            Some(curve) => Ok(after.on(curve, t)),
+            None => T::between(before, after, t),
+        }
+    }
+}
+
+impl<'a, T: Interpolated> SampledEvery<'a, T> {
+    /// The same by one polynomial a step: where a step has many of these states they cost a few operations each. States have the accuracy of
+    /// the run, and do not keep to rounding what the run keeps.
+    ///
+    /// ```
+    /// use geoint_runtime::prelude::*;
+    ///
+    /// #[hamiltonian]
+    /// fn pendulum(q: f64, p: f64) -> f64 {
+    ///     p * p / 2.0 - q.cos()
+    /// }
+    ///
+    /// let mut sim = Pendulum.integrator(Gauss::<3>, 0.1, State::new(1.5, 0.0));
+    /// let last = sim.sampled_every(0.001).interpolated().nth(10_000).expect("without end")?;
+    /// assert!((last.q + 1.0540491554508432).abs() < 1e-8);
+    /// # Ok::<(), StepError>(())
+    /// ```
+    pub fn interpolated(self) -> SampledEvery<'a, T, Curve<T>> {
+        self.by()
+    }
+}
+
+impl<'a, T: Interpolated, I: Iterator<Item = Scalar<T>>> SampledAt<'a, T, I> {
+    /// The same by one polynomial a step; see [`SampledEvery::interpolated`].
+    pub fn interpolated(self) -> SampledAt<'a, T, I, Curve<T>> {
+        self.by()
+    }
+}
+
+/// A polynomial in parts of a step, in Newton's form: every point counts twice.
+#[derive(Clone, Copy, Debug)]
+pub struct Hermite<Z, S, R> {
+    start: R,
+    length: R,
+    /// Parts of the step between two points.
+    points: usize,
+    coefficients: [PerCoordinate<Z, S>; MOST],
+}
+
+/// The polynomial of degree 2n − 1 through states and rates at n points of a step, by divided differences.
+fn hermite<T, S, R>(system: &S, order: u32, [before, after]: [&T; 2]) -> Result<CurveOf<S, R>, StepError>
+where
+    T: Dense<State = StateOf<S, R>>,
+    S: PhaseSpace<R> + Rates<R>,
+    R: Real,
+{
+    let n = (order as usize / 2 + 1).clamp(2, MOST / 2);
+    let (start, end) = (before.time(), after.time());
+    let length = end - start;
+    let part = |i: usize| R::from_f64(i as f64 / (n - 1) as f64);
+    let mut columns = [PerCoordinate::zero(); MOST];
+    let mut rates = [PerCoordinate::zero(); MOST / 2];
+    for i in 0..n {
+        let state = match i {
+            0 => before.state(),
+            _ if i == n - 1 => after.state(),
+            _ => T::between(before, after, start + part(i) * length)?,
+        };
+        let (t, z, s) = state.parts();
+        let x = PerCoordinate { z, s };
+        (columns[2 * i], columns[2 * i + 1]) = (x, x);
+        rates[i] = system.rates(t, &x);
+        rates[i].times(length);
+    }
+    // Column by column, from the last entry on.
+    for order in 1..2 * n {
+        for k in (order..2 * n).rev() {
+            let gap = part(k / 2) - part((k - order) / 2);
+            if gap.magnitude() == 0.0 {
+                columns[k] = rates[k / 2];
+            } else {
+                let before = columns[k - 1];
+                columns[k].add_scaled(R::from_f64(-1.0), &before);
+                columns[k].times(R::from_f64(1.0) / gap);
+            }
+        }
+    }
+    Ok(Hermite { start, length, points: n, coefficients: columns })
+}
+
+/// The polynomials of a system.
+type CurveOf<S, R> = Hermite<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action, R>;
+
+/// The state that a polynomial has at a time.
+fn on<S: PhaseSpace<R>, R: Real>(curve: &CurveOf<S, R>, t: R) -> StateOf<S, R> {
+    let part = (t - curve.start) / curve.length;
+    let last = 2 * curve.points - 1;
+    let mut x = curve.coefficients[last];
+    for k in (0..last).rev() {
+        x.times(part - R::from_f64((k / 2) as f64 / (curve.points - 1) as f64));
+        x.add_scaled(R::from_f64(1.0), &curve.coefficients[k]);
+    }
+    if has_attitudes::<S, R>() {
+        let (one, length) = (R::from_f64(1.0), normalisation::<S, R>(&x.z));
+        x.add_scaled(one, &PerCoordinate { z: length, s: <S::Action as crate::space::Action<R>>::zero() });
+    }
+    S::State::of(t, x.z, x.s)
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Interpolated
+    for Integrator<S, M, R, C>
+{
+    type Curve = CurveOf<S, R>;
+
+    fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError> {
+        hermite(before.system(), before.method().claims().order, [before, after])
+    }
+
+    fn on(&self, curve: &Self::Curve, t: R) -> StateOf<S, R> {
+        on::<S, R>(curve, t)
+    }
+}
+
+impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Interpolated for Adaptive<S, M, R> {
+    type Curve = CurveOf<S, R>;
+
+    fn curve(before: &Self, after: &Self) -> Result<Self::Curve, StepError> {
+        hermite(before.system(), before.method().claims().order, [before, after])
+    }
+
+    fn on(&self, curve: &Self::Curve, t: R) -> StateOf<S, R> {
+        on::<S, R>(curve, t)
+    }
+}

@@ -1,0 +1,245 @@
+//! Where a function of the state changes sign along the polynomial of a step: all its zeros, in order.
+
+mod pieces;
+
+use super::crossing::{Crossing, Direction, NEAR, ZEROS, check_end, next};
+use super::has_reached;
+use crate::running::{StepError, TaylorIntegrator};
+use crate::scalar::{Real, signed};
+use crate::space::Array;
+use crate::system::{Jets, StateOf};
+use crate::taylor::{self, TaylorMethod};
+use core::fmt::{self, Debug, Formatter};
+use pieces::{Piece, number};
+
+/// The crossings of a run by Taylor series, in order; ends after the first error, or at a time.
+pub struct TaylorCrossings<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> {
+    run: &'a mut TaylorIntegrator<S, M, R>,
+    g: F,
+    direction: Direction,
+    end: Option<R>,
+    backwards: bool,
+    /// The functions along the part of the last step that is searched.
+    piece: Option<Piece<G>>,
+    /// The functions at the end of the last step.
+    ahead: G,
+    /// Their sizes at the ends of the last step.
+    scales: G,
+    /// Signs at the end of the part before; 0 where there was none yet.
+    sides: G,
+    /// Whether this is the first step of the search: what is zero there to rounding is the event at which it begins.
+    first: bool,
+    zeros: u32,
+    /// Up to which part of the piece zeros have been given out, and the functions that had one there.
+    given: (f64, usize),
+    /// Functions that had a zero next to the end of the last step.
+    near: G,
+    /// Where no step is left: the functions that have been asked for a zero at the end, and the one that has it and was not given out.
+    asked: usize,
+    last: Option<usize>,
+    done: bool,
+}
+
+impl<'a, S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> TaylorCrossings<'a, S, M, R, F, G>
+where
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
+{
+    pub(in crate::running) fn new(run: &'a mut TaylorIntegrator<S, M, R>, direction: Direction, g: F) -> Self {
+        let backwards = run.steps.backwards;
+        TaylorCrossings {
+            run,
+            g,
+            direction,
+            end: None,
+            backwards,
+            piece: None,
+            ahead: G::zero(),
+            scales: G::zero(),
+            sides: G::zero(),
+            first: true,
+            zeros: 0,
+            given: (0.0, 0),
+            near: G::zero(),
+            asked: 0,
+            last: None,
+            done: false,
+        }
+    }
+
+    /// The same up to a time, before or after now; zeros at that time, to rounding, count.
+    pub fn until(mut self, t: R) -> Self {
+        self.backwards = (t - self.run.time()).any_below(0.0);
+        self.end = Some(t);
+        self
+    }
+
+    /// The next part of a step, and the functions along it; `false` if there is none.
+    fn step(&mut self) -> Result<bool, StepError> {
+        check_end(self.end, self.run.time())?;
+        if let Some(piece) = self.piece.take() {
+            // The signs at the end of the part before.
+            for i in 0..G::LEN {
+                let zeros = self.zeros_of(&piece, i);
+                let near = zeros.iter().any(|(at, _)| piece.from + at * (piece.to - piece.from) > NEAR);
+                self.sides.as_mut_slice()[i] = <M::Series as Real>::from_f64(zeros.end());
+                self.near.as_mut_slice()[i] = <M::Series as Real>::from_f64(f64::from(u8::from(near)));
+            }
+            self.first = false;
+            if piece.to < 1.0 {
+                return self.search(piece.to, 8.0 * (piece.to - piece.from));
+            }
+        }
+        let stepped = match self.end {
+            Some(t) if has_reached(self.run.time(), t, self.backwards) => false,
+            Some(t) => self.run.step_towards(t)?,
+            None => {
+                self.run.step_towards(R::from_f64(if self.backwards { f64::NEG_INFINITY } else { f64::INFINITY }))?
+            }
+        };
+        if !stepped {
+            return Ok(self.zero_at_end());
+        }
+        self.ahead = self.at_end();
+        self.search(0.0, 1.0)
+    }
+
+    fn search(&mut self, from: f64, width: f64) -> Result<bool, StepError> {
+        let piece = self.part(from, width)?;
+        let coefficients = || piece.values.as_slice().iter().flat_map(|g| M::coefficients(g));
+        self.zeros = if G::LEN > 0 && coefficients().all(|g| g.magnitude() == 0.0) { self.zeros + 1 } else { 0 };
+        if self.zeros >= ZEROS {
+            return Err(StepError::NoEvent { t: signed(self.run.time()) });
+        }
+        (self.piece, self.given) = (Some(piece), (-1.0, usize::MAX));
+        Ok(true)
+    }
+
+    /// Whether another function is zero, to rounding, where the search ends, and had no zero just before: it is asked for next.
+    fn zero_at_end(&mut self) -> bool {
+        // Without a step there was no side.
+        let count = if self.first { 0 } else { G::LEN };
+        self.last = (self.asked..count).find(|i| {
+            let [value, side, near] =
+                [&self.ahead, &self.sides, &self.near].map(|g| number::<S, M, R>(&g.as_slice()[*i]));
+            let rounding = || 8.0 * R::epsilon() * self.scale(*i) + 4.0 * self.noise(*i, 1.0);
+            side != 0.0 && near == 0.0 && self.direction.counts(-side) && value.abs() <= rounding()
+        });
+        self.asked = self.last.map_or(count, |i| i + 1);
+        self.last.is_some()
+    }
+
+    /// The parts of a piece at which a function is zero, with the sign that it has in the beginning; and its sign at the end.
+    fn zeros_of(&self, piece: &Piece<G>, i: usize) -> Zeros {
+        let count = M::coefficients(&piece.values.as_slice()[i]).len();
+        let g = self.in_parts(&piece.values, i, piece.to - piece.from);
+        let noise = if self.first && piece.from == 0.0 { 4.0 * self.noise(i, 0.0) } else { 0.0 };
+        let inner = taylor::roots(&g[..count.min(taylor::MOST)], noise);
+        Zeros { inner, side: number::<S, M, R>(&self.sides.as_slice()[i]) }
+    }
+
+    /// The first zero in the piece that has not been given out.
+    fn earliest(&mut self) -> Option<Crossing<StateOf<S, R>>> {
+        if let Some(which) = self.last.take() {
+            let rises = number::<S, M, R>(&self.sides.as_slice()[which]) < 0.0;
+            return Some(Crossing { state: self.run.state(), which, rises });
+        }
+        let piece = self.piece?;
+        let mut first: Option<(f64, usize, f64)> = None;
+        for i in 0..G::LEN {
+            for (at, sign) in self.zeros_of(&piece, i).iter() {
+                let later = (at, i) > self.given || self.given.1 == usize::MAX;
+                let earlier = first.is_none_or(|(first, ..)| at < first);
+                if later && earlier && self.direction.counts(sign) {
+                    first = Some((at, i, sign));
+                }
+            }
+        }
+        let (at, which, sign) = first?;
+        self.given = (at, which);
+        let Some(part) = self.improved(&piece, at, which) else { return self.earliest() };
+        let (start, h) = (self.run.steps.last_expansion().1, self.run.step_size());
+        let after = part * h;
+        let state = self.run.steps.inside(after, start + R::from_f64(after));
+        Some(Crossing { state, which, rises: sign > 0.0 })
+    }
+
+    /// A zero of the polynomial of a function as one of the function itself, by Newton's method with the slope of the polynomial; `None` at
+    /// a pole.
+    fn improved(&self, piece: &Piece<G>, at: f64, i: usize) -> Option<f64> {
+        let width = piece.to - piece.from;
+        let g = self.in_parts(&piece.values, i, width);
+        let slope = (1..g.len()).rev().fold(0.0, |slope, k| slope * at + k as f64 * g[k]);
+        let value = |part: f64| number::<S, M, R>(&self.along(part, None).as_slice()[i]);
+        let mut part = piece.from + at * width;
+        let mut now = value(part);
+        // At the start of a piece a function may have jumped.
+        if at == 0.0 {
+            return (now.abs() <= self.scale(i)).then_some(part);
+        }
+        for _ in 0..4 {
+            let next = part - now / slope * width;
+            if now.abs() <= 4.0 * R::epsilon() * self.scale(i) || !(next >= piece.from && next <= piece.to) {
+                break;
+            }
+            let there = value(next);
+            if there.abs() < now.abs() {
+                (part, now) = (next, there);
+            } else {
+                break;
+            }
+        }
+        (now.abs() <= self.scale(i)).then_some(part)
+    }
+}
+
+/// The zeros of a function in a piece.
+struct Zeros {
+    inner: taylor::Roots,
+    /// The sign at the end of the piece before; 0 where there was none yet.
+    side: f64,
+}
+
+impl Zeros {
+    /// The sign at the end.
+    fn end(&self) -> f64 {
+        let odd = self.inner.as_slice().len() % 2 == 1;
+        let end = if odd { -self.inner.sign } else { self.inner.sign };
+        if end == 0.0 { self.side } else { end }
+    }
+
+    /// Where they are, with the sign behind each.
+    fn iter(&self) -> impl Iterator<Item = (f64, f64)> {
+        let mut sign = self.inner.sign;
+        // A change of sign in the joint of two pieces.
+        let joint = (self.side * sign < 0.0).then_some((0.0, sign));
+        joint.into_iter().chain(self.inner.as_slice().iter().map(move |at| {
+            sign = -sign;
+            (*at, sign)
+        }))
+    }
+}
+
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> Iterator for TaylorCrossings<'_, S, M, R, F, G>
+where
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
+{
+    type Item = Result<Crossing<StateOf<S, R>>, StepError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.done {
+            return None;
+        }
+        let found = next(self, |search| search.earliest().map(Ok), Self::step);
+        self.done = !matches!(found, Some(Ok(_)));
+        found
+    }
+}
+
+impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real, F, G> Debug for TaylorCrossings<'_, S, M, R, F, G> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mut crossings = f.debug_struct("TaylorCrossings");
+        crossings.field("run", self.run).field("direction", &self.direction).finish_non_exhaustive()
+    }
+}

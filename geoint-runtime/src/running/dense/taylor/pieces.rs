@@ -1,0 +1,169 @@
+//! A function of the state along the polynomial of a step, as a polynomial of its own: over the whole step, or over parts of it.
+//!
+//! The series of a function may end before the step does: √q at q = 0, ln, quotients; and |q| has another one on either side of 0. What its
+//! polynomial gives at the end of a part is compared with the function there. Where they differ an eighth of the part is taken, and the next one
+//! begins with a series about its own start.
+
+use super::TaylorCrossings;
+use crate::running::StepError;
+use crate::scalar::{Real, signed};
+use crate::space::{Action, Array, Snapshot};
+use crate::system::Jets;
+use crate::taylor::{self, Steps, TaylorMethod};
+
+/// The polynomial of a function may differ so much, relative to its size, from the function at the end of a part: zeros are
+/// found by the first, and improved by the second.
+const APART: f64 = 1.0 / (1 << 20) as f64;
+/// The same where steps have one length, and nothing says how accurate they are.
+const APART_FIXED: f64 = 1.0 / (1 << 10) as f64;
+
+/// The shortest part of a step: there a function jumps, or ends.
+const SHORTEST: f64 = 1.0 / (1_u64 << 40) as f64;
+
+/// The functions along a part of the last step.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Piece<G> {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Series about the start of the part, in the unit of time of the step's own.
+    pub(super) values: G,
+}
+
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, F, G> TaylorCrossings<'_, S, M, R, F, G>
+where
+    G: Array<Real = M::Series>,
+    F: Fn(&S::Over<M::Series>) -> G,
+{
+    /// The functions along a part of the last step that begins at `from`, and is not longer than `width`.
+    pub(super) fn part(&mut self, from: f64, width: f64) -> Result<Piece<G>, StepError> {
+        let values = self.along(from, None);
+        if !all_finite::<S, M, R, G>(&values) {
+            return Err(self.no_event(from));
+        }
+        if from == 0.0 {
+            for i in 0..G::LEN {
+                let [start, end] = [&values, &self.ahead].map(|g| number::<S, M, R>(&g.as_slice()[i]).abs());
+                self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
+            }
+        }
+        let mut to = (from + width).min(1.0);
+        while !self.agree(&values, from, to) {
+            if to - from <= SHORTEST {
+                let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
+                if ends.as_slice().iter().any(|g| !number::<S, M, R>(g).is_finite()) {
+                    return Err(self.no_event(from));
+                }
+                break;
+            }
+            to = from + 0.125 * (to - from);
+        }
+        Ok(Piece { from, to, values })
+    }
+
+    /// Whether series about `from` give what the functions are at `to`.
+    fn agree(&self, values: &G, from: f64, to: f64) -> bool {
+        let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
+        let part = match self.run.method().steps() {
+            Steps::Tolerance(tolerance) => APART.max(tolerance),
+            Steps::Length(_) => APART_FIXED,
+        };
+        (0..G::LEN).all(|i| {
+            let value: f64 = self.in_parts(values, i, to - from).iter().sum();
+            let [start, end] = [values, &ends].map(|g| number::<S, M, R>(&g.as_slice()[i]));
+            let gap = (value - end).abs();
+            gap <= part * start.abs().max(end.abs()) || gap <= 64.0 * self.noise(i, to)
+        })
+    }
+
+    /// The size of a function at the ends of the last step.
+    pub(super) fn scale(&self, i: usize) -> f64 {
+        number::<S, M, R>(&self.scales.as_slice()[i])
+    }
+
+    /// The polynomial of a function in parts of a piece of this width.
+    pub(super) fn in_parts(&self, values: &G, i: usize, width: f64) -> [f64; taylor::MOST] {
+        let unit = self.run.steps.last_expansion().0.unit;
+        let coefficients = M::coefficients(&values.as_slice()[i]);
+        taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.step_size() / unit)
+    }
+
+    /// By how much a function changes if every coordinate, and time, is rounded.
+    pub(super) fn noise(&self, i: usize, part: f64) -> f64 {
+        let here = number::<S, M, R>(&self.along(part, None).as_slice()[i]);
+        let moved = |coordinate| (number::<S, M, R>(&self.along(part, Some(coordinate)).as_slice()[i]) - here).abs();
+        let noise: f64 = (0..S::Phase::LEN + S::Action::LEN + 1).map(moved).sum();
+        // Where there is no number there is nothing to compare.
+        if noise >= 0.0 { noise } else { 0.0 }
+    }
+
+    /// The series of the functions about a part of the last step; `nudged` is a coordinate that is off by a rounding, the last one time.
+    pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
+        let ((expansion, start), order) = (self.run.steps.last_expansion(), self.run.order());
+        let after = part * self.run.step_size();
+        let by = R::from_f64(after / expansion.unit);
+        let jet = &expansion.jet.as_ref()[..order];
+        let nudge = |i: usize| R::from_f64(if nudged == Some(i) { 1.0 + R::epsilon() } else { 1.0 });
+        let coordinate = |i: usize| {
+            let mut x = M::fill(R::from_f64(0.0));
+            let x = x.as_mut();
+            x[0] = expansion.x.at(i);
+            for (x, term) in x[1..].iter_mut().zip(jet) {
+                *x = term.at(i);
+            }
+            let used = &mut x[..order];
+            if part != 0.0 {
+                taylor::shift(used, jet[order - 1].at(i), by);
+            }
+            used[0] *= nudge(i);
+            M::series(|n| x[n])
+        };
+        let count = S::Phase::LEN + S::Action::LEN;
+        let now = (start + R::from_f64(after)) * nudge(count);
+        self.functions(coordinate, now, R::from_f64(expansion.unit))
+    }
+
+    /// The series of the functions at the end of the last step.
+    pub(super) fn at_end(&self) -> G {
+        let (expansion, now) = self.run.steps.present_expansion();
+        let jet = &expansion.jet.as_ref()[..self.run.order()];
+        let coordinate = |i: usize| {
+            M::series(|n| match n {
+                0 => expansion.x.at(i),
+                n => jet.get(n - 1).map_or(R::from_f64(0.0), |x| x.at(i)),
+            })
+        };
+        self.functions(coordinate, now, R::from_f64(expansion.unit))
+    }
+
+    fn functions(&self, coordinate: impl Fn(usize) -> M::Series, now: R, unit: R) -> G {
+        let mut z = <<S::Over<M::Series> as Snapshot>::Phase as Array>::zero();
+        let mut s = <<S::Over<M::Series> as Snapshot>::Action as Action<_>>::zero();
+        for (i, x) in z.as_mut_slice().iter_mut().enumerate() {
+            *x = coordinate(i);
+        }
+        for s in s.numbers_mut() {
+            *s = coordinate(S::Phase::LEN);
+        }
+        let t = M::series(|n| match n {
+            0 => now,
+            1 => unit,
+            _ => R::from_f64(0.0),
+        });
+        (self.g)(&S::Over::of(t, z, s))
+    }
+
+    /// That a function is not a number at a part of the last step.
+    fn no_event(&self, part: f64) -> StepError {
+        let start = self.run.steps.last_expansion().1;
+        StepError::NoEvent { t: signed(start) + part * self.run.step_size() }
+    }
+}
+
+/// The value of a series at its start.
+pub(super) fn number<S: Jets<R>, M: TaylorMethod<S, R>, R: Real>(series: &M::Series) -> f64 {
+    signed(M::coefficients(series)[0])
+}
+
+fn all_finite<S: Jets<R>, M: TaylorMethod<S, R>, R: Real, G: Array<Real = M::Series>>(values: &G) -> bool {
+    values.as_slice().iter().flat_map(|g| M::coefficients(g)).all(|g| g.magnitude().is_finite())
+}
