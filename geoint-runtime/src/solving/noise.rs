@@ -8,6 +8,7 @@ use crate::scalar::{Real, zero};
 use crate::solving::rounding::is_rounding;
 use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
+use crate::space::vector::difference;
 
 /// Points on a line at which the residual is evaluated.
 const POINTS: usize = 16;
@@ -82,7 +83,10 @@ pub(crate) fn measure<A: Array>(
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
     along(sizes.as_slice(), kinds, direction.as_mut_slice());
-    let nearest = farther * parts(delta.as_slice(), direction.as_slice());
+    let mut moved = *x;
+    moved.add_scaled(A::Real::from_f64(A::Real::epsilon()), &direction);
+    let digits = residual(&moved).zip(residual(x)).map_or(A::zero(), |(there, here)| difference(&there, &here));
+    let nearest = begin((delta.as_slice(), farther), kinds, direction.as_mut_slice());
     let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
     let [smooth, resolved] = &mut marks;
     let memory = Memory {
@@ -102,6 +106,12 @@ pub(crate) fn measure<A: Array>(
             _ => false,
         }
     });
+    // What the last digits of coordinates change is no less rounding than what is computed with them.
+    for (noise, digits) in noise.as_mut_slice().iter_mut().zip(digits.as_slice()) {
+        if noise.magnitude() < digits.magnitude() {
+            *noise = *digits;
+        }
+    }
     noise
 }
 
@@ -118,11 +128,25 @@ fn along<R: Real>(sizes: &[R], [n, kinds]: [usize; 2], direction: &mut [R]) {
     }
 }
 
-/// The largest part of a direction that a correction is.
-fn parts<R: Real>(delta: &[R], direction: &[R]) -> f64 {
-    let part =
-        |(delta, size): (&R, &R)| if delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() };
-    largest(delta.iter().zip(direction).map(part))
+/// How much of a direction the first distance is. Unknowns of each kind begin near their own corrections: an angle may be large beside all in
+/// which a function of it changes.
+#[inline(never)]
+fn begin<R: Real>((delta, farther): (&[R], f64), [n, kinds]: [usize; 2], direction: &mut [R]) -> f64 {
+    let kind = |i: usize| i / n % kinds;
+    // The largest part of the direction that corrections of a kind are.
+    let first = |direction: &[R], k: usize| {
+        let part = |(i, (delta, size)): (usize, (&R, &R))| {
+            if kind(i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }
+        };
+        let nearest = farther * largest(delta.iter().zip(direction).enumerate().map(part));
+        if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() }
+    };
+    let nearest = (0..kinds).map(|k| first(direction, k)).fold(0.0, f64::max);
+    for k in 0..kinds {
+        let less = R::from_f64(first(direction, k) / nearest);
+        direction.iter_mut().enumerate().filter(|(i, _)| kind(*i) == k).for_each(|(_, d)| *d *= less);
+    }
+    nearest
 }
 
 /// A residual at so much of a direction; whether there is one.
@@ -150,7 +174,7 @@ impl<R: Real> Memory<'_, R> {
         let (before, lower) = lower.split_at_mut(n);
         before.fill(R::from_f64(f64::INFINITY));
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-        let mut distance = if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() };
+        let mut distance = nearest;
         'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
             for (j, value) in differences.chunks_exact_mut(n).enumerate() {
                 if !residual(R::from_f64(distance * NODES[j]), value) {
