@@ -1,8 +1,8 @@
 //! A run, and by how much its energy has moved.
 
+use geoint_runtime::Real;
 use geoint_runtime::prelude::*;
 use geoint_runtime::running::Scalar;
-use geoint_runtime::Real;
 
 /// What a run has come to.
 pub struct Outcome<S> {

@@ -44,7 +44,10 @@ pub fn comet(eccentricity: f64) -> (Kepler, State<[f64; 2]>, f64) {
 pub fn spring(ratio: f64) -> (SpringPendulum, State<[f64; 2]>) {
     let (m, l, g) = (MASS, 1.0, 1.0);
     let r = l * (1.0 + 1e-4);
-    (SpringPendulum { m, k: m * g / l * ratio * ratio, l, g }, State::new([r * 1_f64.sin(), -r * 1_f64.cos()], [0.0, 0.0]))
+    (
+        SpringPendulum { m, k: m * g / l * ratio * ratio, l, g },
+        State::new([r * 1_f64.sin(), -r * 1_f64.cos()], [0.0, 0.0]),
+    )
 }
 
 /// Three bodies of mass 3, 4 and 5 at rest in the corners of a triangle with sides 3, 4 and 5, each opposite to the side of its number.

@@ -83,9 +83,7 @@ pub(crate) fn measure<A: Array>(
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
     along(sizes.as_slice(), kinds, direction.as_mut_slice());
-    let mut moved = *x;
-    moved.add_scaled(A::Real::from_f64(A::Real::epsilon()), &direction);
-    let digits = residual(&moved).zip(residual(x)).map_or(A::zero(), |(there, here)| difference(&there, &here));
+    let digits = last_digits(x, &direction, &mut residual);
     let nearest = begin((delta.as_slice(), farther), kinds, direction.as_mut_slice());
     let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
     let [smooth, resolved] = &mut marks;
@@ -113,6 +111,23 @@ pub(crate) fn measure<A: Array>(
         }
     }
     noise
+}
+
+/// What a residual changes by where coordinates are moved by their last digit, to the side to which it changes less: to the other one there may be a
+/// jump.
+fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> Option<A>) -> A {
+    let Some(here) = residual(x) else { return A::zero() };
+    let mut change = |sign: f64| {
+        let mut moved = *x;
+        moved.add_scaled(A::Real::from_f64(2.0 * sign * A::Real::epsilon()), direction);
+        residual(&moved).map_or(A::zero(), |there| difference(&there, &here))
+    };
+    let (mut least, other) = (change(1.0), change(-1.0));
+    for (least, other) in least.as_mut_slice().iter_mut().zip(other.as_slice()) {
+        // What is not a number is no change.
+        *least = if least.magnitude() <= other.magnitude() { *least } else { *other };
+    }
+    least
 }
 
 /// The direction in which unknowns are moved.

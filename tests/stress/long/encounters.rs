@@ -29,11 +29,25 @@ fn orbit(name: String, eccentricity: f64, outcome: &Outcome<Plane>, bounds: Boun
     let turned = (momentum(at) / momentum(&start) - 1.0).abs();
     let away = (at.q[0] - start.q[0]).hypot(at.q[1] - start.q[1]);
     let _ = mass;
-    let cells = vec![name, eccentricity.to_string(), short(energy), short(turned), short(away), outcome.steps.to_string(), outcome.end()];
+    let cells = vec![
+        name,
+        eccentricity.to_string(),
+        short(energy),
+        short(turned),
+        short(away),
+        outcome.steps.to_string(),
+        outcome.end(),
+    ];
     row(cells, energy <= bounds.energy && (bounds.refusal || outcome.refused.is_none()))
 }
 
-fn fixed_orbit<M: Method<Kepler> + Send + 'static>(name: &str, method: M, eccentricity: f64, steps: f64, energy: f64) -> Job {
+fn fixed_orbit<M: Method<Kepler> + Send + 'static>(
+    name: &str,
+    method: M,
+    eccentricity: f64,
+    steps: f64,
+    energy: f64,
+) -> Job {
     let name = format!("{name}, {steps:.0} a period");
     Box::new(move || {
         let (system, start, period) = comet(eccentricity);
@@ -43,7 +57,13 @@ fn fixed_orbit<M: Method<Kepler> + Send + 'static>(name: &str, method: M, eccent
     })
 }
 
-fn adaptive_orbit<M: Method<Kepler> + Send + 'static>(name: &str, method: M, eccentricity: f64, tolerance: f64, energy: f64) -> Job {
+fn adaptive_orbit<M: Method<Kepler> + Send + 'static>(
+    name: &str,
+    method: M,
+    eccentricity: f64,
+    tolerance: f64,
+    energy: f64,
+) -> Job {
     let name = format!("adaptive({name}), {tolerance:.0e}");
     Box::new(move || {
         let (system, start, period) = comet(eccentricity);
@@ -86,7 +106,14 @@ pub(super) fn kepler() -> Section {
 }
 
 fn bodies_row(name: String, outcome: &Outcome<Space>, scale: f64, told: String, holds: bool) -> Row {
-    let cells = vec![name, short(outcome.energy / scale), short(angular_momentum(&outcome.state).abs()), outcome.steps.to_string(), told, outcome.end()];
+    let cells = vec![
+        name,
+        short(outcome.energy / scale),
+        short(angular_momentum(&outcome.state).abs()),
+        outcome.steps.to_string(),
+        told,
+        outcome.end(),
+    ];
     row(cells, holds && outcome.refused.is_none())
 }
 

@@ -21,8 +21,19 @@ bits after saving and resuming (`tests/stability/saved.rs`) and on other process
 #[ignore = "some 20 minutes"]
 fn the_page() {
     let chosen = std::env::var("STRESS").unwrap_or_default();
-    let sections = [encounters::kepler(), encounters::bodies(), chaos::galaxy(), chaos::double_pendulum(), stiff::spring(), stiff::van_der_pol(),
-        stiff::frequencies(), scale::units(), scale::places(), scale::single(), sums::growth()];
+    let sections = [
+        encounters::kepler(),
+        encounters::bodies(),
+        chaos::galaxy(),
+        chaos::double_pendulum(),
+        stiff::spring(),
+        stiff::van_der_pol(),
+        stiff::frequencies(),
+        scale::units(),
+        scale::places(),
+        scale::single(),
+        sums::growth(),
+    ];
     let (mut text, mut failures) = (String::from(INTRODUCTION), vec![]);
     for Section { title, text: about, head, jobs } in sections {
         if !title.to_lowercase().contains(&chosen.to_lowercase()) {

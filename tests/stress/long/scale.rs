@@ -24,7 +24,9 @@ pub(super) fn units() -> Section {
             for length in EACH {
                 let other = ran(method, mass, length);
                 let gap = (0..2).map(|i| {
-                    (other.state.q[i] / length - plain.state.q[i]).abs().max((other.state.p[i] / mass - plain.state.p[i]).abs())
+                    (other.state.q[i] / length - plain.state.q[i])
+                        .abs()
+                        .max((other.state.p[i] / mass - plain.state.p[i]).abs())
                 });
                 worst = gap.fold(worst, f64::max);
                 energy = energy.max(other.energy / mass);
@@ -39,7 +41,16 @@ pub(super) fn units() -> Section {
     macro_rules! rows {
         ($($method:expr),*) => { $( jobs.push(Box::new(|| told(stringify!($method), $method))); )* };
     }
-    rows!(StormerVerlet, BlanesMoanSrkn14a, ImplicitMidpoint, Gauss::<3>, DiscreteGradient, FourthOrder(DiscreteGradient), Projection(RK4, Energy), DOP853);
+    rows!(
+        StormerVerlet,
+        BlanesMoanSrkn14a,
+        ImplicitMidpoint,
+        Gauss::<3>,
+        DiscreteGradient,
+        FourthOrder(DiscreteGradient),
+        Projection(RK4, Energy),
+        DOP853
+    );
     Section {
         title: "Scale: units",
         text: "An orbit in 25 systems of units, masses and lengths 1e-30, 1e-10, 1, 1e10 and 1e30 each, over 10⁵ steps: the largest gap between states at the end, \
@@ -63,7 +74,14 @@ pub(super) fn places() -> Section {
     const STEPS: u64 = 1_000_000;
     const TURN: f64 = std::f64::consts::TAU;
     let told = |what: &str, name: &str, (outcome, energy): (Outcome<State<f64>>, f64), scale: f64, bound: f64| -> Row {
-        let cells = vec![what.into(), name.into(), short(energy / scale), short(bound / scale), outcome.steps.to_string(), outcome.end()];
+        let cells = vec![
+            what.into(),
+            name.into(),
+            short(energy / scale),
+            short(bound / scale),
+            outcome.steps.to_string(),
+            outcome.end(),
+        ];
         row(cells, energy <= bound && outcome.refused.is_none())
     };
     macro_rules! rows {
@@ -83,7 +101,14 @@ pub(super) fn places() -> Section {
             }));
         )* };
     }
-    rows!(StormerVerlet, BlanesMoanSrkn14a, ImplicitMidpoint, Gauss::<3>, DiscreteGradient, FourthOrder(DiscreteGradient));
+    rows!(
+        StormerVerlet,
+        BlanesMoanSrkn14a,
+        ImplicitMidpoint,
+        Gauss::<3>,
+        DiscreteGradient,
+        FourthOrder(DiscreteGradient)
+    );
     Section {
         title: "Scale: places",
         text: "A pendulum over 10⁶ steps far from q = 0, where q is rounded by more than it is near to it, and with swings of 1e-8, whose energy above that at \
@@ -106,7 +131,9 @@ fn swings_near_zero<M: Method<Pendulum>>(method: M, q: f64, steps: u64) -> (Outc
     let system = Pendulum { m: 1.3, l: 1.0, g: 1.0 };
     let energy = |x: &State<f64>| x.p * x.p / 2.6 + 1.3 * 2.0 * (x.q / 2.0).sin().powi(2);
     let (start, mut worst) = (State::new(q, 0.0), 0.0_f64);
-    let outcome = fixed(system.integrator(method, 0.05, start), steps, 1000, |x| worst = worst.max((energy(x) - energy(&start)).abs()));
+    let outcome = fixed(system.integrator(method, 0.05, start), steps, 1000, |x| {
+        worst = worst.max((energy(x) - energy(&start)).abs())
+    });
     (outcome, worst)
 }
 

@@ -56,7 +56,11 @@ pub(super) fn van_der_pol() -> Section {
     const END: f64 = 1000.0;
     let start = || FlowState::new([2.0, 0.0]);
     let mut jobs: Vec<Job> = vec![];
-    fn told(name: String, run: impl FnOnce(&mut dyn FnMut(&FlowState<[f64; 2]>)) -> Outcome<FlowState<[f64; 2]>>, bound: f64) -> Row {
+    fn told(
+        name: String,
+        run: impl FnOnce(&mut dyn FnMut(&FlowState<[f64; 2]>)) -> Outcome<FlowState<[f64; 2]>>,
+        bound: f64,
+    ) -> Row {
         let mut largest = 0.0_f64;
         let outcome = run(&mut |state| largest = largest.max(state.x[0].abs()));
         let exact = TaylorIntegrator::new(SYSTEM, Taylor::default(), FlowState::new([2.0, 0.0]));
@@ -112,7 +116,11 @@ pub(super) fn frequencies() -> Section {
             let found = vibrate(Oscillator { m: MASS, k: MASS }, StormerVerlet, hw, |e| e);
             // What is kept is p²/2m + (1 − (hω/2)²) kq²/2.
             let bound = 1.0 / (1.0 - hw * hw / 4.0) - 1.0;
-            let holds = if hw < 2.0 { found.0 <= bound * (1.0 + 1e-6) + 1e-11 && found.1.refused.is_none() } else { found.1.refused.is_some() };
+            let holds = if hw < 2.0 {
+                found.0 <= bound * (1.0 + 1e-6) + 1e-11 && found.1.refused.is_none()
+            } else {
+                found.1.refused.is_some()
+            };
             told("Verlet, oscillator", hw, found, holds)
         }));
     }
