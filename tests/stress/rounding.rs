@@ -2,7 +2,6 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Summation;
-use geoint_tests::measure::regression;
 use geoint_tests::problems::{Kepler, Pendulum, Problem};
 
 /// Energy errors after 10⁴, 10⁵ … steps, the root mean square over a few starts, in units of the energy.
@@ -24,12 +23,6 @@ where
     (4..=most).zip(squares).map(|(power, square)| (10_f64.powi(power as i32), square.sqrt())).collect()
 }
 
-/// The exponent a of an error Nᵃ.
-pub fn exponent(points: &[(f64, f64)]) -> f64 {
-    let logarithms: Vec<_> = points.iter().map(|(n, error)| (n.ln(), error.max(1e-17).ln())).collect();
-    regression(&logarithms).slope
-}
-
 /// Starts that differ in the last digits, and so in all roundings.
 fn pendulums<M: Method<Pendulum>>(method: M, h: f64, starts: u32) -> Vec<Integrator<Pendulum, M>> {
     let start = |i: u32| State::new(1.1 + 1e-3 * f64::from(i), 0.4);
@@ -42,17 +35,17 @@ fn orbits<M: Method<Kepler>>(method: M, h: f64, starts: u32) -> Vec<Integrator<K
 }
 
 /// Numbers of steps, and the errors after them.
-pub type Growth = Vec<(f64, f64)>;
+pub(crate) type Growth = Vec<(f64, f64)>;
 
 /// A method whose energy error is rounding alone, on a system: its growth up to a power of ten of steps, from so many starts.
-pub struct Walk {
-    pub name: &'static str,
-    pub plain: fn(u32, u32) -> Growth,
-    pub compensated: fn(u32, u32) -> Growth,
+pub(crate) struct Walk {
+    pub(crate) name: &'static str,
+    pub(crate) plain: fn(u32, u32) -> Growth,
+    pub(crate) compensated: fn(u32, u32) -> Growth,
 }
 
 /// All of them.
-pub fn walks() -> Vec<Walk> {
+pub(crate) fn walks() -> Vec<Walk> {
     macro_rules! walks {
         ($($system:literal, $starts:ident: $($method:expr, $h:literal),+;)*) => { vec![$($( Walk {
             name: concat!($system, ", ", stringify!($method), ", h = ", $h),

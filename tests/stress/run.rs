@@ -5,20 +5,20 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::running::Scalar;
 
 /// What a run has come to.
-pub struct Outcome<S> {
+pub(crate) struct Outcome<S> {
     /// The largest change of the energy that was seen.
-    pub energy: f64,
+    pub(crate) energy: f64,
     /// Steps that were taken.
-    pub steps: u64,
+    pub(crate) steps: u64,
     /// The last state.
-    pub state: S,
+    pub(crate) state: S,
     /// Why it ended before its time.
-    pub refused: Option<StepError>,
+    pub(crate) refused: Option<StepError>,
 }
 
 impl<S> Outcome<S> {
     /// The end, in words.
-    pub fn end(&self) -> String {
+    pub(crate) fn end(&self) -> String {
         self.refused.as_ref().map_or("reached".into(), |error| format!("refused: {error}").replace('|', "\\|"))
     }
 }
@@ -47,12 +47,12 @@ fn watched<T: Trajectory>(
 }
 
 /// So many steps.
-pub fn fixed<T: Trajectory>(run: T, steps: u64, looks: u32, see: impl FnMut(&T::State)) -> Outcome<T::State> {
+pub(crate) fn fixed<T: Trajectory>(run: T, steps: u64, looks: u32, see: impl FnMut(&T::State)) -> Outcome<T::State> {
     watched(run, looks, |run, _| run.advance(steps / u64::from(looks)), see)
 }
 
 /// Steps that adapt, up to the time `end`.
-pub fn adapting<T: Trajectory>(run: T, end: f64, looks: u32, see: impl FnMut(&T::State)) -> Outcome<T::State> {
+pub(crate) fn adapting<T: Trajectory>(run: T, end: f64, looks: u32, see: impl FnMut(&T::State)) -> Outcome<T::State> {
     let at = |look: u32| Scalar::<T>::from_f64(end * f64::from(look) / f64::from(looks));
     watched(run, looks, |run, look| run.advance_to(at(look)), see)
 }

@@ -34,7 +34,7 @@ pub(super) fn units() -> Section {
             }
         }
         let end = refused.map_or("reached".into(), |error| format!("refused: {error}"));
-        let holds = worst <= 1e-8 && end == "reached" && (energy - plain.energy).abs() <= 1e-11;
+        let holds = worst <= 1e-7 && end == "reached" && (energy - plain.energy).abs() <= 1e-11;
         row(vec![name.into(), short(worst), short(energy), short(plain.energy), end], holds)
     }
     let mut jobs: Vec<Job> = vec![];

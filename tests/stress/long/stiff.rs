@@ -2,9 +2,27 @@
 
 use super::{Job, Row, Section, row, short};
 use crate::run::{Outcome, adapting, fixed};
-use crate::systems::{Hardening, MASS, Oscillator, VanDerPol, spring as spring_pendulum};
+use crate::systems::{MASS, spring as spring_pendulum};
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, TaylorIntegrator};
+
+/// Relaxation oscillations.
+#[vector_field]
+fn relaxing(x: [f64; 2], epsilon: f64) -> [f64; 2] {
+    [x[1], epsilon * (1.0 - x[0] * x[0]) * x[1] - x[0]]
+}
+
+/// An oscillator.
+#[hamiltonian]
+fn oscillator(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0
+}
+
+/// An oscillator that hardens.
+#[hamiltonian]
+fn hardening(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k * (q * q / 2.0 + q * q * q * q / 4.0)
+}
 
 /// A spring pendulum.
 pub(super) fn spring() -> Section {
@@ -52,7 +70,7 @@ pub(super) fn spring() -> Section {
 
 /// Relaxation oscillations.
 pub(super) fn van_der_pol() -> Section {
-    const SYSTEM: VanDerPol = VanDerPol { epsilon: 100.0 };
+    const SYSTEM: Relaxing = Relaxing { epsilon: 100.0 };
     const END: f64 = 1000.0;
     let start = || FlowState::new([2.0, 0.0]);
     let mut jobs: Vec<Job> = vec![];
