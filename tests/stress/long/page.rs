@@ -2,12 +2,13 @@
 
 use super::{Section, chaos, done, encounters, scale, stiff, sums};
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 
 const INTRODUCTION: &str = "# Stress
 
 ```text
-cargo test --release -p geoint-tests --test stress -- --ignored           # all, and this page
-STRESS=chaos cargo test --release -p geoint-tests --test stress -- --ignored --nocapture   # sections with this in their title, printed
+cargo test --profile bench -p geoint-tests --test stress -- --ignored           # all, and this page
+STRESS=chaos cargo test --profile bench -p geoint-tests --test stress -- --ignored --nocapture   # sections with this in their title, anew
 ```
 
 Runs that are hard. A run ends at its time, or is refused, with the last good state kept; a row whose numbers are not as its section says fails.
@@ -20,7 +21,7 @@ bits after saving and resuming (`tests/stability/saved.rs`) and on other process
 #[test]
 #[ignore = "some 20 minutes"]
 fn the_page() {
-    let chosen = std::env::var("STRESS").unwrap_or_default();
+    let chosen = std::env::var("STRESS").unwrap_or_default().to_lowercase();
     let sections = [
         encounters::kepler(),
         encounters::bodies(),
@@ -34,22 +35,24 @@ fn the_page() {
         scale::single(),
         sums::growth(),
     ];
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = target.unwrap_or(Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("target"));
+    let folder = target.join("geoint/stress");
+    std::fs::create_dir_all(&folder).expect("the folder of sections");
     let (mut text, mut failures) = (String::from(INTRODUCTION), vec![]);
-    for Section { title, text: about, head, jobs } in sections {
-        if !title.to_lowercase().contains(&chosen.to_lowercase()) {
-            continue;
+    for (number, Section { title, text: about, head, jobs }) in sections.into_iter().enumerate() {
+        let file = folder.join(format!("{number}.md"));
+        if title.to_lowercase().contains(&chosen) {
+            let mut part =
+                format!("\n## {title}\n\n{about}\n\n| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
+            for row in done(jobs) {
+                let _ = writeln!(part, "| {} |", row.cells.join(" | "));
+                failures.extend(row.failure.map(|failure| format!("{title}: {failure}")));
+            }
+            std::fs::write(&file, part).expect("the section");
         }
-        let rows = done(jobs);
-        let _ = write!(text, "\n## {title}\n\n{about}\n\n| {} |\n|{}\n", head.join(" | "), "---|".repeat(head.len()));
-        for row in rows {
-            let _ = writeln!(text, "| {} |", row.cells.join(" | "));
-            failures.extend(row.failure.map(|failure| format!("{title}: {failure}")));
-        }
+        text += &std::fs::read_to_string(&file).unwrap_or_default();
     }
-    if chosen.is_empty() {
-        std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/stress/README.md"), &text).expect("the page");
-    } else {
-        println!("{text}");
-    }
+    std::fs::write(concat!(env!("CARGO_MANIFEST_DIR"), "/stress/README.md"), &text).expect("the page");
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
