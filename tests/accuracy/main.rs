@@ -1,5 +1,6 @@
 //! Is right: derivatives, orders, symplecticity, symmetry, clocks, and the tables behind them.
 
+mod double;
 mod kepler;
 mod language;
 mod derivatives;

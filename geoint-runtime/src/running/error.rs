@@ -30,8 +30,9 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// A stage of the step left the domain of a function in the energy, or came to its edge, where a derivative is not a number; or it cannot be excluded that a pole of it lies on the straight
-    /// line between the ends of an implicit step; or the energy jumps at the end of a step that keeps it.
+    /// A stage of the step left the domain of a function in the energy, or came to its edge, where a derivative is not a number; or it
+    /// cannot be excluded that a pole of it lies on the straight line between the ends of an implicit step; or the energy jumps at the end of
+    /// a step that keeps it.
     OutsideDomain {
         /// Time of the last good state.
         t: f64,

@@ -8,8 +8,8 @@ const DEPTH: usize = 48;
 /// Parts of the line are not divided further.
 const SHORTEST: f64 = 1e-14;
 
-/// Evaluations before a question is given up. Lines that pass a zero at 10⁻¹⁰ of their length take about a hundred.
-const EVALUATIONS: u32 = 2000;
+/// Parts that are judged before a question is given up. Lines that pass a zero at 10⁻¹⁰ of their length take some thirty.
+const MOST_JUDGED: u32 = 500;
 
 /// A coordinate on the way from one value to another.
 #[derive(Clone, Copy, Debug)]
@@ -40,6 +40,36 @@ impl Line {
     }
 }
 
+/// What is known of a part of the way.
+enum Judgement {
+    Holds,
+    Fails,
+    /// Halves may be judged.
+    Open,
+}
+
+/// Whether something holds on the whole way from 0 to 1: a part that is open is halved. What stays open does not hold.
+fn holds(judge: impl Fn(f64, f64) -> Judgement) -> bool {
+    let mut open = [(0.0_f64, 1.0_f64); DEPTH];
+    let (mut waiting, mut judged) = (1, 0);
+    while waiting > 0 {
+        waiting -= 1;
+        judged += 1;
+        let (a, b) = open[waiting];
+        match judge(a, b) {
+            Judgement::Holds => {}
+            Judgement::Open if waiting + 2 <= DEPTH && judged <= MOST_JUDGED => {
+                let middle = 0.5 * (a + b);
+                open[waiting] = (middle, b);
+                open[waiting + 1] = (a, middle);
+                waiting += 2;
+            }
+            Judgement::Open | Judgement::Fails => return false,
+        }
+    }
+    true
+}
+
 /// Whether `term`, a function on a part of the way from 0 to 1 by its values and its rate, is proven to have no zero behind 0, up to 1 and with it.
 ///
 /// A zero at 0 itself does not count if the function leaves it at once: a step may begin there. What cannot be decided, because
@@ -47,42 +77,28 @@ impl Line {
 #[cold]
 #[inline(never)]
 pub(crate) fn vanishes_nowhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
-    let mut open = [(0.0_f64, 1.0_f64); DEPTH];
-    let (mut waiting, mut evaluations) = (1, 0);
-    while waiting > 0 {
-        waiting -= 1;
-        let (a, b) = open[waiting];
+    holds(|a, b| {
         let (value, rate) = term(Interval::new(a, b));
-        evaluations += 4;
-        if !value.contains_zero() {
-            continue;
-        }
         let at = |x: f64| term(Interval::new(x, x)).0;
         let middle = 0.5 * (a + b);
         // The mean value theorem.
         let reach = rate * Interval::new(a - middle, b - middle);
-        if !(at(middle) + reach).contains_zero() {
-            continue;
+        if !value.contains_zero() || !(at(middle) + reach).contains_zero() {
+            return Judgement::Holds;
         }
         if !rate.contains_zero() {
             // Monotonic: the ends decide.
             let (first, last) = (at(a), at(b));
             let leaves = a == 0.0 && first.contains_zero();
             if !last.contains_zero() && (leaves || (first.signum() == last.signum() && !first.contains_zero())) {
-                continue;
+                return Judgement::Holds;
             }
             if !first.contains_zero() && !last.contains_zero() {
-                return false;
+                return Judgement::Fails;
             }
         }
-        if waiting + 2 > DEPTH || b - a < SHORTEST || evaluations > EVALUATIONS {
-            return false;
-        }
-        open[waiting] = (middle, b);
-        open[waiting + 1] = (a, middle);
-        waiting += 2;
-    }
-    true
+        if b - a < SHORTEST { Judgement::Fails } else { Judgement::Open }
+    })
 }
 
 /// A part of the way on which a function is negative, and that is shorter, is not told from a point at which it touches zero: near such a
@@ -94,31 +110,17 @@ const SHORTEST_GAP: f64 = 1e-7;
 #[cold]
 #[inline(never)]
 pub(crate) fn is_negative_somewhere(term: &dyn Fn(Interval) -> (Interval, Interval)) -> bool {
-    let mut open = [(0.0_f64, 1.0_f64); DEPTH];
-    let (mut waiting, mut evaluations) = (1, 0);
-    while waiting > 0 {
-        waiting -= 1;
-        let (a, b) = open[waiting];
+    !holds(|a, b| {
         let (value, rate) = term(Interval::new(a, b));
-        evaluations += 2;
         let middle = 0.5 * (a + b);
         let at_middle = term(Interval::new(middle, middle)).0;
-        if value.low >= 0.0
-            || (at_middle + rate * Interval::new(a - middle, b - middle)).low >= 0.0
-            || b - a < SHORTEST_GAP
-        {
-            continue;
+        let reach = rate * Interval::new(a - middle, b - middle);
+        if value.low >= 0.0 || (at_middle + reach).low >= 0.0 || b - a < SHORTEST_GAP {
+            return Judgement::Holds;
         }
         // What is not a number is not defined.
-        let defined = at_middle.high >= 0.0;
-        if !defined || waiting + 2 > DEPTH || evaluations > EVALUATIONS {
-            return true;
-        }
-        open[waiting] = (middle, b);
-        open[waiting + 1] = (a, middle);
-        waiting += 2;
-    }
-    false
+        if at_middle.high >= 0.0 { Judgement::Open } else { Judgement::Fails }
+    })
 }
 
 #[cfg(test)]

@@ -35,7 +35,7 @@ pub use projection::Projection;
 pub use relaxation::Relaxation;
 
 use crate::solving::size::Sizes;
-use crate::space::{Array, Compensated, Record, Tape};
+use crate::space::{Array, Compensated, Record, Summation, Tape};
 
 /// What a step hands on to the next one.
 #[derive(Clone, Debug)]
@@ -44,6 +44,12 @@ pub struct Memory<M, A: Array> {
     sizes: Sizes<A>,
     /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
     sums: Compensated<A>,
+}
+
+impl<M, A: Array> Memory<M, A> {
+    fn new(method: M) -> Self {
+        Memory { method, sizes: Sizes::new(), sums: Compensated::new() }
+    }
 }
 
 impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {

@@ -8,15 +8,15 @@ use crate::solving::noise;
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, sum};
-use crate::space::{Array, Compensated, Square, Summation};
+use crate::space::{Array, Square, Summation};
 use crate::system::{Poles, VectorField};
 use core::cell::Cell;
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
 /// The order of the method; invariants are kept to rounding; where gradients depend on each other, those that say nothing new take
-/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way back is the
-/// shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
+/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
+/// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
 /// units in which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new() }
+        Memory::new(M::memory())
     }
 
     #[inline]
@@ -106,7 +106,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         };
         // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
         let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
-        let is_noise = |multipliers: &I::Values, delta: &I::Values, _: f64, farther: f64| {
+        let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
             let units = Sizes::equal();
             !jumps && {
                 let correction = |at: &I::Values| {

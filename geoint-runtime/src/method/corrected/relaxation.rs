@@ -1,18 +1,19 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
-use super::Memory;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
-use crate::solving::rounding::correct;
-use crate::solving::size::Sizes;
+use crate::solving::rounding::MAX_ITERATIONS;
 use crate::space::vector::{difference, dot, scaled, sum};
-use crate::space::{Compensated, Summation};
+use crate::space::{Array, Record, Summation, Tape};
 use crate::system::{KeepsEnergy, Poles};
 use core::cell::Cell;
 
 /// Far beyond γ = 1 + O(hᵖ⁻¹): no relaxation of this step.
 const FARTHEST: f64 = 0.5;
+
+/// A correction of γ behind which nothing is left. Where a larger one is needed for what is rounding, γ is not determined by it.
+const LITTLE: f64 = 1e-3;
 
 /// A change of the energy by so many ε of its terms is rounding.
 const ROUNDINGS: f64 = 4.0;
@@ -20,12 +21,28 @@ const ROUNDINGS: f64 = 4.0;
 /// A method whose steps are relaxed: `Relaxation(RK4)`.
 ///
 /// The energy is kept to rounding, or of a field the function that it keeps as `energy`, or names first; with one factor γ = 1 + O(hᵖ⁻¹) a
-/// step; other integrals change: [`Projection`](super::Projection) keeps all. Time goes on by γh, so steps do not end at multiples of h; at the time that the state says, the order is that of the method.
+/// step; other integrals change: [`Projection`](super::Projection) keeps all. Time goes on by γh, so steps do not end at multiples of h; at the
+/// time that the state says, the order is that of the method.
 /// Neither symmetric nor symplectic. Where the energy is almost straight along a step γ is not determined, and the step is refused.
 ///
 /// D. I. Ketcheson, SIAM J. Numer. Anal. 57 (2019) 2850; H. Ranocha & D. I. Ketcheson, J. Sci. Comput. 84 (2020) 17.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Relaxation<M>(pub M);
+
+/// What a step hands on to the next one.
+#[derive(Clone, Debug)]
+pub struct Memory<M, A: Array> {
+    corrected: super::Memory<M, A>,
+    /// What steps before have changed the energy by, less than rounding of it each, and all of one sign perhaps.
+    left: A::Real,
+}
+
+impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.corrected.record(tape);
+        tape.scalar(&mut self.left);
+    }
+}
 
 /// What the method prepared, and h.
 #[derive(Clone, Copy, Debug)]
@@ -55,13 +72,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     }
 
     fn memory() -> Self::Memory {
-        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new() }
+        Memory { corrected: super::Memory::new(M::memory()), left: zero() }
     }
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        Memory { method: memory, sizes, sums }: &mut Self::Memory,
+        Memory { corrected: super::Memory { method: memory, sizes, sums }, left }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
@@ -71,50 +88,61 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
         let energy = S::Kept::default();
-        let mut gradient = energy.gradients(system, &before);
-        let whole = energy.changes(system, &before, &moved);
-        let secant = whole - dot(&gradient, &moved);
-        // What rounding of the coordinates changes the energy by is ε times its terms; and it has a value of its own to be rounded.
-        let terms = sizes.normalise(&mut gradient) + system.kept_energy(t, &before).abs();
+        let mut gradient = energy.gradients(system, &x.z);
+        let rate = dot(&gradient, &moved);
+        // What rounding of the coordinates changes the energy by is ε times its terms.
+        let terms = sizes.normalise(&mut gradient).magnitude();
+        let rounding = ROUNDINGS * R::epsilon();
 
-        // γ − 1 is the root of (H(x + γd) − H(x))/γ = ∇̄H·d. The root γ = 0 is gone, and what is left is almost a straight line. The
-        // iteration starts from the value for γ = 1 and the secant from γ = 0 to there.
         // The increments at whose end conditions of the energy were decided last.
         let decided = Cell::new(moved);
-        let value = |excess: R| {
-            let gamma = R::from_f64(1.0) + excess;
+        let change = |gamma: R| {
             decided.set(scaled(gamma, &moved));
-            energy.changes(system, &before, &decided.get()) / gamma
+            energy.changes(system, &before, &decided.get())
         };
-        let mut line = (zero(), whole, secant);
-        let solution = correct(
-            zero::<R>(),
-            |_, _, relative, _| relative <= ROUNDINGS * R::epsilon(),
-            |excess| {
-                if excess.magnitude() > FARTHEST {
-                    return Err(Refusal::NotConverged { iterations: 1, correction: excess.magnitude() });
-                }
-                let (last, before, secant) = line;
-                let (distance, now) = (*excess - last, if excess.magnitude() == 0.0 { whole } else { value(*excess) });
-                // A secant over rounding errors would be none.
-                let far = distance.magnitude() > Real::sqrt(R::epsilon());
-                let secant = if far { (now - before) / distance } else { secant };
-                line = (*excess, now, secant);
-                let relative = now.magnitude() / terms.magnitude();
-                Ok(if now.magnitude() == 0.0 { (zero(), 0.0) } else { (now / secant, relative) })
-            },
-        );
-        let excess = match solution {
-            // A step so short, or an energy so straight, that there is nothing but rounding to put right.
-            Err(_) if whole.magnitude() <= ROUNDINGS * R::epsilon() * terms.magnitude() => {
+        let whole = change(R::from_f64(1.0));
+        // What steps before have left is put right with what this one changes.
+        let average = |excess: R| {
+            let gamma = R::from_f64(1.0) + excess;
+            (change(gamma) + *left) / gamma
+        };
+        let (excess, rest) = match root(average, (whole + *left, rate - whole), rounding * terms) {
+            // A step so short, or an energy so straight, that there is hardly more than rounding to put right: the next step has it. The energy has
+            // a value of its own to be rounded, and forces that cancel are small beside it.
+            Err(_) if whole.magnitude() <= rounding * (terms + system.kept_energy(t, &before).magnitude()) => {
                 decided.set(moved);
-                zero()
+                (zero(), whole + *left)
             }
-            solution => solution?,
+            root => root?,
         };
+        *left = rest * (R::from_f64(1.0) + excess);
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
         check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
     }
+}
+
+/// The root γ − 1 of (H(x + γd) − H(x))/γ = ∇̄H·d, which is almost a straight line: the root γ = 0 of the change itself is gone. Its
+/// value and its slope at γ = 1 are given; it is a root where the value is rounding, and that comes with it.
+fn root<R: Real>(average: impl Fn(R) -> R, (mut now, mut slope): (R, R), rounding: f64) -> Result<(R, R), Refusal> {
+    let mut excess: R = zero();
+    for iterations in 1..=MAX_ITERATIONS {
+        let next = excess - now / slope;
+        if now.magnitude() <= rounding {
+            let determined = (next - excess).magnitude() <= LITTLE;
+            return Ok(if determined { (next, zero()) } else { (excess, now) });
+        }
+        // What is not a number is far as well.
+        if next.magnitude().is_nan() || next.magnitude() > FARTHEST {
+            return Err(Refusal::NotConverged { iterations, correction: next.magnitude() });
+        }
+        let (distance, value) = (next - excess, average(next));
+        // A secant over rounding errors would be none.
+        if distance.magnitude() > Real::sqrt(R::epsilon()) {
+            slope = (value - now) / distance;
+        }
+        (excess, now) = (next, value);
+    }
+    Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: now.magnitude() })
 }

@@ -1,6 +1,6 @@
 //! Elementary functions, by series and by Newton steps on them.
 
-use super::{Double, LN_2, LN_10, PI, two_product, two_sum};
+use super::{Double, two_product, two_sum};
 use crate::scalars::compared;
 use geoint_runtime::Real;
 
@@ -46,7 +46,7 @@ impl Real for Double {
     }
     fn sin_cos(self) -> (Self, Self) {
         // To |x| ≤ π/4 and its quadrant, then to |x| ≤ 2⁻⁸ by halving: c − 1 ← 2(c − 1)² + 4(c − 1) keeps its digits.
-        let quarter = PI.scaled(0.5);
+        let quarter = Double::PI.scaled(0.5);
         let turns = (self.hi / quarter.hi).round();
         let x = (self - quarter * turns).scaled(1.0 / 128.0);
         let (mut s, mut c) = (x.series(1, 2, true), x.series(2, 2, true));
@@ -113,15 +113,15 @@ impl Real for Double {
         ((1.0 + self) / (1.0 - self)).ln().scaled(0.5)
     }
     fn exp(self) -> Self {
-        let n = (self.hi / LN_2.hi).round();
-        let mut e = (self - LN_2 * n).scaled(1.0 / 256.0).series(1, 1, false);
+        let n = (self.hi / Double::LN_2.hi).round();
+        let mut e = (self - Double::LN_2 * n).scaled(1.0 / 256.0).series(1, 1, false);
         for _ in 0..8 {
             e = e * e + e.scaled(2.0);
         }
         (e + 1.0).scaled(2.0_f64.powi(n as i32))
     }
     fn exp2(self) -> Self {
-        (self * LN_2).exp()
+        (self * Double::LN_2).exp()
     }
     fn exp_m1(self) -> Self {
         if self.hi.abs() < 1.0 / 256.0 { self.series(1, 1, false) } else { self.exp() - 1.0 }
@@ -138,10 +138,10 @@ impl Real for Double {
         (self + 1.0).ln()
     }
     fn log2(self) -> Self {
-        self.ln() / LN_2
+        self.ln() / Double::LN_2
     }
     fn log10(self) -> Self {
-        self.ln() / LN_10
+        self.ln() / Double::LN_10
     }
     fn powf(self, y: Self) -> Self {
         (self.ln() * y).exp()
