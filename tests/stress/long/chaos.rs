@@ -52,7 +52,7 @@ pub(super) fn galaxy() -> Section {
     }
     Section {
         title: "Chaos: Hénon–Heiles",
-        text: "E = 1/6, where the way out opens, over 10⁶ units of time: the largest relative error of the energy at a thousand times. Only orbits whose error
+        text: "E = 1/6, where the way out opens, over 10⁶ units of time: the largest relative error of the energy at a thousand times. Only orbits whose error \
                lifts them above it, by Verlet's method, leave.",
         head: TITLES,
         jobs,

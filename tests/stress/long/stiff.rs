@@ -64,8 +64,8 @@ pub(super) fn spring() -> Section {
     Section {
         title: "Stiff: spring pendulum",
         text: "A spring that vibrates a thousand times as fast as it swings, from an angle of a radian, over 100 units of time (16 swings, 16 000 \
-               vibrations): energy over m·g·l, and how far the spring is from its length at the end. What keeps the energy keeps it to 1e-9, or is refused; Gauss's methods to
-               0.1 up to hω = 10, and at 100 their energy grows until they are refused. The vibration has 5e-3 of the energy: of steps that adapt no more is lost, as
+               vibrations): energy over m·g·l, and how far the spring is from its length at the end. What keeps the energy keeps it to 1e-9, or is refused; Gauss's methods to \
+               0.1 up to hω = 10, and at 100 their energy grows until they are refused. The vibration has 5e-3 of the energy: of steps that adapt no more is lost, as \
                errors of a coordinate are tolerated beside its own size.",
         head: &["method", "hω", "energy", "stretch", "steps", "end"],
         jobs,
