@@ -31,7 +31,7 @@ const NYSTROM: usize = 5;
 const FORCE_GRADIENT: usize = 10;
 const PERTURBED: usize = 8;
 const PERTURBED_GRADIENT: usize = 8;
-const PROCESSED: usize = 2;
+const PROCESSED: usize = 3;
 
 #[test]
 fn quadratic_kinetic_energy() {

@@ -51,7 +51,7 @@ fn the_list_of_methods_is_complete() {
             assert!(names.0.contains(method.as_str()), "{method} is not in the list of methods");
         }
     }
-    assert_eq!(tables, 38, "tables found in the source of the runtime");
+    assert_eq!(tables, 39, "tables found in the source of the runtime");
     for stages in 1..=6 {
         assert!(names.0.contains(format!("Gauss<{stages}>").as_str()));
     }
@@ -84,6 +84,7 @@ fn tests_walk_the_whole_catalogue() {
     catalogue::perturbed(&mut catalogued);
     catalogue::perturbed_gradient(&mut catalogued);
     catalogue::processed(&mut catalogued);
+    catalogue::processed_force_gradient(&mut catalogued);
     catalogue::discrete_gradient(&mut catalogued);
     catalogue::conservative(&mut catalogued);
     catalogue::autonomous(&mut catalogued);

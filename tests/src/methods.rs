@@ -3,14 +3,22 @@
 pub use geoint_runtime::method::Visitor;
 pub use geoint_runtime::method::catalogue::{
     constrained, coupled, cubic, force_gradient, general, itoh_abe_one_way, mechanical, perturbed, perturbed_gradient,
-    pieces, processed, projected, quadratic_kinetic as nystrom, relaxed, separable,
+    pieces, projected, quadratic_kinetic as nystrom, relaxed, separable,
 };
 
 use geoint_runtime::Real;
 use geoint_runtime::method::catalogue;
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::{ByField, Collocated, Collocation, Conservative, DiscreteField};
-use geoint_runtime::{ForceGradient, Pieces, QuadraticKinetic, Separable};
+use geoint_runtime::{ForceGradient, PerturbedGradient, PhaseSpace, Pieces, QuadraticKinetic, Separable};
+
+/// Methods with a processor.
+pub fn processed<S: PerturbedGradient<R> + ForceGradient<R> + PhaseSpace<R, Action = ()>, R: Real>(
+    visitor: &mut impl Visitor<S, R>,
+) {
+    catalogue::processed(visitor);
+    catalogue::processed_force_gradient(visitor);
+}
 
 /// Methods for every H whose divided differences are known, and others made of them.
 pub fn discrete_gradient<S: DiscreteField<R> + Conservative<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {

@@ -102,6 +102,13 @@ pub fn force_gradient<S: ForceGradient<R>, R: Real>(visitor: &mut impl Visitor<S
     show!(visitor: Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP);
 }
 
+/// The one of them with a processor, for systems without an action.
+pub fn processed_force_gradient<S: ForceGradient<R> + PhaseSpace<R, Action = ()>, R: Real>(
+    visitor: &mut impl Visitor<S, R>,
+) {
+    show!(visitor: BlanesCasasRos6);
+}
+
 /// Methods for H = A + B, an exact flow and a kick.
 pub fn perturbed<S: Perturbed<R>, R: Real>(visitor: &mut impl Visitor<S, R>) {
     show!(visitor: WisdomHolman, Saba4, Aba8_4, Aba8_6_4, Aba10_6_4);

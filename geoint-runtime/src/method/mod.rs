@@ -31,7 +31,7 @@ pub use crate::solving::Refusal;
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
-use crate::space::{Plain, Point, Record, Summation};
+use crate::space::{PerCoordinate, Plain, Point, Record, Summation};
 use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
@@ -155,6 +155,22 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal>;
 
+    /// The order of the error that [`estimated`](Self::estimated) finds in a step, where it finds any.
+    fn order_of_estimate(&self) -> Option<u32> {
+        None
+    }
+
+    /// One step with two estimates of its error, for steps that adapt; nothing, and no step, where the method has none of its own. The error is
+    /// e₅²/(e₅² + e₃²/100)½, e₅ and e₃ the largest entries of both in units of what is tolerated.
+    #[inline(always)]
+    fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
+        _prepared: &Self::Prepared,
+        _memory: &mut Self::Memory,
+        _step: Step<'_, S, R, C, P>,
+    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+        None
+    }
+
     /// `steps` steps, of which the `i`-th starts at `clock.at(i)`.
     ///
     /// # Errors
@@ -175,6 +191,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         Ok(())
     }
 }
+
+/// Two estimates of the error of a step, the one of the higher order first.
+pub type Estimate<S, R> = [PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>; 2];
 
 /// A step of length `h` from the point of a state to that of another one, for callers that look at every step.
 #[inline(always)]

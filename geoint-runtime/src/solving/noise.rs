@@ -8,19 +8,33 @@ use crate::scalar::{Real, zero};
 use crate::solving::rounding::is_rounding;
 use crate::solving::size::{Sizes, largest};
 use crate::space::Array;
+use crate::space::vector::difference;
 
 /// Points on a line at which the residual is evaluated.
 const POINTS: usize = 16;
 
 /// Places for a spread, two deviations, and for differences of lower orders.
-const SPARE: usize = 3 + LOWER_DEVIATIONS.len();
+const SPARE: usize = 3 + LOWER;
 
-/// The order of the differences, and the standard deviation of one for noise of 1: (8 choose 4)½.
+/// The order of the differences, and how many lower ones, from 2 on, are compared with it.
 const ORDER: usize = 4;
-const DEVIATION: f64 = 8.366_600_265_340_756;
+const LOWER: usize = ORDER - 2;
 
-/// The same for differences of lower orders, from 2 on: (4 choose 2)½, (6 choose 3)½.
-const LOWER_DEVIATIONS: [f64; ORDER - 2] = [2.449_489_742_783_178, 4.472_135_954_999_58];
+/// Distances from the first point. Were they all alike, digits of a coordinate that is large beside what it changes by would come in a
+/// pattern of few: a coordinate is rounded by the same again and again where the distance is nearly a multiple of its last digit, and nothing is
+/// seen of it.
+const NODES: [f64; POINTS] = {
+    let (mut nodes, mut j) = ([0.0; POINTS], 0);
+    while j < POINTS {
+        let golden = GOLDEN * j as f64;
+        nodes[j] = j as f64 + 0.6 * (golden - golden as u32 as f64);
+        j += 1;
+    }
+    nodes
+};
+
+/// The irrational number that has the worst approximations by ratios.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Differences by rank: a jump changes as many of them as their order is. A quarter of them, half of them, and as many as a jump leaves as
 /// they were. Of normal noise half reach to 0.67 of the standard deviation.
@@ -69,7 +83,8 @@ pub(crate) fn measure<A: Array>(
 ) -> A {
     let (mut direction, mut noise) = (A::zero(), A::zero());
     along(sizes.as_slice(), kinds, direction.as_mut_slice());
-    let nearest = farther * parts(delta.as_slice(), direction.as_slice());
+    let digits = last_digits(x, &direction, &mut residual);
+    let nearest = begin((delta.as_slice(), farther), kinds, direction.as_mut_slice());
     let (mut memory, mut marks) = ([A::zero(); POINTS + SPARE], [A::fill(false); 2]);
     let [smooth, resolved] = &mut marks;
     let memory = Memory {
@@ -89,7 +104,30 @@ pub(crate) fn measure<A: Array>(
             _ => false,
         }
     });
+    // What the last digits of coordinates change is no less rounding than what is computed with them.
+    for (noise, digits) in noise.as_mut_slice().iter_mut().zip(digits.as_slice()) {
+        if noise.magnitude() < digits.magnitude() {
+            *noise = *digits;
+        }
+    }
     noise
+}
+
+/// What a residual changes by where coordinates are moved by their last digit, to the side to which it changes less: to the other one there may be a
+/// jump.
+fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> Option<A>) -> A {
+    let Some(here) = residual(x) else { return A::zero() };
+    let mut change = |sign: f64| {
+        let mut moved = *x;
+        moved.add_scaled(A::Real::from_f64(2.0 * sign * A::Real::epsilon()), direction);
+        residual(&moved).map_or(A::zero(), |there| difference(&there, &here))
+    };
+    let (mut least, other) = (change(1.0), change(-1.0));
+    for (least, other) in least.as_mut_slice().iter_mut().zip(other.as_slice()) {
+        // What is not a number is no change.
+        *least = if least.magnitude() <= other.magnitude() { *least } else { *other };
+    }
+    least
 }
 
 /// The direction in which unknowns are moved.
@@ -100,16 +138,30 @@ fn along<R: Real>(sizes: &[R], [n, kinds]: [usize; 2], direction: &mut [R]) {
         let alike = sizes.iter().enumerate().filter(|(j, _)| kind(*j) == kind(i));
         let unit = alike.map(|(_, size)| size.magnitude()).fold(0.0, f64::max);
         // By different parts of that, so that differences of neighbours change, and each by something else.
-        let golden = 0.618_033_988_749_894_9 * ((i + 1) * (i + 1)) as f64;
+        let golden = GOLDEN * ((i + 1) * (i + 1)) as f64;
         *d = R::from_f64(unit * (0.5 + (golden - libm::floor(golden))));
     }
 }
 
-/// The largest part of a direction that a correction is.
-fn parts<R: Real>(delta: &[R], direction: &[R]) -> f64 {
-    let part =
-        |(delta, size): (&R, &R)| if delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() };
-    largest(delta.iter().zip(direction).map(part))
+/// How much of a direction the first distance is. Unknowns of each kind begin near their own corrections: an angle may be large beside all in
+/// which a function of it changes.
+#[inline(never)]
+fn begin<R: Real>((delta, farther): (&[R], f64), [n, kinds]: [usize; 2], direction: &mut [R]) -> f64 {
+    let kind = |i: usize| i / n % kinds;
+    // The largest part of the direction that corrections of a kind are.
+    let first = |direction: &[R], k: usize| {
+        let part = |(i, (delta, size)): (usize, (&R, &R))| {
+            if kind(i) != k || delta.magnitude() == 0.0 { 0.0 } else { delta.magnitude() / size.magnitude() }
+        };
+        let nearest = farther * largest(delta.iter().zip(direction).enumerate().map(part));
+        if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() }
+    };
+    let nearest = (0..kinds).map(|k| first(direction, k)).fold(0.0, f64::max);
+    for k in 0..kinds {
+        let less = R::from_f64(first(direction, k) / nearest);
+        direction.iter_mut().enumerate().filter(|(i, _)| kind(*i) == k).for_each(|(_, d)| *d *= less);
+    }
+    nearest
 }
 
 /// A residual at so much of a direction; whether there is one.
@@ -137,32 +189,34 @@ impl<R: Real> Memory<'_, R> {
         let (before, lower) = lower.split_at_mut(n);
         before.fill(R::from_f64(f64::INFINITY));
         let growth = libm::pow(R::epsilon(), -1.0 / f64::from(DISTANCES_PER_EPSILON));
-        let mut distance = if nearest <= MOST_NEAR { nearest.max(R::epsilon()) } else { R::epsilon() };
+        let mut distance = nearest;
         'distances: for _ in 0..REACH * DISTANCES_PER_EPSILON {
             for (j, value) in differences.chunks_exact_mut(n).enumerate() {
-                if !residual(R::from_f64(distance * j as f64), value) {
+                if !residual(R::from_f64(distance * NODES[j]), value) {
                     break 'distances;
                 }
             }
             for (i, spread) in spread.iter_mut().enumerate() {
                 *spread = differences[(POINTS - 1) * n + i] - differences[i];
             }
-            difference(differences, n);
-            for (order, (lower, deviation)) in (2..).zip(lower.chunks_exact_mut(n).zip(LOWER_DEVIATIONS)) {
-                difference(&mut differences[..(POINTS - order + 1) * n], n);
+            divide(differences, n, 1);
+            for (order, lower) in (2..).zip(lower.chunks_exact_mut(n)) {
+                divide(&mut differences[..(POINTS - order + 1) * n], n, order);
+                let deviations = deviations(order);
                 for (i, (lower, least)) in lower.iter_mut().zip(&mut *least).enumerate() {
-                    let by_rank = by_rank(&differences[..(POINTS - order) * n], i, n).map(|x| x / deviation);
+                    let by_rank = by_rank(&differences[..(POINTS - order) * n], i, n, &deviations);
                     let median = by_rank[(POINTS - order - 1) / 2] / MEDIAN;
                     *lower = R::from_f64(by_rank[QUARTER]);
                     *least = R::from_f64(if order == 2 { median } else { median.min(least.magnitude()) });
                 }
             }
-            difference(&mut differences[..(POINTS - ORDER + 1) * n], n);
+            divide(&mut differences[..(POINTS - ORDER + 1) * n], n, ORDER);
+            let deviations = deviations(ORDER);
             let mut over = true;
             for i in 0..n {
                 let orders = lower.chunks_exact(n);
                 let last = orders.fold(0.0, |last, lower| lower[i].magnitude().max(SMOOTH * last));
-                let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n).map(|x| x / DEVIATION);
+                let high = by_rank(&differences[..(POINTS - ORDER) * n], i, n, &deviations);
                 // Two jumps are in most of the high differences, and in few of the lower ones.
                 let deviation = (high[HALF] / MEDIAN).min(least[i].magnitude());
                 smooth[i] |= high[MOST] < SMOOTH * last;
@@ -203,19 +257,29 @@ pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> b
     })
 }
 
-/// Differences of neighbours, each of `n` entries, in place of all values but the last.
-fn difference<R: Real>(values: &mut [R], n: usize) {
+/// Divided differences of an order of those of the order before, each of `n` entries, in place of all values but the last.
+fn divide<R: Real>(values: &mut [R], n: usize, order: usize) {
     for j in 0..values.len() - n {
-        values[j] = values[j + n] - values[j];
+        let width = NODES[j / n + order] - NODES[j / n];
+        values[j] = (values[j + n] - values[j]) * R::from_f64(1.0 / width);
     }
 }
 
-/// The magnitudes of entry `i` of `n`, in order; those that are not there are infinite.
-fn by_rank<R: Real>(values: &[R], i: usize, n: usize) -> [f64; POINTS] {
+/// The standard deviation of each divided difference of an order, for noise of 1.
+fn deviations(order: usize) -> [f64; POINTS] {
+    core::array::from_fn(|first| {
+        let Some(nodes) = NODES.get(first..=first + order) else { return f64::INFINITY };
+        let weight = |x: &f64| nodes.iter().filter(|y| *y != x).map(|y| x - y).product::<f64>();
+        Real::sqrt(nodes.iter().map(|x| 1.0 / (weight(x) * weight(x))).sum::<f64>())
+    })
+}
+
+/// The magnitudes of entry `i` of `n` in units of their deviations, in order; those that are not there are infinite.
+fn by_rank<R: Real>(values: &[R], i: usize, n: usize, deviations: &[f64; POINTS]) -> [f64; POINTS] {
     let mut sizes = [f64::INFINITY; POINTS];
     // A sort of the standard library is code for lists of any length.
-    for (filled, value) in values.chunks_exact(n).enumerate() {
-        let size = value[i].magnitude();
+    for (filled, (value, deviation)) in values.chunks_exact(n).zip(deviations).enumerate() {
+        let size = value[i].magnitude() / deviation;
         let mut place = filled;
         while place > 0 && sizes[place - 1].total_cmp(&size).is_gt() {
             sizes[place] = sizes[place - 1];

@@ -17,13 +17,10 @@ pub trait Summation<A: Array>: Sealed + Copy + Debug + Record<A::Real> {
     /// A sum without a rounding error so far.
     fn new() -> Self;
     /// Lets `flow` act on a part `x` of the coordinates, whose first one is the `first` of all. The increment that `flow` adds does not
-    /// depend on its argument.
+    /// depend on its argument, and has no more digits than fit into a number: kicks and drifts.
     fn add_part<B: Array<Real = A::Real>>(&mut self, first: usize, x: &mut B, flow: impl FnOnce(&mut B));
-    /// The same for all coordinates.
-    #[inline(always)]
-    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
-        self.add_part(0, x, flow);
-    }
+    /// The same for all coordinates, of an increment whose own rounding error is [known](Self::compensate): all digits are kept.
+    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A));
     /// Adds the rounding error of an increment to the compensation.
     fn compensate(&mut self, error: &A);
     /// The compensation: what the sum is too small by.
@@ -47,6 +44,10 @@ impl<A: Array, const ACTION: bool> Summation<A> for Plain<ACTION> {
     }
     #[inline(always)]
     fn add_part<B: Array<Real = A::Real>>(&mut self, _: usize, x: &mut B, flow: impl FnOnce(&mut B)) {
+        flow(x);
+    }
+    #[inline(always)]
+    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
         flow(x);
     }
     #[inline(always)]
@@ -84,6 +85,15 @@ impl<A: Array> Summation<A> for Compensated<A> {
         flow(&mut increment);
         let compensation = &mut self.compensation.as_mut_slice()[first..first + B::LEN];
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
+            add_rounded(x, &mut compensation[i], increment.as_slice()[i]);
+        }
+    }
+    #[inline(always)]
+    fn add(&mut self, x: &mut A, flow: impl FnOnce(&mut A)) {
+        let mut increment = A::nothing();
+        flow(&mut increment);
+        let compensation = self.compensation.as_mut_slice();
+        for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             add_compensated(x, &mut compensation[i], increment.as_slice()[i]);
         }
     }
@@ -97,7 +107,17 @@ impl<A: Array> Summation<A> for Compensated<A> {
     }
 }
 
-/// Adds a number to a sum that is too small by `compensation`, as [`Compensated`] does.
+/// Adds a number that is rounded itself to a sum that is too small by `compensation`, in four operations: exact where the sum is the larger one,
+/// and where it is not, as it passes zero, the error is a rounding of the number. W. Kahan, Commun. ACM 8 (1965) 40.
+#[inline(always)]
+fn add_rounded<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
+    let change = increment + *compensation;
+    let whole = *sum + change;
+    *compensation = change - (whole - *sum);
+    *sum = whole;
+}
+
+/// Adds a number to a sum that is too small by `compensation`, and keeps all digits of it.
 #[inline(always)]
 pub(crate) fn add_compensated<R: Real>(sum: &mut R, compensation: &mut R, increment: R) {
     // Both rounding errors are kept: an increment has more digits than fit beside the compensation. Should it be the smaller

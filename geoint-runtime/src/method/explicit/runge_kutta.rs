@@ -8,9 +8,9 @@
 
 use crate::method::explicit::tableau::Tableau;
 use crate::method::tables::total::adds_up;
-use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
+use crate::method::{Claims, Estimate, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::{PerCoordinate, Summation};
+use crate::space::{Action, Array, PerCoordinate, Summation};
 use crate::system::Rates;
 
 /// An explicit Runge–Kutta method of `K` stages, for every H.
@@ -33,6 +33,8 @@ pub struct RungeKutta<const K: usize> {
     name: Name,
     order: u32,
     tableau: Tableau<K>,
+    /// Weights of two estimates of the error of a step.
+    estimators: Option<[[f64; K]; 2]>,
 }
 
 /// The classical method. Order 4, 4 gradients, for every H; keeps nothing. W. Kutta, Z. Math. Phys. 46 (1901) 435.
@@ -44,9 +46,9 @@ pub const RK4: RungeKutta<4> = RungeKutta::new(
 )
 .named("RK4");
 
-/// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 without its estimators: E. Hairer, S. P.
-/// Nørsett & G. Wanner, *Solving Ordinary Differential Equations I* (1993), section II.5, after J. R. Dormand & P. J. Prince;
-/// thirty digits as in their program.
+/// Order 8, 12 gradients, for every H; keeps nothing. The method of order 8 of DOP853 with its estimators of order 5 and 3,
+/// from which [`Adaptive`](crate::Adaptive) knows the error of a step: E. Hairer, S. P. Nørsett & G. Wanner, *Solving Ordinary Differential
+/// Equations I* (1993), section II.5 and (II.10.17), after J. R. Dormand & P. J. Prince; thirty digits as in their program.
 pub const DOP853: RungeKutta<12> = RungeKutta::new(
     8,
     [
@@ -148,6 +150,36 @@ pub const DOP853: RungeKutta<12> = RungeKutta::new(
         0.0447106157277725905176885569043,
     ],
 )
+.estimated([
+    [
+        0.01312004499419488073250102996,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        -1.225156446376204440720569753,
+        -0.4957589496572501915214079952,
+        1.664377182454986536961530415,
+        -0.3503288487499736816886487290,
+        0.3341791187130174790297318841,
+        0.08192320648511571246570742613,
+        -0.02235530786388629525884427845,
+    ],
+    [
+        -0.1898007540724076157147023285757,
+        0.0,
+        0.0,
+        0.0,
+        0.0,
+        4.45031289275240888144113950566,
+        1.89151789931450038304281599044,
+        -5.8012039600105847814672114227,
+        -0.42268232132379199294522513542,
+        -0.152160949662516078556178806805,
+        0.201365400804030348374776537501,
+        0.0226517921983608258118062039043,
+    ],
+])
 .named("DOP853");
 
 impl<const K: usize> RungeKutta<K> {
@@ -171,12 +203,20 @@ impl<const K: usize> RungeKutta<K> {
             }
             i += 1;
         }
-        RungeKutta { name: Name::new("RungeKutta"), order, tableau: Tableau { a, b, c } }
+        RungeKutta { name: Name::new("RungeKutta"), order, tableau: Tableau { a, b, c }, estimators: None }
     }
 
     /// The same method under a name of its own.
     pub const fn named(mut self, name: &'static str) -> Self {
         self.name = Name::new(name);
+        self
+    }
+
+    /// The same method with the weights of two estimates of the error of a step, e₅ of the higher order and e₃: the error is taken to be
+    /// e₅²/(e₅² + e₃²/100)½.
+    const fn estimated(mut self, estimators: [[f64; K]; 2]) -> Self {
+        assert!(adds_up(&estimators[0], 0.0) && adds_up(&estimators[1], 0.0), "weights of an estimate add up to 0");
+        self.estimators = Some(estimators);
         self
     }
 
@@ -192,6 +232,35 @@ pub struct Prepared<R, const K: usize> {
     a: [[R; K]; K],
     b: [R; K],
     c: [R; K],
+    estimators: Option<[[R; K]; 2]>,
+}
+
+/// Σ wᵢ kᵢ.
+#[inline(always)]
+fn weighed<A: Array, Z: Action<A::Real>>(weights: &[A::Real], rates: &[PerCoordinate<A, Z>]) -> PerCoordinate<A, Z> {
+    let mut sum = PerCoordinate::zero();
+    for (w, rate) in weights.iter().zip(rates) {
+        sum.add_scaled(*w, rate);
+    }
+    sum
+}
+
+impl<R: Real, const K: usize> Prepared<R, K> {
+    /// The rates of all stages.
+    #[inline(always)]
+    fn rates<S: Rates<R>, C, P: Probe<S, R>>(
+        &self,
+        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    ) -> [PerCoordinate<S::Phase, S::Action>; K] {
+        let mut rates = [PerCoordinate::zero(); K];
+        for i in 0..K {
+            let mut stage = PerCoordinate::of(x);
+            stage.add_scaled(R::from_f64(1.0), &weighed(&self.a[i][..i], &rates));
+            probe.visit(t + self.c[i], &stage.z, &stage.s);
+            rates[i] = system.rates(t + self.c[i], &stage);
+        }
+        rates
+    }
 }
 
 impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
@@ -217,33 +286,37 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     fn prepare(&self, _: &S, h: R) -> Self::Prepared {
         let times_h = |row: [f64; K]| row.map(|x| R::from_f64(x) * h);
         let Tableau { a, b, c } = self.tableau;
-        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c) }
+        let estimators = self.estimators.map(|both| both.map(times_h));
+        Prepared { a: a.map(times_h), b: times_h(b), c: times_h(c), estimators }
     }
 
     fn memory() {}
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { a, b, c }: &Self::Prepared,
+        prepared: &Self::Prepared,
         (): &mut (),
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let none = PerCoordinate::zero();
-        let mut rates = [none; K];
-        let sum = |weights: &[R], rates: &[PerCoordinate<S::Phase, S::Action>]| {
-            let mut sum = none;
-            for (w, rate) in weights.iter().zip(rates) {
-                sum.add_scaled(*w, rate);
-            }
-            sum
-        };
-        for i in 0..K {
-            let mut stage = PerCoordinate { z: x.z, s: x.s };
-            stage.add_scaled(R::from_f64(1.0), &sum(&a[i][..i], &rates));
-            probe.visit(t + c[i], &stage.z, &stage.s);
-            rates[i] = system.rates(t + c[i], &stage);
-        }
-        x.add_everywhere(&sum(b, &rates));
+        let rates = prepared.rates(step.part(step.t));
+        step.x.add_everywhere(&weighed(&prepared.b, &rates));
         Ok(())
+    }
+
+    /// One less than that of the formula, as of the product of orders 5 and 3 in it.
+    fn order_of_estimate(&self) -> Option<u32> {
+        self.estimators.map(|_| self.order - 1)
+    }
+
+    #[inline]
+    fn estimated<C: Summation<S::Phase>, P: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        (): &mut (),
+        mut step: Step<'_, S, R, C, P>,
+    ) -> Option<Result<Estimate<S, R>, Refusal>> {
+        let estimators = prepared.estimators.as_ref()?;
+        let rates = prepared.rates(step.part(step.t));
+        step.x.add_everywhere(&weighed(&prepared.b, &rates));
+        Some(Ok(estimators.each_ref().map(|weights| weighed(weights, &rates))))
     }
 }

@@ -17,8 +17,8 @@ pub(crate) mod total;
 
 pub use composition::{KahanLi8_17a, McLachlan4, McLachlan6_9, SofroniouSpaletta10_35, Suzuki4, Yoshida4, Yoshida6a};
 pub use force_gradient::{
-    Chin4A, Chin4B, Chin4C, Chin4D, Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV, Omelyan8_11F11GP,
-    TakahashiImada2,
+    BlanesCasasRos6, Chin4A, Chin4B, Chin4C, Chin4D, Omelyan4_4F2GV, Omelyan4_5F2GP, Omelyan6_5F3GP, Omelyan6_5F4GV,
+    Omelyan8_11F11GP, TakahashiImada2,
 };
 pub use near_integrable::{
     Aba8_4, Aba8_6_4, Aba10_6_4, Rnia10_8_6, Saba2Gradient, Saba3Gradient, Saba4, Saba4Gradient, Saba5Gradient,

@@ -12,6 +12,9 @@ use crate::system::{PhaseSpace, Rates};
 pub(super) type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
 
+/// A number for every coordinate of a system.
+type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>;
+
 /// Coefficients of a step as a whole, and of its halves.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared<P> {
@@ -42,8 +45,48 @@ pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
 }
 
 impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
-    /// A step in two halves, and its estimated error in units of what is tolerated.
+    /// A step, and its estimated error in units of what is tolerated: the method's own estimate, or by two halves.
     pub(super) fn take<M: Method<S, R>, P: Probe<S, R>>(
+        &self,
+        prepared: &Prepared<M::Prepared>,
+        memory: &mut [M::Memory; 2],
+        probe: &mut P,
+    ) -> Result<(Carried<S, R>, f64), Reason> {
+        let mut x = *self.x;
+        let step = Step { system: self.system, t: self.t, x: &mut x, probe };
+        match M::estimated::<_, P>(&prepared.whole, &mut memory[0], step) {
+            None => self.halved::<M, P>(prepared, memory, probe),
+            Some(estimate) => {
+                let [higher, lower] = estimate?;
+                self.check(R::from_f64(prepared.h), &x)?;
+                let [before, after] = [self.x, &x].map(PerCoordinate::of);
+                let [higher, lower] = [higher, lower].map(|gap| self.judge(&before, &after, &gap));
+                let error = higher * higher / Real::sqrt(higher * higher + 0.01 * lower * lower);
+                // 0/0 is no error.
+                Ok((x, if higher == 0.0 { 0.0 } else { error }))
+            }
+        }
+    }
+
+    /// Whether the point at which a step, or a half of it, ends is one: `h` after the start.
+    fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
+        if !x.is_finite() {
+            return Err(Reason::NonFinite);
+        }
+        match self.system.outside_domain(self.t + h + x.ahead.value(), &x.z, &x.s) {
+            Some(what) => Err(Reason::OutsideDomain { what }),
+            None => Ok(()),
+        }
+    }
+
+    /// An error in units of what is tolerated.
+    fn judge(&self, before: &Coordinates<S, R>, after: &Coordinates<S, R>, gap: &Coordinates<S, R>) -> f64 {
+        let step = Judged { part: self.part, before, after, gap };
+        self.tolerance.error(&step, |x| self.system.rates(self.t, x))
+    }
+
+    /// A step in two halves, and its error by what they differ from the whole.
+    fn halved<M: Method<S, R>, P: Probe<S, R>>(
         &self,
         prepared: &Prepared<M::Prepared>,
         [memory_of_whole, memory_of_halves]: &mut [M::Memory; 2],
@@ -65,12 +108,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
                 half,
                 Step { system, t: start, x: &mut x, probe },
             )?;
-            if !x.is_finite() {
-                return Err(Reason::NonFinite);
-            }
-            if let Some(what) = system.outside_domain(t + end + x.ahead.value(), &x.z, &x.s) {
-                return Err(Reason::OutsideDomain { what });
-            }
+            self.check(end, &x)?;
         }
         let [before, after] = [self.x, &x].map(PerCoordinate::of);
         let mut gap = after;
@@ -84,8 +122,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         if !gap.is_finite() {
             return Err(Reason::NonFinite);
         }
-        let step = Judged { part: self.part, before: &before, after: &after, gap: &gap };
-        Ok((x, self.tolerance.error(&step, |x| system.rates(t, x))))
+        Ok((x, self.judge(&before, &after, &gap)))
     }
 
     /// Why a step is refused: once more, watched.

@@ -21,7 +21,8 @@ use steps::Steps;
 
 /// A system under a method whose steps adapt to a tolerance: a plain value, no borrow, no allocation.
 ///
-/// Every step is done in two halves, which are kept, and once as a whole. Their difference in every coordinate may be as large as
+/// [`DOP853`](crate::DOP853) estimates the error of a step from what it evaluates. By every other method a step is done in two halves, which are
+/// kept, and once as a whole: their difference is the error. In every coordinate it may be as large as
 /// `tolerance` times the largest magnitude that this coordinate has had so far, and as an absolute error beside that
 /// ([`absolute`](Self::absolute)): lengths and angles, large and small motions are each followed with the same relative accuracy,
 /// in any units. A coordinate at rest at zero is measured by what it becomes. What the tolerated errors of other coordinates cause
@@ -29,7 +30,7 @@ use steps::Steps;
 /// node that is rounding, does not hold up the others; this is measured in the first steps, while they become longer.
 ///
 /// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
-/// not counted on, because it holds for short steps only. A step that is too inaccurate, or that the method refuses, is repeated
+/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's. A step that is too inaccurate, or that the method refuses, is repeated
 /// with a shorter one; after an error the last good state is still there.
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
@@ -181,7 +182,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Adaptive<S, M, R> {
         self.steps.size()
     }
 
-    /// The number of steps taken, each in two halves.
+    /// The number of steps taken; two halves are one.
     pub fn steps(&self) -> u64 {
         self.steps.taken
     }

@@ -37,7 +37,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             method,
             tolerance: Tolerance::new(tolerance, &PerCoordinate::of(&x)),
             bounds: Bounds::default(),
-            controller: Controller::new(method.claims().order),
+            controller: Controller::new(method.order_of_estimate().unwrap_or(method.claims().order)),
             prepared: Prepared::new(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(t, zero()),

@@ -1,6 +1,8 @@
 //! Twelve scenes with a structure that saves work, each beside the same scene with that structure hidden: by a term whose factor `z` is a
 //! parameter, which is zero when it runs and unknown when it is compiled; or by its spelling.
 
+mod costs;
+
 use geoint_runtime::prelude::*;
 use geoint_runtime::system::StateOf;
 use geoint_tests::scalars::{Tallied, Tally};
@@ -273,7 +275,7 @@ fn what_is_not_needed_is_not_executed() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// `cargo test --release -p geoint-tests --test skipped -- --ignored` writes the table with times to `target/geoint/skipped.md`.
+/// `cargo test --profile bench -p geoint-tests --test skipped table -- --ignored` writes the table with times to `target/geoint/skipped.md`.
 #[test]
 #[ignore = "times steps"]
 fn write_the_table() {

@@ -1,0 +1,157 @@
+//! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
+
+use super::driver::{LastKick, Sequence};
+use super::flows::{Moving, Order, Times, Weight};
+use super::table::Splitting;
+use crate::method::tables::total::adds_up;
+use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
+use crate::scalar::{Real, zero};
+use crate::space::{Plain, Point, Summation};
+use crate::system::{PhaseSpace, Separable};
+
+/// A table with a way of `P` pairs of flows, outer and inner, before the first step of a run.
+///
+/// The order is that of the steps between. Every state that is looked at is the point of the steps after the way back: that is computed
+/// beside, and changes nothing of the run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ProcessedSplitting<const K: usize, const P: usize, O> {
+    table: Splitting<K, O>,
+    order: u32,
+    /// Fractions of h for an outer and an inner flow, and of h³ for the force gradient of the inner one.
+    way: [[f64; 3]; P],
+}
+
+impl<const K: usize, const P: usize, O> ProcessedSplitting<K, P, O> {
+    /// Where the way ends, time is where it was.
+    pub(in crate::method) const fn new(order: u32, table: Splitting<K, O>, way: [[f64; 3]; P]) -> Self {
+        let (mut outer, mut inner, mut i) = ([0.0; P], [0.0; P], 0);
+        while i < P {
+            (outer[i], inner[i]) = (way[i][0], way[i][1]);
+            i += 1;
+        }
+        assert!(adds_up(&outer, 0.0) && adds_up(&inner, 0.0), "the fractions of a way add up to 0");
+        ProcessedSplitting { table, order, way }
+    }
+}
+
+/// A pair of the way, there and back, and the times at which its flows happen: of outer flows before and behind the outer one, and of inner ones
+/// before and behind the inner one.
+#[derive(Clone, Debug)]
+struct Pair<A, B, R> {
+    outer: [A; 2],
+    inner: [B; 2],
+    outer_at: [R; 2],
+    inner_at: [R; 2],
+}
+
+/// Coefficients of the steps, and of the way.
+#[derive(Clone, Debug)]
+pub struct Prepared<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize, const P: usize> {
+    steps: Sequence<S, R, O, K>,
+    way: [Pair<O::Outer, O::Inner, R>; P],
+}
+
+impl<S, R, O, const K: usize, const P: usize> Prepared<S, R, O, K, P>
+where
+    S: Separable<R> + PhaseSpace<R, Action = ()>,
+    R: Real,
+    O: Order<S, R>,
+{
+    fn outer(&self, i: usize, back: usize, system: &S, t: R, [q, p]: &mut S::Phase) {
+        let Pair { outer, outer_at, inner_at, .. } = &self.way[i];
+        let at = Times { own: t + outer_at[back], other: t + inner_at[0] };
+        O::outer::<Plain>(
+            &outer[back],
+            at,
+            Moving { system, q, p, s: &mut (), sums: &mut Plain, compensation: &mut () },
+        );
+    }
+
+    fn inner(&self, i: usize, back: usize, system: &S, t: R, [q, p]: &mut S::Phase) {
+        let Pair { inner, outer_at, inner_at, .. } = &self.way[i];
+        let at = Times { own: t + inner_at[back], other: t + outer_at[1] };
+        O::inner::<Plain>(
+            &inner[back],
+            at,
+            Moving { system, q, p, s: &mut (), sums: &mut Plain, compensation: &mut () },
+        );
+    }
+}
+
+impl<S, R, O, const K: usize, const P: usize> Method<S, R> for ProcessedSplitting<K, P, O>
+where
+    S: Separable<R> + PhaseSpace<R, Action = ()>,
+    R: Real,
+    O: Order<S, R>,
+{
+    type Proof = O::Proof;
+    type Prepared = Prepared<S, R, O, K, P>;
+    type Memory = LastKick<S::Array>;
+    const FORGETFUL: bool = true;
+    const INNER: bool = true;
+
+    fn claims(&self) -> Claims {
+        Claims { order: self.order, symmetric: false, ..self.table.claims() }
+    }
+
+    fn name(&self) -> Name {
+        self.table.name()
+    }
+
+    fn prepare(&self, system: &S, h: R) -> Self::Prepared {
+        let part = |fraction: f64| R::from_f64(fraction) * h;
+        let cube = h * h * h;
+        let weight = |fraction: f64, gradient: f64| Weight {
+            h: part(fraction),
+            gradient: (gradient != 0.0).then(|| R::from_f64(gradient) * cube),
+        };
+        let outer = |a| O::prepare_outer(system, weight(a, 0.0));
+        let inner = |b, g| O::prepare_inner(system, weight(b, g));
+        let reached = |i: usize, which: usize| part(self.way[..i].iter().map(|pair| pair[which]).sum());
+        let pair = |i: usize| {
+            let [a, b, g] = self.way[i];
+            let at = |which: usize| [reached(i, which), if i + 1 < P { reached(i + 1, which) } else { zero() }];
+            Pair { outer: [outer(a), outer(-a)], inner: [inner(b, g), inner(-b, -g)], outer_at: at(0), inner_at: at(1) }
+        };
+        Prepared { steps: self.table.prepare(system, h), way: core::array::from_fn(pair) }
+    }
+
+    fn memory() -> Self::Memory {
+        Splitting::<K, O>::memory()
+    }
+
+    fn enter(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
+        for i in 0..P {
+            prepared.outer(i, 0, system, t, z);
+            prepared.inner(i, 0, system, t, z);
+        }
+    }
+
+    fn leave(prepared: &Self::Prepared, system: &S, t: R, z: &mut S::Phase) {
+        for i in (0..P).rev() {
+            prepared.inner(i, 1, system, t, z);
+            prepared.outer(i, 1, system, t, z);
+        }
+    }
+
+    #[inline(always)]
+    fn step<C: Summation<S::Phase>, Q: Probe<S, R>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        step: Step<'_, S, R, C, Q>,
+    ) -> Result<(), Refusal> {
+        <Splitting<K, O> as Method<S, R>>::step(&prepared.steps, memory, step)
+    }
+
+    #[inline(always)]
+    fn advance<C: Summation<S::Phase>>(
+        prepared: &Self::Prepared,
+        memory: &mut Self::Memory,
+        system: &S,
+        clock: &Clock<R>,
+        steps: u64,
+        x: &mut Point<S::Phase, C, S::Action>,
+    ) -> Result<(), Refusal> {
+        <Splitting<K, O> as Method<S, R>>::advance(&prepared.steps, memory, system, clock, steps, x)
+    }
+}

@@ -1,0 +1,62 @@
+//! The long part: sections of a page, each a list of runs.
+
+mod chaos;
+mod encounters;
+mod page;
+mod scale;
+mod stiff;
+mod sums;
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// A line of a table, and whether it shows what must not be.
+pub(super) struct Row {
+    cells: Vec<String>,
+    failure: Option<String>,
+}
+
+/// A row that holds if all conditions do.
+fn row(cells: Vec<String>, holds: bool) -> Row {
+    let failure = (!holds).then(|| cells.join(", "));
+    Row { cells, failure }
+}
+
+/// A run that gives a row.
+type Job = Box<dyn FnOnce() -> Row + Send>;
+
+/// A table.
+struct Section {
+    title: &'static str,
+    text: &'static str,
+    head: &'static [&'static str],
+    jobs: Vec<Job>,
+}
+
+/// Writes a number.
+fn short(x: f64) -> String {
+    if x == 0.0 { "0".into() } else { format!("{x:.1e}") }
+}
+
+/// All jobs, by all processors.
+fn done(jobs: Vec<Job>) -> Vec<Row> {
+    let count = jobs.len();
+    let jobs: Vec<_> = jobs.into_iter().map(|job| Mutex::new(Some(job))).collect();
+    let rows: Vec<_> = (0..count).map(|_| Mutex::new(None)).collect();
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let taken = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(job) = jobs.get(taken) else { break };
+                    let Some(job) = job.lock().expect("nobody else has this one").take() else { break };
+                    let row = job();
+                    eprintln!("{}", row.cells.join(" | "));
+                    *rows[taken].lock().expect("nobody else has this one") = Some(row);
+                }
+            });
+        }
+    });
+    rows.into_iter().filter_map(|row| row.into_inner().ok().flatten()).collect()
+}

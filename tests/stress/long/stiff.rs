@@ -1,0 +1,173 @@
+//! Fast vibrations, fast decay, and long steps.
+
+use super::{Job, Row, Section, row, short};
+use crate::run::{Outcome, adapting, fixed};
+use crate::systems::{MASS, spring as spring_pendulum};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Method, TaylorIntegrator};
+
+/// Relaxation oscillations.
+#[vector_field]
+fn relaxing(x: [f64; 2], epsilon: f64) -> [f64; 2] {
+    [x[1], epsilon * (1.0 - x[0] * x[0]) * x[1] - x[0]]
+}
+
+/// An oscillator.
+#[hamiltonian]
+fn oscillator(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k * q * q / 2.0
+}
+
+/// An oscillator that hardens.
+#[hamiltonian]
+fn hardening(q: f64, p: f64, m: f64, k: f64) -> f64 {
+    p * p / (2.0 * m) + k * (q * q / 2.0 + q * q * q * q / 4.0)
+}
+
+/// A spring pendulum.
+pub(super) fn spring() -> Section {
+    const RATIO: f64 = 1000.0;
+    const END: f64 = 100.0;
+    let mut jobs: Vec<Job> = vec![];
+    fn told(name: String, hw: String, outcome: &Outcome<State<[f64; 2]>>, bound: f64, refusal: bool) -> Row {
+        let energy = outcome.energy / MASS;
+        let length = outcome.state.q[0].hypot(outcome.state.q[1]) - 1.0;
+        let cells = vec![name, hw, short(energy), short(length.abs()), outcome.steps.to_string(), outcome.end()];
+        row(cells, energy <= bound && (refusal || outcome.refused.is_none()))
+    }
+    macro_rules! rows {
+        ($($bound:literal: $method:expr),*) => { $( for hw in [1.0, 10.0, 100.0] {
+            jobs.push(Box::new(move || {
+                let (system, start) = spring_pendulum(RATIO);
+                let h = hw / RATIO;
+                let outcome = fixed(system.integrator($method, h, start), (END / h) as u64, 100, |_| ());
+                // Beyond, symplectic methods keep nothing like the energy.
+                let bound = if hw > 10.0 && $bound > 1e-6 { f64::INFINITY } else { $bound };
+                told(stringify!($method).into(), hw.to_string(), &outcome, bound, $bound < 1e-6 || hw > 10.0)
+            }));
+        } )* };
+    }
+    rows!(0.1: ImplicitMidpoint, 0.1: Gauss::<3>, 1e-9: DiscreteGradient, 1e-9: FourthOrder(DiscreteGradient));
+    macro_rules! adaptive {
+        ($($tolerance:literal: $method:expr),*) => { $( jobs.push(Box::new(|| {
+            let (system, start) = spring_pendulum(RATIO);
+            let outcome = adapting(system.adaptive($method, $tolerance, start), END, 100, |_| ());
+            told(format!("adaptive({}), {:.0e}", stringify!($method), $tolerance), "".into(), &outcome, 1e-2, false)
+        })); )* };
+    }
+    adaptive!(1e-9: DOP853, 1e-9: Gauss::<3>);
+    jobs.push(Box::new(|| {
+        let (system, start) = spring_pendulum(RATIO);
+        let outcome = adapting(TaylorIntegrator::new(system, Taylor::default(), start), END, 100, |_| ());
+        told("Taylor".into(), "".into(), &outcome, 1e-9, false)
+    }));
+    Section {
+        title: "Stiff: spring pendulum",
+        text: "A spring that vibrates a thousand times as fast as it swings, from an angle of a radian, over 100 units of time (16 swings, 16 000 \
+               vibrations): energy over m·g·l, and how far the spring is from its length at the end. What keeps the energy keeps it to 1e-9, or is refused; Gauss's methods to \
+               0.1 up to hω = 10, and at 100 their energy grows until they are refused. The vibration has 5e-3 of the energy: of steps that adapt no more is lost, as \
+               errors of a coordinate are tolerated beside its own size.",
+        head: &["method", "hω", "energy", "stretch", "steps", "end"],
+        jobs,
+    }
+}
+
+/// Relaxation oscillations.
+pub(super) fn van_der_pol() -> Section {
+    const SYSTEM: Relaxing = Relaxing { epsilon: 100.0 };
+    const END: f64 = 1000.0;
+    let start = || FlowState::new([2.0, 0.0]);
+    let mut jobs: Vec<Job> = vec![];
+    fn told(
+        name: String,
+        run: impl FnOnce(&mut dyn FnMut(&FlowState<[f64; 2]>)) -> Outcome<FlowState<[f64; 2]>>,
+        bound: f64,
+    ) -> Row {
+        let mut largest = 0.0_f64;
+        let outcome = run(&mut |state| largest = largest.max(state.x[0].abs()));
+        let exact = TaylorIntegrator::new(SYSTEM, Taylor::default(), FlowState::new([2.0, 0.0]));
+        let error = (outcome.state.x[0] - adapting(exact, END, 1, |_| ()).state.x[0]).abs();
+        let cells = vec![name, short(error), format!("{largest:.3}"), outcome.steps.to_string(), outcome.end()];
+        row(cells, bound == f64::INFINITY || largest < 2.1 && outcome.refused.is_none() && error <= bound)
+    }
+    macro_rules! rows {
+        ($($h:literal, $bound:expr, $method:expr);*) => { $( jobs.push(Box::new(move || {
+            let run = SYSTEM.integrator($method, $h, start());
+            told(format!("{}, h = {}", stringify!($method), $h), |see| fixed(run, (END / $h) as u64, 1000, see), $bound)
+        })); )* };
+    }
+    rows!(1e-3, 1e-2, ImplicitMidpoint; 1e-3, 1e-6, Gauss::<3>; 1e-3, 1e-6, DOP853; 0.1, f64::INFINITY, ImplicitMidpoint; 0.1, f64::INFINITY, Gauss::<3>; 0.1, f64::INFINITY, DOP853);
+    macro_rules! adaptive {
+        ($($tolerance:literal, $bound:literal: $method:expr),*) => { $( jobs.push(Box::new(move || {
+            let run = SYSTEM.adaptive($method, $tolerance, start());
+            told(format!("adaptive({}), {:.0e}", stringify!($method), $tolerance), |see| adapting(run, END, 1000, see), $bound)
+        })); )* };
+    }
+    adaptive!(1e-9, 1e-4: DOP853, 1e-9, 1e-4: Gauss::<3>, 1e-9, 1e-4: RK4);
+    Section {
+        title: "Stiff: Van der Pol",
+        text: "ε = 100 from (2, 0) up to t = 1000, six oscillations, whose jumps take a hundredth of a unit of time: error of x at the end against Taylor series, \
+               and the largest |x| at a thousand times, 2.0 to 2.1 on the limit cycle. Steps of 0.1 are longer than a jump, and promise nothing.",
+        head: &["run", "error", "largest |x|", "steps", "end"],
+        jobs,
+    }
+}
+
+/// How large the energy of an oscillator becomes, over its start.
+fn vibrate<S, M>(system: S, method: M, hw: f64, ratio: impl Fn(f64) -> f64) -> (f64, Outcome<State<f64>>)
+where
+    S: geoint_runtime::Hamiltonian<f64, Coordinates = f64>,
+    M: Method<S>,
+{
+    let run = system.integrator(method, hw, State::new(1.0, 0.0));
+    let start = run.energy();
+    let mut most = 0.0_f64;
+    let outcome = fixed(run, 1_000_000, 1000, |x| most = most.max(x.q.abs()));
+    (ratio(outcome.energy / start), outcome)
+}
+
+/// From the shortest steps to longer than any bound.
+pub(super) fn frequencies() -> Section {
+    let mut jobs: Vec<Job> = vec![];
+    let told = |name: &str, hw: f64, (energy, outcome): (f64, Outcome<State<f64>>), holds: bool| {
+        let cells = vec![name.to_string(), hw.to_string(), short(energy), outcome.steps.to_string(), outcome.end()];
+        row(cells, holds)
+    };
+    for hw in [0.01, 0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 2.01] {
+        jobs.push(Box::new(move || {
+            let found = vibrate(Oscillator { m: MASS, k: MASS }, StormerVerlet, hw, |e| e);
+            // What is kept is p²/2m + (1 − (hω/2)²) kq²/2.
+            let bound = 1.0 / (1.0 - hw * hw / 4.0) - 1.0;
+            let holds = if hw < 2.0 {
+                found.0 <= bound * (1.0 + 1e-6) + 1e-11 && found.1.refused.is_none()
+            } else {
+                found.1.refused.is_some()
+            };
+            told("Verlet, oscillator", hw, found, holds)
+        }));
+    }
+    macro_rules! rows {
+        ($($name:literal, $bound:literal, $system:expr, $method:expr;)*) => { $( for hw in [0.01, 0.1, 1.0, 1.99, 10.0, 100.0, 1000.0] {
+            jobs.push(Box::new(move || {
+                let found = vibrate($system, $method, hw, |e| e);
+                let holds = found.0 <= $bound;
+                told($name, hw, found, holds)
+            }));
+        } )* };
+    }
+    rows! {
+        "implicit midpoint, oscillator", 1e-11, Oscillator { m: MASS, k: MASS }, ImplicitMidpoint;
+        "Gauss 3, oscillator", 1e-11, Oscillator { m: MASS, k: MASS }, Gauss::<3>;
+        "discrete gradient, oscillator", 1e-11, Oscillator { m: MASS, k: MASS }, DiscreteGradient;
+        "implicit midpoint, hardening", 3.0, Hardening { m: MASS, k: MASS }, ImplicitMidpoint;
+        "discrete gradient, hardening", 1e-11, Hardening { m: MASS, k: MASS }, DiscreteGradient;
+        "discrete gradient of order 4, hardening", 1e-11, Hardening { m: MASS, k: MASS }, FourthOrder(DiscreteGradient);
+    }
+    Section {
+        title: "Long steps",
+        text: "An oscillator, and one that hardens, k(q²/2 + q⁴/4), with m = 1.3 from q = 1 over a million steps: the largest relative change of the energy. Verlet's \
+               changes by 1/(1 − (hω/2)²) − 1 at most for hω < 2, and above that is refused when numbers end; implicit methods have no bound.",
+        head: &["method, system", "hω", "energy", "steps", "end"],
+        jobs,
+    }
+}

@@ -1,0 +1,96 @@
+//! A little of each section, in every run of the tests.
+
+use crate::rounding::walks;
+use crate::run::{adapting, fixed};
+use crate::systems::{MASS, comet, spring};
+use geoint_runtime::prelude::*;
+use geoint_runtime::{Integrator, Method, TaylorIntegrator};
+use geoint_tests::problems::{Pendulum, Problem};
+use geoint_tests::scalars::{Tallied, Tally};
+
+/// Errors of rounding walk at random at worst, so that after 10⁴ steps they are far below N ε.
+#[test]
+fn rounding_does_not_grow_like_the_number_of_steps() {
+    for walk in walks() {
+        // Plain sums may have a bias.
+        for (sums, growth, most) in [("plain", walk.plain, 100.0), ("compensated", walk.compensated, 10.0)] {
+            let points = growth(4, 1);
+            let (steps, error) = points[points.len() - 1];
+            assert!(error <= most * f64::EPSILON * steps.sqrt(), "{}, {sums}: {error:.1e} after {steps:.0}", walk.name);
+        }
+    }
+}
+
+/// A comet that comes as close as a hundredth of its axis.
+#[test]
+fn close_encounters() {
+    let (system, start, period) = comet(0.99);
+    let scale = system.mu / 2.0;
+    let adaptive = adapting(system.adaptive(DOP853, 1e-12, start), 3.0 * period, 3, |_| ());
+    assert!(adaptive.refused.is_none() && adaptive.energy <= 1e-10 * scale, "{:.1e}", adaptive.energy);
+    let series = adapting(TaylorIntegrator::new(system, Taylor::default(), start), 3.0 * period, 3, |_| ());
+    assert!(series.refused.is_none() && series.energy <= 1e-12 * scale, "{:.1e}", series.energy);
+    // Control: steps far longer than the encounter.
+    let coarse = fixed(system.integrator(StormerVerlet, period / 300.0, start), 900, 3, |_| ());
+    assert!(coarse.energy > 1e-2 * scale, "{:.1e}", coarse.energy);
+}
+
+/// Fast vibrations at steps of 50 of their radians.
+#[test]
+fn stiff_springs() {
+    let (system, start) = spring(1000.0);
+    let outcome = fixed(system.integrator(DiscreteGradient, 0.05, start), 500, 10, |_| ());
+    assert!(outcome.energy <= 1e-10, "{:.1e}, {}", outcome.energy, outcome.end());
+}
+
+/// An angle of many turns is rounded by more than what is asked of a correction: that is no reason to refuse a step. Digits of large coordinates come
+/// in patterns, which equal distances would not show.
+#[test]
+fn angles_of_many_turns() {
+    fn check<M: Method<Pendulum>>(name: &str, method: M) {
+        let system = Pendulum { m: MASS, l: 1.0, g: 1.0 };
+        let turns = |q: f64| std::f64::consts::TAU * (q / std::f64::consts::TAU).round();
+        for (h, q, p) in [(0.2, turns(1e6) + 2.8, 0.3), (0.05, turns(1e7) + 0.8, 0.3), (0.025, 1e9 - 100.0, 3.0)] {
+            let outcome = fixed(system.integrator(method, h, State::new(q, p)), 1000, 10, |_| ());
+            assert!(outcome.refused.is_none(), "{name}, q = {q:e}: {} after {}", outcome.end(), outcome.steps);
+            let law = if method.claims().conserves_energy { 0.0 } else { 2.0 * h * h };
+            let bound = MASS * (law + q * f64::EPSILON * (outcome.steps as f64).sqrt());
+            assert!(outcome.energy <= bound, "{name}, q = {q:e}: {:.1e}, at most {bound:.1e}", outcome.energy);
+        }
+    }
+    check("ImplicitMidpoint", ImplicitMidpoint);
+    check("Gauss 3", Gauss::<3>);
+    check("DiscreteGradient", DiscreteGradient);
+    check("FourthOrder", FourthOrder(DiscreteGradient));
+}
+
+/// Twelve evaluations a step: an estimate of its own needs no second look.
+#[test]
+fn estimates_cost_no_evaluations() {
+    let start = State::new(Tallied::from(0.8), Tallied::from(0.1));
+    let mut sim = Pendulum::system::<Tallied>().adaptive(DOP853, 1e-9, start);
+    sim.advance(50).expect("steps");
+    let before = sim.rejections();
+    let Tally { functions, .. } = Tally::during(|| sim.advance(100).expect("steps"));
+    // And a few where steps become longer than all before: what errors of a coordinate cause in others.
+    let steps = 12 * (100 + sim.rejections() - before);
+    assert!((steps..steps + 12).contains(&functions), "{functions}");
+}
+
+/// What compensation adds to a step of Verlet: three operations for each coordinate more than its plain sum.
+#[test]
+fn sums_of_kicks_and_drifts_take_four_operations() {
+    fn arithmetic<C: geoint_runtime::space::Summation<[[Tallied; 1]; 2]>>(
+        mut sim: Integrator<geoint_tests::problems::Pendulum<Tallied>, StormerVerlet, Tallied, C>,
+    ) -> u64 {
+        sim.advance(10).expect("steps");
+        Tally::during(|| sim.advance(1000).expect("steps")).arithmetic
+    }
+    let run = || {
+        let start = State::new(Tallied::from(0.8), Tallied::from(0.1));
+        Pendulum::system::<Tallied>().integrator(StormerVerlet, Tallied::from(0.01), start)
+    };
+    let more = arithmetic(run().compensated()) - arithmetic(run());
+    // A plain kick is a fused sum, and where it stands alone it is a product of its own.
+    assert!(more <= 2 * 4 * 1001, "{more} in 1000 steps");
+}
