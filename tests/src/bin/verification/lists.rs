@@ -59,7 +59,7 @@ lists! {
     force_gradient, "The same, with force gradients.":
         HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
     processed_force_gradient, "The one of them with a processor.":
-        HenonHeiles over 6.1 by 0.2, DrivenPendulum over 3.9;
+        HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
     perturbed, "H = A + B, an exact flow and a kick.":
         HenonHeiles over 6.1 by 0.2, DrivenDuffing over 3.9;
     perturbed_gradient, "The same, where [B, [A, B]] is a kick, or [B, [B, [B, A]]] = 0.":
