@@ -156,7 +156,8 @@ pub const Omelyan8_11F11GP: Splitting<11, DriftFirst<WithGradient>> = Splitting:
 ]);
 
 /// Drift first. Order 6, 3 forces and 1 gradient, between a way of 6 drifts and kicks before the first step and back after the last one: a state
-/// that is looked at costs 12 forces and gradients beside, so look seldom. S. Blanes, F. Casas & J. Ros, SIAM J. Sci. Comput. 21 (1999) 711. 12 free parameters.
+/// that is looked at costs 12 forces and gradients beside, so look seldom. S. Blanes, F. Casas & J. Ros, SIAM J. Sci. Comput. 21 (1999) 711. 12 free
+/// parameters.
 pub const BlanesCasasRos6: ProcessedSplitting<3, 6, DriftFirst<WithGradient>> = ProcessedSplitting::new(
     6,
     Splitting::palindrome(

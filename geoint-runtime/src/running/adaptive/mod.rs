@@ -30,8 +30,8 @@ use steps::Steps;
 /// node that is rounding, does not hold up the others; this is measured in the first steps, while they become longer.
 ///
 /// The difference is the error of the whole step; for a method of order p the error of the halves is a 2ᵖ-th part of it, which is
-/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's. A step that is too inaccurate, or that the method refuses, is repeated
-/// with a shorter one; after an error the last good state is still there.
+/// not counted on, because it holds for short steps only. Likewise an estimate is that of a formula of lower order than the step's. A step that is
+/// too inaccurate, or that the method refuses, is repeated with a shorter one; after an error the last good state is still there.
 ///
 /// Steps come in lengths 2^(k/4), so that most have the length of the one before: coefficients are then at hand, and implicit
 /// methods know how to guess. Sums of coordinates and of time are compensated.
