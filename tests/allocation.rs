@@ -278,7 +278,7 @@ fn stepping_allocates_nothing() {
     methods::itoh_abe(&mut steps);
     methods::itoh_abe_one_way(&mut steps);
     methods::cubic(&mut steps);
-    assert_eq!(steps.0, 111);
+    assert_eq!(steps.0, 112);
 
     let mut steps = Steps::<DoublePendulum>(0, PhantomData);
     methods::general(&mut steps);

@@ -20,6 +20,8 @@
 mod euler;
 pub mod runge_kutta;
 pub mod tableau;
+mod tables;
 
 pub use euler::ExplicitEuler;
-pub use runge_kutta::{DOP853, RK4, RungeKutta};
+pub use runge_kutta::RungeKutta;
+pub use tables::{DOP853, RK4};

@@ -5,26 +5,16 @@
 //! they are accelerated along. One body about a fixed centre and two bodies about each other are such motions, and oscillators and walls of
 //! one coordinate.
 
+mod centre;
+mod motion;
+
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_free, is_momentum};
-use super::super::scalar::rotation;
 use super::super::time::Clock;
 use crate::analyze;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-
-/// A form in the positions: its coefficients, its constant, and its weight in |y|².
-struct Form {
-    coefficients: Vec<Id>,
-    constant: Id,
-    weight: Id,
-}
-
-/// A term g·|y|ⁿ of the potential.
-struct Centre {
-    strength: Id,
-    forms: Vec<Form>,
-    square: Id,
-}
+use centre::{Centre, centre};
+use motion::{Motion, Start, about_inverse_square};
 
 /// p·Wp/2 with the terms of a potential that are powers of lengths, and the sum of all others.
 struct Central {
@@ -32,9 +22,6 @@ struct Central {
     centres: Vec<Centre>,
     rest: Id,
 }
-
-/// F − 1, G, Ḟ and Ġ − 1.
-type Motion = [Id; 4];
 
 /// p·Wp/2 + Σ k/2|y|² + b|y|²/2, of which each y is accelerated by itself.
 pub(in super::super) fn inverse_square(graph: &mut Graph, group: &Group) -> Option<Flow> {
@@ -55,123 +42,6 @@ pub(in super::super) fn kepler(graph: &mut Graph, group: &Group) -> Option<Flow>
         let args = [at.square, at.falling, at.speed, attraction, graph.symbol(Symbol::H)];
         Function::KEPLER.map(|function| graph.call(function, &args))
     })
-}
-
-/// A centre and the motion about it at the start.
-struct Start<'a> {
-    number: usize,
-    lambda: Id,
-    /// λg.
-    strength: Id,
-    forms: &'a [Form],
-    y: Vec<Id>,
-    v: Vec<Id>,
-    /// |y|², y·y' and |y'|².
-    square: Id,
-    falling: Id,
-    speed: Id,
-}
-
-/// With a = |y|, ε = y·y'/a² and l² = |y|²|y'|² − (y·y')² over a⁴, κ = l² + λk/a⁴, x = C + εS and ρ² = x² + κS²: y has turned by lT, T = ∫ dt/ρ²,
-/// and is ρa long. What is near 1 in short steps is written by its difference from 1.
-fn about_inverse_square(graph: &mut Graph, at: &Start<'_>, bound: Id) -> Motion {
-    let (h, one) = (graph.symbol(Symbol::H), graph.integer(1));
-    let square = graph.mul(at.lambda, bound);
-    let (cosine, sine, less) = if graph.is_zero(square) {
-        (one, h, graph.zero())
-    } else {
-        let (cosine, sine) = rotation(graph, square, h, false);
-        let h2 = graph.pow(h, Ratio::integer(2));
-        let angle = graph.mul(square, h2);
-        (cosine, sine, versine(graph, angle))
-    };
-    let growth = graph.div(at.falling, at.square);
-    let twist = at.twist(graph);
-    let push = graph.scale(Number::integer(2), at.strength);
-    let push = (0..2).fold(push, |push, _| graph.div(push, at.square));
-    let kappa = graph.add(twist, push);
-    // x − 1, ρ² − 1 and ρ − 1.
-    let grown = graph.mul(growth, sine);
-    let ahead = graph.sub(grown, less);
-    let x = graph.add(one, ahead);
-    let [spread, swept] = [Function::Spread, Function::Swept].map(|f| graph.call(f, &[x, sine, kappa, square, h]));
-    let further = {
-        let twice = graph.add(one, x);
-        let terms = [graph.mul(ahead, twice), graph.product(&[kappa, sine, sine])];
-        let rise = graph.sum(&terms);
-        let both = graph.add(one, spread);
-        graph.div(rise, both)
-    };
-    // ρ' − ε: what little of it is left where a short step is taken.
-    let pull = {
-        let terms = [graph.mul(ahead, cosine), graph.neg(less), graph.neg(further)];
-        let shorter = graph.sum(&terms);
-        let turned = graph.product(&[square, x, sine]);
-        let pushed = graph.product(&[kappa, sine, cosine]);
-        let terms = [graph.mul(growth, shorter), graph.neg(turned), pushed];
-        let change = graph.sum(&terms);
-        graph.div(change, spread)
-    };
-    if at.forms.len() == 1 {
-        // y' is εy.
-        let zero = graph.zero();
-        return [further, zero, pull, zero];
-    }
-    let rate = graph.add(growth, pull);
-    let swept_squared = graph.pow(swept, Ratio::integer(2));
-    let angle = graph.mul(twist, swept_squared);
-    let (along, short) = (graph.call(Function::StumpffC0, &[angle]), versine(graph, angle));
-    let across = graph.call(Function::StumpffC1, &[angle]);
-    let across = graph.mul(swept, across);
-    // F − 1 = (ρ − 1) cos − (1 − cos) − ρεσ and G = ρσ.
-    let g = graph.mul(spread, across);
-    let f = {
-        let further = graph.mul(further, along);
-        let back = graph.mul(growth, g);
-        let back = graph.add(short, back);
-        graph.sub(further, back)
-    };
-    // Ḟ = cos (ρ' − ε/ρ) − σ (ερ' + l²/ρ) and Ġ − 1 = ρ'σ − ((1 − cos) + (ρ − 1))/ρ.
-    let relative = graph.div(further, spread);
-    let f_rate = {
-        let outward = graph.mul(growth, relative);
-        let outward = graph.add(pull, outward);
-        let [turned, grown] = [graph.div(twist, spread), graph.mul(growth, rate)];
-        let inward = graph.add(turned, grown);
-        let [outward, inward] = [(along, outward), (across, inward)].map(|(a, b)| graph.mul(a, b));
-        graph.sub(outward, inward)
-    };
-    let g_rate = {
-        let [grown, short] = [graph.mul(rate, across), graph.div(short, spread)];
-        let short = graph.add(short, relative);
-        graph.sub(grown, short)
-    };
-    [f, g, f_rate, g_rate]
-}
-
-/// 1 − cos √z = z/2·c₁(z/4)².
-fn versine(graph: &mut Graph, z: Id) -> Id {
-    let quarter = graph.scale(Number::Exact(Ratio { numerator: 1, denominator: 4 }), z);
-    let half_sine = graph.call(Function::StumpffC1, &[quarter]);
-    let product = graph.product(&[z, half_sine, half_sine]);
-    graph.scale(Number::HALF, product)
-}
-
-impl Start<'_> {
-    /// l², without a difference of two products that are nearly equal.
-    fn twist(&self, graph: &mut Graph) -> Id {
-        let mut terms = vec![];
-        for n in 0..self.forms.len() {
-            for m in 0..n {
-                let [first, second] = [(m, n), (n, m)].map(|(i, j)| graph.mul(self.y[i], self.v[j]));
-                let area = graph.sub(first, second);
-                let area = graph.div(area, self.square);
-                let area = graph.pow(area, Ratio::integer(2));
-                terms.push(graph.product(&[self.forms[m].weight, self.forms[n].weight, area]));
-            }
-        }
-        graph.sum(&terms)
-    }
 }
 
 impl Central {
@@ -319,80 +189,6 @@ impl Central {
         }
         Some(flow)
     }
-}
-
-impl Form {
-    /// A sum of positions with constant coefficients.
-    fn of(graph: &mut Graph, id: Id, weight: Id, degrees: u32) -> Option<Form> {
-        let powers = Polynomial::of(graph, id, &Symbol::is_coordinate)?;
-        let position = |symbol: &Symbol| matches!(symbol, Symbol::Q(_));
-        let linear = powers.has_only(|monomial| {
-            monomial.is_empty() || monomial.keys().all(position) && monomial.values().eq([&Ratio::ONE])
-        });
-        let moves = powers.terms().any(|(monomial, _)| !monomial.is_empty());
-        (linear && moves).then(|| Form {
-            coefficients: (0..degrees).map(|i| powers.coefficient(graph, &[(Symbol::Q(i), 1)])).collect(),
-            constant: powers.coefficient(graph, &[]),
-            weight,
-        })
-    }
-
-    fn value(&self, graph: &mut Graph, q: &[Id]) -> Id {
-        let along = dot(graph, &self.coefficients, q);
-        graph.add(along, self.constant)
-    }
-}
-
-/// g and y of g·|y|ⁿ, if a term is that.
-fn centre(graph: &mut Graph, term: Id, power: Ratio, degrees: u32) -> Option<Centre> {
-    let (c, rest) = graph.coefficient(term);
-    let (mut strength, mut found) = (graph.number(c), None);
-    for (base, exponent) in graph.factors(rest) {
-        if is_free(graph, base, &Symbol::is_coordinate) {
-            let factor = graph.pow(base, exponent);
-            strength = graph.mul(strength, factor);
-        } else {
-            found = Some(length(graph, base, exponent, power, degrees)?).filter(|_| found.is_none());
-            found.as_ref()?;
-        }
-    }
-    let (forms, square) = found?;
-    Some(Centre { strength, forms, square })
-}
-
-/// y and |y|² of a base whose power is |y|ⁿ: a form, the length of two, or a sum of squares.
-fn length(graph: &mut Graph, base: Id, exponent: Ratio, power: Ratio, degrees: u32) -> Option<(Vec<Form>, Id)> {
-    let one = graph.integer(1);
-    let two = Ratio::integer(2);
-    if exponent == power {
-        let components = match graph.node(base).clone() {
-            Node::Call(Function::Hypot, args) => args,
-            _ => vec![base],
-        };
-        let squares: Vec<Id> = components.iter().map(|y| graph.pow(*y, two)).collect();
-        let square = graph.sum(&squares);
-        let forms: Option<Vec<Form>> = components.into_iter().map(|y| Form::of(graph, y, one, degrees)).collect();
-        return forms.map(|forms| (forms, square));
-    }
-    if exponent.mul(two)? != power {
-        return None;
-    }
-    let mut forms = vec![];
-    for term in analyze::single_terms(graph, base) {
-        let (c, rest) = graph.coefficient(term);
-        let (mut weight, mut form) = (graph.number(c), None);
-        for (base, exponent) in graph.factors(rest) {
-            if is_free(graph, base, &Symbol::is_coordinate) {
-                let factor = graph.pow(base, exponent);
-                weight = graph.mul(weight, factor);
-            } else {
-                form = Some(base).filter(|_| form.is_none() && exponent == two);
-                form?;
-            }
-        }
-        forms.push(Form::of(graph, form?, weight, degrees)?);
-    }
-    Some((forms, base))
 }
 
 /// a·b.
