@@ -1,7 +1,7 @@
 //! What flows are made of, against hundreds of digits; and whatever pieces are found, against their differential equations.
 
 use super::Noise;
-use super::fuzz::config;
+use super::fuzz::{config, config_of};
 use super::precise::{Big, big};
 use crate::ir::eval::eval;
 use crate::ir::{Graph, Id, Symbol};
@@ -269,6 +269,11 @@ proptest! {
             }
         }
     }
+}
+
+proptest! {
+    // Each takes as long as ten of those above.
+    #![proptest_config(config_of(75))]
 
     /// The same of polynomials without an action, and of what they are mixed with: but for what moves nothing.
     #[test]

@@ -38,7 +38,12 @@ fn tokens(text: &str) -> Option<TokenStream> {
 
 /// Few cases, the same ones every time, unless `PROPTEST_CASES` asks for a long hunt.
 pub(super) fn config() -> Config {
-    let few = Config { cases: 300, rng_seed: RngSeed::Fixed(20), ..Config::default() };
+    config_of(300)
+}
+
+/// The same with so many cases.
+pub(super) fn config_of(cases: u32) -> Config {
+    let few = Config { cases, rng_seed: RngSeed::Fixed(20), ..Config::default() };
     let config = if std::env::var_os("PROPTEST_CASES").is_some() { Config::default() } else { few };
     Config { failure_persistence: None, ..config }
 }
