@@ -90,9 +90,11 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);
         let rate = dot(&gradient, &moved);
-        // What rounding of the coordinates changes the energy by is ε times its terms.
+        // What rounding of the coordinates changes the energy by is ε times its terms. The energy has a value of its own to be rounded, and forces
+        // that cancel are small beside it.
         let terms = sizes.normalise(&mut gradient).magnitude();
-        let rounding = ROUNDINGS * R::epsilon();
+        let rounding = ROUNDINGS * R::epsilon() * terms;
+        let noise = || rounding + ROUNDINGS * R::epsilon() * system.kept_energy(t, &before).magnitude();
 
         // The increments at whose end conditions of the energy were decided last.
         let decided = Cell::new(moved);
@@ -106,10 +108,9 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
             let gamma = R::from_f64(1.0) + excess;
             (change(gamma) + *left) / gamma
         };
-        let (excess, rest) = match root(average, (whole + *left, rate - whole), rounding * terms) {
-            // A step so short, or an energy so straight, that there is hardly more than rounding to put right: the next step has it. The energy has
-            // a value of its own to be rounded, and forces that cancel are small beside it.
-            Err(_) if whole.magnitude() <= rounding * (terms + system.kept_energy(t, &before).magnitude()) => {
+        let (excess, rest) = match root(average, (whole + *left, rate - whole), rounding, noise) {
+            // A step so short, or an energy so straight, that there is hardly more than rounding to put right: the next step has it.
+            Err(_) if whole.magnitude() <= noise() => {
                 decided.set(moved);
                 (zero(), whole + *left)
             }
@@ -124,14 +125,22 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
 }
 
 /// The root γ − 1 of (H(x + γd) − H(x))/γ = ∇̄H·d, which is almost a straight line: the root γ = 0 of the change itself is gone. Its
-/// value and its slope at γ = 1 are given; it is a root where the value is rounding, and that comes with it.
-fn root<R: Real>(average: impl Fn(R) -> R, (mut now, mut slope): (R, R), rounding: f64) -> Result<(R, R), Refusal> {
-    let mut excess: R = zero();
+/// value and its slope at γ = 1 are given; it is a root where the value is rounding, or noise that does not shrink, and that comes with it.
+fn root<R: Real>(
+    average: impl Fn(R) -> R,
+    (mut now, mut slope): (R, R),
+    rounding: f64,
+    noise: impl Fn() -> f64,
+) -> Result<(R, R), Refusal> {
+    let (mut excess, mut before): (R, f64) = (zero(), f64::INFINITY);
     for iterations in 1..=MAX_ITERATIONS {
         let next = excess - now / slope;
         if now.magnitude() <= rounding {
             let determined = (next - excess).magnitude() <= LITTLE;
             return Ok(if determined { (next, zero()) } else { (excess, now) });
+        }
+        if now.magnitude() > 0.5 * before && now.magnitude() <= noise() {
+            return Ok((excess, now));
         }
         // What is not a number is far as well.
         if next.magnitude().is_nan() || next.magnitude() > FARTHEST {
@@ -142,6 +151,7 @@ fn root<R: Real>(average: impl Fn(R) -> R, (mut now, mut slope): (R, R), roundin
         if distance.magnitude() > Real::sqrt(R::epsilon()) {
             slope = (value - now) / distance;
         }
+        before = now.magnitude();
         (excess, now) = (next, value);
     }
     Err(Refusal::NotConverged { iterations: MAX_ITERATIONS, correction: now.magnitude() })
