@@ -36,7 +36,7 @@ macro_rules! every_run {
         $body;
         let mut $sim = $system.integrator(Gauss::<3>, $h, $state);
         $body;
-        let mut $sim = $system.adaptive(DOP853, 1e-11, $state);
+        let mut $sim = $system.adaptive(DOP853, 1e-13, $state);
         $body;
     }};
 }
