@@ -5,6 +5,9 @@ use crate::running::StepError;
 /// A parabola through three points is followed to its extremum so many times.
 const ROUNDS: u32 = 8;
 
+/// How far outside of a step an extremum may seem to be that is inside: the first of the points is, and steps of good methods are long.
+const ASIDE: f64 = 0.5;
+
 /// Where g(θ) = 0 between two points with values of different signs: the secant with an end that is kept twice counting half (Illinois).
 /// M. Dowell & P. Jarratt, BIT 11 (1971) 168. Three to five evaluations in a step of a good method.
 ///
@@ -49,8 +52,8 @@ pub(super) fn differ(a: f64, b: f64) -> bool {
 
 /// A point in a step at which a function has another sign than at both ends, which have the same one.
 ///
-/// `before` is a third point, outside of the step or inside. The parabola through the three says whether there may be such a point, and
-/// its extremum is followed: nothing is evaluated where it stays away from zero.
+/// `before` is a third point, outside of the step or inside. The parabola through the three says whether there may be an extremum in the step; one
+/// between its ends then tells how near to zero that comes, and it is followed: nothing is evaluated in steps without an extremum.
 pub(super) fn excursion(
     before: (f64, f64),
     ends: [f64; 2],
@@ -61,10 +64,12 @@ pub(super) fn excursion(
     for round in 0..ROUNDS {
         let Some((at, value)) = extremum(points) else { return Ok(None) };
         let nearest = ends[0].abs().min(ends[1].abs());
-        // Far from zero, on the same side.
-        if !(at > 0.0 && at < 1.0) || value * side > if round == 0 { 0.5 * nearest } else { 0.25 * nearest } {
+        let (beyond, far) = if round == 0 { (ASIDE, nearest) } else { (0.0, 0.25 * nearest) };
+        // Outside of the step, away from zero, or far from it on the same side.
+        if !(at > -beyond && at < 1.0 + beyond) || value * side > far {
             return Ok(None);
         }
+        let at = if at > 0.0 && at < 1.0 { at } else { 0.5 };
         let there = (at, g(at)?);
         if there.1.is_nan() || differ(there.1, side) {
             return Ok((!there.1.is_nan()).then_some(there));
