@@ -26,6 +26,7 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
         let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
         quote! {
+            #[allow(deprecated, reason = "generated code")]
             impl<R: #runtime::private::Real> ::core::cmp::PartialEq for #name<R> {
                 fn eq(&self, other: &Self) -> bool {
                     #(self.#fields == other.#fields)&&*
