@@ -1,11 +1,11 @@
 //! Every attribute: a lint that is silent for the function is silent for what is made of it, and all else is quiet.
+// What is forbidden cannot be allowed by generated code either.
+#![forbid(missing_docs, unreachable_pub, unsafe_code)]
 #![deny(
     warnings,
-    missing_docs,
     missing_debug_implementations,
     missing_copy_implementations,
     rust_2018_idioms,
-    unreachable_pub,
     unused,
     unused_qualifications,
     unused_lifetimes,
@@ -13,8 +13,7 @@
     trivial_casts,
     trivial_numeric_casts,
     single_use_lifetimes,
-    let_underscore_drop,
-    unsafe_code
+    let_underscore_drop
 )]
 mod snake {
     use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
@@ -126,6 +125,31 @@ mod snake {
     }
 }
 
+mod forbids {
+    #![forbid(deprecated, non_snake_case, non_camel_case_types)]
+    use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+    use geoint_runtime::prelude::*;
+
+    #[energy_function]
+    fn well(x: f64) -> f64 {
+        x * x
+    }
+
+    #[hamiltonian(with(well), damping = c)]
+    fn swing(q: f64, p: f64, c: f64) -> f64 {
+        p * p + well(q)
+    }
+
+    #[hamiltonian(attitude = r)]
+    fn body(r: UnitQuaternion<f64>, m: Vector3<f64>, u: UnitQuaternion<f64>) -> f64 {
+        m.norm_squared() + r.k * u.k
+    }
+
+    pub(super) fn all() {
+        let _x = (Swing { c: 0.1 }, Body::<f64> { u: UnitQuaternion::identity() });
+    }
+}
+
 /// Everything is public, has a doc, and must be used.
 pub mod public {
     use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
@@ -227,4 +251,5 @@ pub mod public {
 #[test]
 fn compiles() {
     snake::all();
+    forbids::all();
 }
