@@ -54,7 +54,7 @@ fn large_runs_fit_on_the_stack_of_a_thread() {
         assert!((again.energy() - energy).abs() < 1e-14);
     });
     on_a_thread(|| {
-        let mut run = Ring.integrator(Gauss::<4>::default(), 0.01, start());
+        let mut run = Ring.integrator(Gauss::<4>, 0.01, start());
         run.advance(3).unwrap();
         run.clone().advance_to(0.1).unwrap();
     });
