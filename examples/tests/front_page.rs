@@ -63,15 +63,30 @@ fn links_of_the_pages_lead_to_files() {
         ("README.md", ""),
         ("examples/README.md", "examples/"),
         ("CONTRIBUTING.md", ""),
+        ("tests/STATEMENTS.md", "tests/"),
+        ("tests/benches/README.md", "tests/benches/"),
         ("tests/benches/work_precision/README.md", "tests/benches/work_precision/"),
+        ("tests/stress/README.md", "tests/stress/"),
     ];
     for (page, folder) in pages {
         let text = read(page);
+        let places: Vec<String> = text.lines().filter(|line| line.starts_with('#')).map(place).collect();
         let targets = text.split("](").skip(1).filter_map(|rest| rest.split_once(')')).map(|link| link.0);
-        for target in targets.filter(|target| !target.contains("://") && !target.starts_with('#')) {
-            assert!(root().join(folder).join(target).exists(), "{page}: {target} is not there");
+        for target in targets.filter(|target| !target.contains("://")) {
+            let there = match target.strip_prefix('#') {
+                Some(within) => places.iter().any(|place| place == within),
+                None => root().join(folder).join(target).exists(),
+            };
+            assert!(there, "{page}: {target} is not there");
         }
     }
+}
+
+/// What leads to a heading.
+fn place(heading: &str) -> String {
+    let words = heading.trim_start_matches('#').trim().to_lowercase();
+    let letters = words.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
+    letters.map(|c| if c == ' ' { '-' } else { c }).collect()
 }
 
 /// Other crates are compiled by the workspace that compares with them, and by nothing else.

@@ -10,6 +10,7 @@ mod energy_functions;
 mod flows;
 mod language;
 mod lengths_and_aliases;
+pub mod lints_of_every_attribute;
 mod lints_of_the_user;
 mod names_of_the_user;
 mod no_parameters;

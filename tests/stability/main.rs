@@ -29,6 +29,7 @@ macro_rules! every_method {
 
 mod damping;
 mod adaptive;
+mod by_value;
 mod refusals;
 mod poles;
 mod walls;

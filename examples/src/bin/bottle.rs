@@ -109,26 +109,29 @@ fn main() -> Result<(), Box<dyn Error>> {
         &[
             Panel::new(
                 "In the bottle",
-                "the field is along z, 10 (1 + z²) rad/s",
-                [Axis::linear("z in m", -1.7..1.7), Axis::linear("x in m", -0.12..0.2)],
-                vec![Curve::line("14 s", palette::BLUE, path).width(0.7)],
-            ),
+                "BlanesMoan6X of pieces, h = 0.05 s, for 14 s; the field is along z, 10 (1 + z²) rad/s",
+                [Axis::linear("z in m", -1.7..1.7), Axis::linear("x in m", 0.0..0.12)],
+                vec![Curve::line("the charge", palette::BLUE, path).width(0.7)],
+            )
+            .named_above(),
             Panel::new(
                 "There and back",
-                "dotted: where v² = 2μB",
+                "the same run; it turns where v² = 2μB",
                 [Axis::linear("time in s", 0.0..14.0), Axis::linear("z in m", -1.7..1.7)],
                 vec![
                     Curve::line("z", palette::BLUE, along(&|state| state.q[2])),
                     Curve::line("turning points of μ", palette::GREY, vec![(0.0, turn), (14.0, turn)]),
                     Curve::line("", palette::GREY, vec![(0.0, -turn), (14.0, -turn)]),
                 ],
-            ),
+            )
+            .named_above(),
             Panel::new(
                 "The magnetic moment",
-                "over that of the start",
-                [Axis::linear("time in s", 0.0..14.0), Axis::linear("μ", 0.7..1.4)],
-                vec![Curve::line("v⊥²/2B", palette::VERMILION, along(&|state| moment(state) / mu))],
-            ),
+                "v⊥²/2B in the same run, over that of the start",
+                [Axis::linear("time in s", 0.0..14.0), Axis::linear("μ/μ₀", 0.9..1.15)],
+                vec![Curve::line("μ/μ₀", palette::VERMILION, along(&|state| moment(state) / mu)).solid()],
+            )
+            .named_above(),
         ],
     )
 }

@@ -82,10 +82,15 @@ fn draw(path: &Path) -> Result<(), Box<dyn Error>> {
     let straight = [path.points[0], path.points[path.points.len() - 1]];
     let curves = vec![
         Curve::line("cycloid", palette::GREY, down(&exact)),
-        Curve::line("straight", palette::ORANGE, down(&straight)).width(0.8),
+        Curve::line("straight", palette::ORANGE, down(&straight)),
         Curve::dots("Gauss<3>", palette::BLUE, down(&path.points)),
     ];
     let axes = [Axis::linear("x", 0.0..3.4), Axis::linear("−y", -2.2..0.2)];
-    let panel = Panel::new("The fastest way down", "20 steps of x", axes, curves);
+    let panel = Panel::new(
+        "The fastest way down",
+        "Gauss<3> takes x for time: 20 steps; lengths in radii of the wheel of the cycloid",
+        axes,
+        curves,
+    );
     figure("brachistochrone.svg", (520, 340), &[panel.named_above()])
 }

@@ -143,14 +143,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         &[
             Panel::new(
                 "Gyration and drift",
-                "the field grows to the right, unit charge and mass",
-                [Axis::linear("y in m", -4.5..1.0), Axis::linear("x in m", -0.8..0.8)],
+                "the field grows upwards; unit charge and mass, 12 gyrations",
+                [Axis::linear("y in m", -1.2..2.2), Axis::linear("x in m", -0.8..0.8)],
                 paths,
             )
             .named_above(),
             Panel::new(
                 "Error of the drift",
-                "relative to that of the flow",
+                "relative to that of the flow; steps of a gyration",
                 [Axis::decades("gyrations", 0.0..6.0), Axis::decades("error", -10.0..0.5)],
                 drifts,
             ),

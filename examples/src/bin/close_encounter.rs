@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let panels = [
         Panel::new(
             "Three bodies that begin at rest",
-            "Taylor series to rounding; G = 1",
+            "Taylor series to rounding; G = 1, dimensionless",
             [Axis::linear("x", -6.0..6.0), Axis::linear("y", -6.0..6.0)],
             curves.collect(),
         )
@@ -75,9 +75,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         .named_above(),
         Panel::new(
             "Lengths of steps",
-            "Taylor series to rounding; G = 1",
+            "the same run",
             [Axis::linear("time", 0.0..END), Axis::decades("step", -6.0..1.0)],
-            vec![Curve::line("step", palette::BLACK, steps)],
+            vec![Curve::line("step", palette::BLACK, steps).solid().width(1.0)],
         ),
     ];
     figure("close_encounter.svg", (370, 340), &panels)

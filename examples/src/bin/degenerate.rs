@@ -127,7 +127,7 @@ fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
     }
     let portrait = Panel::new(
         "Orbits of animals",
-        "Gauss, 2 stages, h = 0.05",
+        "Gauss, 2 stages, h = 0.05; dimensionless",
         [Axis::linear("prey", 0.0..2.4), Axis::linear("predators", 0.0..3.4)],
         orbits,
     );
@@ -135,14 +135,14 @@ fn draw(runs: &[Named], orbit: &[[f64; 3]]) -> Result<(), Box<dyn Error>> {
         runs.iter().map(|(name, ink, run)| Curve::line(*name, *ink, run.clone()).rounding().width(1.2)).collect();
     let energy = Panel::new(
         "Error of H",
-        "animals, h = 0.2",
-        [Axis::linear("t", 0.0..2000.0), Axis::decades("|H − H₀|", -17.0..0.0)],
+        "animals, h = 0.2; differences of 0 are not drawn",
+        [Axis::linear("time", 0.0..2000.0), Axis::decades("|H − H₀|", -17.0..0.0)],
         curves,
     );
     let way = orbit.iter().map(|point| (point[0], point[1])).collect();
     let banana = Panel::new(
         "A guiding centre in a torus",
-        "discrete gradient, h = 100",
+        "discrete gradient, h = 100; lengths in radii of the torus, dimensionless",
         [Axis::linear("r", 0.98..1.06), Axis::linear("z", -0.04..0.04)],
         vec![Curve::line("banana orbit", palette::GREEN, way).solid().width(1.2)],
     );

@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let distance = Panel::new(
         "They forget where they began",
-        "distance between the two orbits in (q, p)",
+        "distance between the two orbits in (q, p); h = 0.1",
         [Axis::linear("time", 0.0..150.0), Axis::decades("distance", -3.0..1.0)],
         distance,
     );

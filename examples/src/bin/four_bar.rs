@@ -104,7 +104,7 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
     let turn = &rattle[..400.min(rattle.len())];
     let mut curves = vec![
         Curve::line("crank", palette::SKY, turn.iter().map(|e| (e.q[0], e.q[1])).collect()).width(1.2),
-        Curve::line("rocker", palette::GREEN, turn.iter().map(|e| (e.q[2], e.q[3])).collect()).width(1.2),
+        Curve::line("rocker", palette::GREEN, turn.iter().map(|e| (e.q[2], e.q[3])).collect()).width(2.4).solid(),
         Curve::line("carried point", palette::BLUE, turn.iter().map(|e| carried(&e.q)).collect()).solid(),
     ];
     let q = &rattle[0].q;
@@ -113,8 +113,8 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
     curves.push(Curve::dots("", palette::BLACK, bars));
     let linkage = Panel::new(
         "Three bars, four joints",
-        "RATTLE, h = 0.01",
-        [Axis::linear("x", -1.8..3.4), Axis::linear("y", -1.6..2.9)],
+        "Rattle, h = 0.01 s, for 4 s",
+        [Axis::linear("x in m", -1.8..3.4), Axis::linear("y in m", -1.6..2.9)],
         curves,
     )
     .equal();
@@ -128,8 +128,8 @@ fn draw(rattle: &[Sample], gradient: &[Sample]) -> Result<(), Box<dyn Error>> {
     ];
     let energy = Panel::new(
         "Energy, less that of the start",
-        "h = 0.01",
-        [Axis::linear("t", 0.0..TIME), Axis::decades("largest error in 0.2", -16.0..1.0)],
+        "h = 0.01 s; masses of 0.7 and 1.1 kg",
+        [Axis::linear("time in s", 0.0..TIME), Axis::decades("largest error in 0.2 s, in J", -16.0..1.0)],
         energies,
     );
     figure("four_bar.svg", (420, 320), &[linkage.named_above(), energy.named_above()])

@@ -115,14 +115,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let inks: [Ink; 4] = [palette::BLUE, palette::VERMILION, palette::GREEN, palette::PURPLE];
     let curves = shares.into_iter().zip(inks).enumerate();
     let curves =
-        curves.map(|(k, (share, ink))| Curve::line(format!("wave {}", k + 1), ink, share).width(0.8)).collect();
+        curves.map(|(k, (share, ink))| Curve::line(format!("wave {}", k + 1), ink, share).width(1.2)).collect();
     figure(
         "fput.svg",
         (520, 300),
         &[Panel::new(
             "Recurrence",
-            "31 masses, α = 1/4, Perturbation(BlanesMoanSrkn14a), h = 1",
-            [Axis::linear("time / 1000", 0.0..11.0), Axis::linear("energy of a wave", 0.0..1.05)],
+            "31 masses, α = 1/4, Perturbation(BlanesMoanSrkn14a), h = 1; unit masses and springs",
+            [
+                Axis::linear("time / 1000", 0.0..11.0),
+                Axis::linear("energy of a wave, over that of the first at the start", 0.0..1.05),
+            ],
             curves,
         )],
     )

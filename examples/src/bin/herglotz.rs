@@ -111,16 +111,16 @@ fn draw(methods: &[(&str, Ink, [f64; 4])], samples: &[Decay]) -> Result<(), Box<
         Curve::line(*name, *ink, points).marked(3.0)
     };
     let errors = Panel::new(
-        "Error at t = 2 of a braked double pendulum",
-        "L with −0.3 s",
-        [Axis::linear("−log₂ h", 3.0..6.6), Axis::decades("error of q, p, s", -12.0..0.0)],
+        "A braked double pendulum after 2 s",
+        "friction −0.3 s in L; masses 1 and 0.6 kg, arms 1 and 0.8 m",
+        [Axis::linear("−log₂ h, h in s", 3.0..6.6), Axis::decades("largest error of q, p, s in SI units", -12.0..0.0)],
         methods.iter().map(curve).collect(),
     );
     let of = |value: fn(&Decay) -> f64| samples.iter().map(|sample| (sample.t, value(sample))).collect::<Vec<_>>();
     let laws = Panel::new(
         "A pendulum on a sphere",
-        "contact Gauss, 3 stages, h = 0.05, γ = 0.1",
-        [Axis::linear("t", 0.0..30.0), Axis::linear("part of the start", -0.1..1.1)],
+        "contact Gauss, 3 stages, h = 0.05 s, γ = 0.1/s",
+        [Axis::linear("time in s", 0.0..30.0), Axis::linear("part of the start", -0.1..1.1)],
         vec![
             Curve::line("angle from below", palette::GREY, of(|sample| sample.angle)).width(0.9).solid(),
             Curve::line("momentum about the vertical", palette::BLUE, of(|sample| sample.momentum)),

@@ -88,8 +88,8 @@ fn draw(runs: [Named; 4]) -> Result<(), Box<dyn Error>> {
     let [upper, lower] = ways;
     let path = Panel::new(
         "Both bobs in 15 s",
-        "discrete gradient, h = 0.01",
-        [Axis::linear("x", -1.4..1.4), Axis::linear("y", -1.9..-0.3)],
+        "discrete gradient, h = 0.01 s",
+        [Axis::linear("x in m", -1.4..1.4), Axis::linear("y in m", -1.9..-0.3)],
         vec![
             Curve::line("lower", palette::BLUE, lower).width(1.0).solid(),
             Curve::line("upper", palette::VERMILION, upper).width(1.6).solid(),
@@ -98,8 +98,8 @@ fn draw(runs: [Named; 4]) -> Result<(), Box<dyn Error>> {
     let curves = runs.into_iter().map(|(name, ink, run)| Curve::line(name, ink, run).rounding().width(1.2)).collect();
     let energy = Panel::new(
         "Error of the energy",
-        "h = 0.02",
-        [Axis::linear("t", 0.0..200.0), Axis::decades("|E − E₀|", -16.0..1.0)],
+        "h = 0.02 s; differences of 0 are not drawn",
+        [Axis::linear("time in s", 0.0..200.0), Axis::decades("|E − E₀| in J", -16.0..1.0)],
         curves,
     );
     figure("lagrangian.svg", (400, 300), &[path.named_above(), energy.named_above()])

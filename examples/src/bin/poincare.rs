@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         panels.push(
             Panel::new(
                 format!("E = {name}"),
-                format!("{} orbits, {POINTS} points each; Taylor series; dimensionless", curves.len()),
+                format!("{} orbits, {POINTS} points each, neighbours in other colours; Taylor series to rounding; dimensionless", curves.len()),
                 [Axis::linear("y", -0.6..1.05), Axis::linear("p_y", -0.6..0.6)],
                 curves,
             )

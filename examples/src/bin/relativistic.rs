@@ -109,7 +109,7 @@ fn draw(periods: &[(f64, f64, f64)]) -> Result<(), Box<dyn Error>> {
     }
     let motion = Panel::new(
         "From rest at A",
-        "BlanesMoan6, h = 0.01",
+        "BlanesMoan6, h = 0.01; units in which m = c = k = 1",
         [Axis::linear("t", 0.0..30.0), Axis::linear("q/A", -1.1..1.1)],
         motion,
     );
@@ -118,7 +118,7 @@ fn draw(periods: &[(f64, f64, f64)]) -> Result<(), Box<dyn Error>> {
     let light = fine.iter().filter(|a| **a >= 1.5).map(|a| (*a, 4.0 * a)).collect();
     let period = Panel::new(
         "Period by amplitude",
-        "m = c = k = 1",
+        "BlanesMoan6, h = 0.01, beside an integral; m = c = k = 1",
         [Axis::linear("A", 0.0..6.2), Axis::linear("period", 4.0..26.0)],
         vec![
             Curve::line("quadrature", palette::BLUE, of(&integral)).solid(),

@@ -186,8 +186,8 @@ fn draw(balance: &[Balance], tip: Vec<(f64, f64)>) -> Result<(), Box<dyn Error>>
     let of = |value: fn(&Balance) -> f64| balance.iter().step_by(4).map(|b| (b.t, value(b))).collect::<Vec<_>>();
     let energies = Panel::new(
         "What comes and goes",
-        "discrete gradient, h = 0.01",
-        [Axis::linear("t / s", 0.0..20.0), Axis::linear("J since the start", -150.0..350.0)],
+        "discrete gradient, h = 0.01 s",
+        [Axis::linear("time in s", 0.0..20.0), Axis::linear("since the start, in J", -150.0..350.0)],
         vec![
             Curve::line("work of motors", palette::BLUE, of(|b| b.motors)),
             Curve::line("heat in joints", palette::VERMILION, of(|b| b.joints)),
@@ -196,14 +196,14 @@ fn draw(balance: &[Balance], tip: Vec<(f64, f64)>) -> Result<(), Box<dyn Error>>
     );
     let error = Panel::new(
         "Energy − work + heat",
-        "rounding of some 100 J",
-        [Axis::linear("t / s", 0.0..20.0), Axis::decades("J", -16.0..-8.0)],
+        "the same run: rounding of some 100 J",
+        [Axis::linear("time in s", 0.0..20.0), Axis::decades("|error of the balance| in J", -16.0..-8.0)],
         vec![Curve::line("discrete gradient", palette::BLACK, of(|b| b.error().abs())).rounding().width(1.0)],
     );
     let way = Panel::new(
         "Way of the hand",
-        "distance from the axis, and height",
-        [Axis::linear("m from the axis", -0.1..1.3), Axis::linear("height / m", -1.0..1.7)],
+        "the same run: distance from the axis, and height",
+        [Axis::linear("distance from the axis in m", -0.1..1.3), Axis::linear("height in m", -1.0..1.0)],
         vec![Curve::line("hand", palette::BLUE, tip).solid().width(1.0)],
     );
     figure("robot_arm.svg", (300, 300), &[energies.named_above(), error.named_above(), way.named_above()])

@@ -87,11 +87,15 @@ fn period(samples: &[Sample], angle: f64) -> f64 {
 
 fn draw(rest: f64, swing: &[Sample]) -> Result<(), Box<dyn Error>> {
     let mut orbits = vec![];
-    for (name, start, colour) in
-        [("", 0.3, palette::BLUE), ("", 0.6, palette::BLUE), ("", 1.5, palette::GREEN), ("", 1.9, palette::GREEN)]
-    {
+    for (name, start, colour) in [
+        ("one side", 0.3, palette::BLUE),
+        ("", 0.6, palette::BLUE),
+        ("both sides", 1.5, palette::GREEN),
+        ("", 1.9, palette::GREEN),
+    ] {
         for side in [1.0, -1.0] {
             let points = run(FAST, side * start, 0.01, 400)?.iter().map(|e| (e.q, e.v)).collect();
+            let name = if side > 0.0 { name } else { "" };
             orbits.push(Curve::line(name, colour, points).width(1.2).solid());
         }
     }
@@ -102,15 +106,15 @@ fn draw(rest: f64, swing: &[Sample]) -> Result<(), Box<dyn Error>> {
         Curve::line("p·v − L", palette::BLUE, of(|e| e.energy)),
     ];
     let portrait = Panel::new(
-        "Orbits at Ω = 4",
-        "g = 9.81, r = 1",
-        [Axis::linear("q", -2.4..2.4), Axis::linear("v", -4.5..4.5)],
+        "Orbits at Ω = 4 rad/s",
+        "discrete gradient, h = 0.01 s; g = 9.81 m/s², r = 1 m",
+        [Axis::linear("angle q in rad", -2.4..2.4), Axis::linear("v in rad/s", -4.5..4.5)],
         orbits,
     );
     let energy = Panel::new(
-        "From q = 0.5 at rest",
-        "discrete gradient, h = 0.01",
-        [Axis::linear("t", 0.0..4.0), Axis::linear("energy", -11.0..8.0)],
+        "From q = 0.5 rad at rest",
+        "discrete gradient, h = 0.01 s; Ω = 4 rad/s, unit mass",
+        [Axis::linear("time in s", 0.0..4.0), Axis::linear("energy in J", -11.0..8.0)],
         energies,
     );
     figure("rotating_hoop.svg", (400, 300), &[portrait.named_above(), energy.named_above()])

@@ -117,22 +117,25 @@ fn main() -> Result<(), Box<dyn Error>> {
         &[
             Panel::new(
                 "The path",
-                "60 s, from 12 cm below rest",
+                "BlanesMoan6X of pieces, h = 0.02 s, for 60 s from 12 cm below rest",
                 [Axis::linear("x in m", -0.45..0.45), Axis::linear("y in m", -1.2..-0.75)],
-                vec![Curve::line("BlanesMoan6X, h = 0.02 s", palette::BLUE, path).width(0.6)],
-            ),
+                vec![Curve::line("the weight", palette::BLUE, path).width(0.6)],
+            )
+            .named_above(),
             Panel::new(
                 "Bouncing",
-                "length of the spring",
-                [Axis::linear("time in s", 0.0..60.0), Axis::linear("r in m", 0.85..1.15)],
-                vec![Curve::line("r", palette::VERMILION, lengths).width(0.7)],
-            ),
+                "the same run",
+                [Axis::linear("time in s", 0.0..60.0), Axis::linear("length of the spring in m", 0.85..1.15)],
+                vec![Curve::line("spring", palette::VERMILION, lengths).width(0.7).solid()],
+            )
+            .named_above(),
             Panel::new(
                 "Swinging",
-                "its part of the energy",
-                [Axis::linear("time in s", 0.0..60.0), Axis::linear("part", 0.0..1.05)],
+                "the same run; the rest is bouncing",
+                [Axis::linear("time in s", 0.0..60.0), Axis::linear("part of the energy", 0.0..1.05)],
                 vec![Curve::line("swinging", palette::BLUE, shares).width(0.7)],
-            ),
+            )
+            .named_above(),
         ],
     )
 }

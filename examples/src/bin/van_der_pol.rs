@@ -114,13 +114,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let stiff = Panel::new(
         "Stiff: ε = 50",
-        "ContactSplitting from (2, 0); at hε = 1 it is stable, but irregular",
+        "ContactSplitting from (2, 0), dimensionless; at hε = 1 it is stable, but irregular",
         [Axis::linear("time", 0.0..300.0), Axis::linear("q", -2.5..2.5)],
         stiff,
     );
     let cycles = [(0.5, palette::VERMILION), (2.0, palette::GREEN), (5.0, palette::BLUE)].map(|(eps, colour)| {
         let points = splitting(VanDerPol { eps }, 0.02, 45.0)?;
-        let cycle = points[1500..].iter().map(|x| (x.1, x.2)).collect();
+        // Once around: dashes of several turns would fill each other's gaps.
+        let around = period(&points).map_or(0, |(mean, _)| (mean / 0.02).ceil() as usize);
+        let cycle = points[points.len() - 1 - around..].iter().map(|x| (x.1, x.2)).collect();
         Ok::<_, StepError>(Curve::line(format!("ε = {eps}"), colour, cycle))
     });
     let cycles = Panel::new(

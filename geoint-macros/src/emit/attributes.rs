@@ -22,6 +22,11 @@ pub(super) fn repeated(attributes: &[Attribute]) -> impl Iterator<Item = TokenSt
     })
 }
 
+/// Whether those who use the function, or what is made of it, are told not to.
+pub(super) fn is_deprecated(energy: &Energy) -> bool {
+    energy.item.attrs.iter().any(|attribute| attribute.path().is_ident("deprecated"))
+}
+
 /// Whether the user expects that nobody calls the function.
 pub(super) fn expected_dead(energy: &Energy) -> bool {
     let dead = |lint: &Path| lint.is_ident("dead_code") || lint.is_ident("unused");

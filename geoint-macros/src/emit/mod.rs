@@ -112,14 +112,16 @@ fn around(context: &Context<'_>, report: &str, implementations: &TokenStream) ->
             };
         }
     });
+    // No lint is allowed that nothing here needs: crates that forbid it could not have this.
+    let old = attributes::is_deprecated(context.energy).then(|| quote!(deprecated,));
     let imported = IMPORTED.iter().map(|name| format_ident!("{name}"));
     quote! {
         #structure
         #assertions
 
         #[allow(
-            clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, deprecated, missing_docs, private_bounds,
-            unreachable_pub, unused_imports, unused_mut, unused_variables, reason = "generated code"
+            clippy::all, clippy::pedantic, clippy::nursery, clippy::restriction, #old private_bounds, unused_imports,
+            unused_mut, unused_variables, reason = "generated code"
         )]
         const _: () = {
             use #runtime::private::{#(#imported),*};

@@ -25,7 +25,9 @@ pub(super) fn structure(context: &Context<'_>, docs: &str) -> TokenStream {
     // Quaternions are compared for scalars alone, which a derived comparison does not ask for.
     let compared = energy.parameters().any(|parameter| parameter.shape.leaf == Leaf::Quaternion).then(|| {
         let (runtime, fields) = (&energy.runtime, energy.parameters().map(|parameter| &parameter.name));
+        let old = attributes::is_deprecated(energy).then(|| quote!(#[allow(deprecated, reason = "generated code")]));
         quote! {
+            #old
             impl<R: #runtime::private::Real> ::core::cmp::PartialEq for #name<R> {
                 fn eq(&self, other: &Self) -> bool {
                     #(self.#fields == other.#fields)&&*

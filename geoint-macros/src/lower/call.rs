@@ -20,7 +20,7 @@ impl Lowering {
     ) -> Value {
         if callable.parameters.len() != arguments.len() {
             let n = callable.parameters.len();
-            return self.refuse(syntax, format!("this takes {n} arguments"));
+            return self.refuse(syntax, format!("this takes {n} argument{}", if n == 1 { "" } else { "s" }));
         }
         if self.calls.iter().any(|other| Rc::ptr_eq(other, callable)) {
             let name = callable.name.as_deref().unwrap_or("this closure");

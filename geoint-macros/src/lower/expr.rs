@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::language::{EXPRESSIONS, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
+use super::language::{EXPRESSIONS, POWER, THROUGH_REFERENCE, compound, is_arithmetic, is_comparison, other_macro};
 use super::scope::{Found, Item};
 use super::value::{Callable, Value, axis};
 use super::{Lowering, constants, quaternion};
@@ -35,6 +35,10 @@ impl Lowering {
             Expr::Group(inner) => self.expr(&inner.expr),
             Expr::Reference(inner) if inner.mutability.is_none() => self.expr(&inner.expr),
             Expr::Reference(inner) => self.refuse(inner, THROUGH_REFERENCE),
+            // `x ** 2` is a product with `*2`.
+            Expr::Unary(unary) if matches!((&unary.op, &*unary.expr), (UnOp::Deref(_), Expr::Lit(_))) => {
+                self.refuse(&unary.op, POWER)
+            }
             Expr::Unary(unary) => {
                 let value = self.expr(&unary.expr);
                 match (&unary.op, value) {
@@ -57,6 +61,7 @@ impl Lowering {
                 }
             }
             Expr::Binary(binary) => match (&binary.op, compound(&binary.op)) {
+                (op @ (BinOp::BitXor(_) | BinOp::BitXorAssign(_)), _) => self.refuse(op, POWER),
                 (_, Some(op)) => self.assign_with(binary, &op),
                 (BinOp::And(_) | BinOp::Or(_), _) => self.connective(binary),
                 _ => self.chain(binary),

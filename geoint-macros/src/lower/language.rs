@@ -6,7 +6,10 @@ pub(super) const EXPRESSIONS: &str = "an energy is made of numbers, arrays, vect
                            closures, `for` over ranges, and sums over iterators";
 
 pub(super) const STATEMENTS: &str =
-    "a body is made of `let`, `const`, nested `fn`, `for`, assignments, and a last expression";
+    "a body is made of `let`, `const`, `type`, nested `fn`, `for`, assignments, and a last expression";
+
+pub(super) const POWER: &str =
+    "this is no power: write `x.powi(2)` or `x * x`, and `x.powf(y)` where the exponent is no integer";
 
 pub(super) const THROUGH_REFERENCE: &str =
     "what is changed through a reference is not followed: bind a new variable with `let`";
@@ -33,7 +36,6 @@ pub(super) fn compound(op: &BinOp) -> Option<BinOp> {
         BinOp::MulAssign(_) => BinOp::Mul(Default::default()),
         BinOp::DivAssign(_) => BinOp::Div(Default::default()),
         BinOp::RemAssign(_) => BinOp::Rem(Default::default()),
-        BinOp::BitXorAssign(_) => BinOp::BitXor(Default::default()),
         BinOp::BitAndAssign(_) => BinOp::BitAnd(Default::default()),
         BinOp::BitOrAssign(_) => BinOp::BitOr(Default::default()),
         BinOp::ShlAssign(_) => BinOp::Shl(Default::default()),

@@ -1,13 +1,11 @@
-//! Methods: of numbers, of vectors, of arrays and iterators.
+//! Methods: of numbers and of vectors.
 
 use super::Lowering;
-use super::scope::Scopes;
-use super::value::{Callable, Value};
+use super::value::Value;
 use crate::ir::op::FUNCTIONS;
 use crate::ir::{Function, Id, Number};
 use quote::{ToTokens, quote};
-use std::rc::Rc;
-use syn::{Expr, ExprMethodCall};
+use syn::ExprMethodCall;
 
 impl Lowering {
     pub(super) fn method_call(&mut self, call: &ExprMethodCall) -> Value {
@@ -63,7 +61,8 @@ impl Lowering {
         if let (Some(function), true) = (Function::of_method(name), name != "powf") {
             if function.entry().arity != arguments.len() + 1 {
                 let n = function.entry().arity - 1;
-                return self.refuse(syntax, format!("`{name}` takes {n} arguments"));
+                let plural = if n == 1 { "" } else { "s" };
+                return self.refuse(syntax, format!("`{name}` takes {n} argument{plural}"));
             }
             let mut args = vec![x];
             args.extend(arguments.into_iter().map(|value| self.real(syntax, value)));
@@ -129,148 +128,6 @@ impl Lowering {
                 ),
             ),
         }
-    }
-
-    fn method_of_array(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        items: &Rc<Vec<Value>>,
-        arguments: &[Value],
-    ) -> Value {
-        match (name, arguments) {
-            ("iter" | "into_iter", []) => Value::Iterator(items.clone()),
-            ("len", []) => Value::Integer(items.len() as i128),
-            ("windows", [Value::Integer(n @ 1..)]) => {
-                let windows = items.windows(usize::try_from(*n).unwrap_or(usize::MAX));
-                Value::iterator(windows.map(|window| Value::list(window.to_vec())))
-            }
-            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
-                Some(mapped) => Value::list(mapped),
-                None => Value::Poison,
-            },
-            _ => self.refuse(
-                &call.method,
-                format!("arrays have `iter`, `map`, `windows` and `len`; not `{name}` with these arguments"),
-            ),
-        }
-    }
-
-    fn method_of_iterator(
-        &mut self,
-        call: &ExprMethodCall,
-        name: &str,
-        items: &Rc<Vec<Value>>,
-        arguments: &[Value],
-    ) -> Value {
-        let count = |n: &i128| usize::try_from(*n).unwrap_or(usize::MAX);
-        match (name, arguments) {
-            ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Iterator(items.clone()),
-            ("rev", []) => Value::iterator(items.iter().rev().cloned()),
-            ("len" | "count", []) => Value::Integer(items.len() as i128),
-            ("enumerate", []) => {
-                let pair = |(i, item): (usize, &Value)| Value::Tuple(vec![Value::Integer(i as i128), item.clone()]);
-                Value::iterator(items.iter().enumerate().map(pair))
-            }
-            ("zip", [other]) => match self.list(&call.args[0], other.clone()) {
-                Some(other) => {
-                    let pair = |(a, b): (&Value, &Value)| Value::Tuple(vec![a.clone(), b.clone()]);
-                    Value::iterator(items.iter().zip(other.iter()).map(pair))
-                }
-                None => Value::Poison,
-            },
-            ("skip", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().skip(count(n)).cloned()),
-            ("take", [Value::Integer(n @ 0..)]) => Value::iterator(items.iter().take(count(n)).cloned()),
-            ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
-                Some(mapped) => Value::iterator(mapped),
-                None => Value::Poison,
-            },
-            ("flat_map", [Value::Callable(function, sees)]) => {
-                let Some(mapped) = self.map(call, items, (function, sees)) else { return Value::Poison };
-                let mut flat = vec![];
-                for inner in mapped {
-                    match self.list(&call.args[0], inner) {
-                        Some(inner) => flat.extend(inner.iter().cloned()),
-                        None => return Value::Poison,
-                    }
-                }
-                Value::iterator(flat)
-            }
-            ("filter", [Value::Callable(function, sees)]) => self.filter(call, items, (function, sees)),
-            ("sum", []) => self.sum(call, items),
-            _ => self.refuse(
-                &call.method,
-                format!(
-                    "iterators have `map`, `flat_map`, `filter`, `zip`, `enumerate`, `rev`, `skip`, `take`, `count` \
-                     and `sum`; not `{name}` with these arguments"
-                ),
-            ),
-        }
-    }
-
-    fn map(
-        &mut self,
-        call: &ExprMethodCall,
-        items: &[Value],
-        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
-    ) -> Option<Vec<Value>> {
-        let said = self.errors.len();
-        let mut mapped = vec![];
-        for item in items {
-            if self.errors.len() > said || self.exhausted(&call.method) {
-                return None;
-            }
-            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
-                Value::Poison => return None,
-                value => mapped.push(value),
-            }
-        }
-        Some(mapped)
-    }
-
-    fn filter(
-        &mut self,
-        call: &ExprMethodCall,
-        items: &[Value],
-        (function, sees): (&Rc<Callable>, &Rc<Scopes>),
-    ) -> Value {
-        let mut kept = vec![];
-        for item in items {
-            match self.apply(&call.method, (function, sees), vec![item.clone()]) {
-                Value::Truth(truth) => match self.graph.as_truth(truth) {
-                    Some(true) => kept.push(item.clone()),
-                    Some(false) => {}
-                    None => return self.refuse(&call.args[0], "a filter may depend on indices, not on data: use `if`"),
-                },
-                Value::Poison => return Value::Poison,
-                _ => return self.refuse(&call.args[0], "a filter has a condition"),
-            }
-        }
-        Value::iterator(kept)
-    }
-
-    fn sum(&mut self, call: &ExprMethodCall, items: &[Value]) -> Value {
-        let mut items = items.iter().cloned();
-        let Some(mut total) = items.next() else {
-            return Value::Real(self.graph.zero());
-        };
-        for item in items {
-            total = self.arithmetic(call, &syn::BinOp::Add(Default::default()), total, item);
-        }
-        total
-    }
-
-    /// A value as a list to go over.
-    pub(super) fn list(&mut self, syntax: &Expr, value: Value) -> Option<Rc<Vec<Value>>> {
-        match value {
-            Value::List(items) | Value::Iterator(items) => return Some(items),
-            Value::Vector(ids) => return Some(Rc::new(ids.into_iter().map(Value::Real).collect())),
-            Value::Poison => {}
-            other => {
-                self.refuse(syntax, format!("loops go over ranges, arrays and iterators; this is {}", other.kind()));
-            }
-        }
-        None
     }
 }
 

@@ -13,6 +13,7 @@ mod damping;
 mod expr;
 mod flow;
 mod force;
+mod iterator;
 mod language;
 mod loops;
 mod method;

@@ -77,8 +77,13 @@ impl Scopes {
         scopes
     }
 
-    pub(super) fn outside(&self) -> &Outside {
+    pub(super) fn outside(&self) -> &Rc<Outside> {
         &self.outside
+    }
+
+    /// From here on types have these names.
+    pub(super) fn name_types(&mut self, outside: Rc<Outside>) {
+        self.outside = outside;
     }
 
     /// Whether names that are not known mean something else than they do beside the energy.

@@ -6,6 +6,7 @@ use super::language::{STATEMENTS, THROUGH_REFERENCE, other_macro};
 use super::scope::{self, Scopes};
 use super::value::{Callable, Constant, Progress, Value};
 use crate::ir::Number;
+use crate::parse::Outside;
 use quote::ToTokens;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -14,6 +15,7 @@ use syn::{Block, Expr, Item, Pat, PatIdent, Stmt};
 
 impl Lowering {
     pub(super) fn block(&mut self, block: &Block) -> Value {
+        let types_around = self.scopes.outside().clone();
         self.scopes.enter();
         self.items(block);
         let mut last = Value::unit();
@@ -24,6 +26,7 @@ impl Lowering {
             }
         }
         self.scopes.leave();
+        self.scopes.name_types(types_around);
         last
     }
 
@@ -50,6 +53,10 @@ impl Lowering {
                 Stmt::Item(Item::Const(item)) => {
                     let constant = Constant { expr: (*item.expr).clone(), value: RefCell::new(Progress::Untouched) };
                     self.scopes.declare(&item.ident, scope::Item::Constant(Rc::new(constant)));
+                }
+                Stmt::Item(Item::Type(item)) => {
+                    let named = Outside::clone(self.scopes.outside()).with_alias(&item.ident, &item.ty);
+                    self.scopes.name_types(Rc::new(named));
                 }
                 _ => {}
             }
@@ -84,7 +91,7 @@ impl Lowering {
                 Some(_) => self.refuse_names(local, "`let … else` is not supported; use `if … else` as an expression"),
                 None => self.refuse_names(local, "give the variable its value here: `let name = …;`"),
             },
-            Stmt::Item(Item::Fn(_) | Item::Const(_)) => Value::unit(),
+            Stmt::Item(Item::Fn(_) | Item::Const(_) | Item::Type(_)) => Value::unit(),
             Stmt::Item(Item::Use(item)) if imported(&item.tree, &mut vec![], &mut vec![]) => Value::unit(),
             Stmt::Item(Item::Use(item)) => self.refuse(
                 item,

@@ -5,7 +5,7 @@ use super::shape::shape;
 use super::{Argument, Form, Role};
 use crate::diagnostics::Diagnostics;
 use proc_macro2::{Ident, TokenStream, TokenTree};
-use quote::ToTokens;
+use quote::{ToTokens, format_ident};
 use syn::{Attribute, FnArg, Item, ItemFn, Pat, Stmt, Type};
 
 /// All arguments that are understood, in the order of the signature.
@@ -17,6 +17,7 @@ pub(super) fn arguments(
     errors: &mut Diagnostics,
 ) -> Vec<(Role, Argument)> {
     let renamed = |role: Role| options.roles.iter().find(|(r, _)| *r == role).map(|(_, name)| name);
+    let velocity = velocity_for_momenta(form, item, options);
     let mut refused: Vec<String> = vec![];
     let mut arguments: Vec<(Role, Argument)> = vec![];
     for input in &item.sig.inputs {
@@ -30,7 +31,9 @@ pub(super) fn arguments(
         let explicit = options.roles.iter().find(|(_, other)| other == name).map(|(role, _)| *role);
         let by_name = defaults(form).iter().find(|(_, default, _)| is_called(name, default));
         if form == Form::Hamiltonian && by_name.is_some_and(|(role, ..)| *role == Role::Action) {
-            errors.at(name, ACTION);
+            if velocity.is_none() {
+                errors.at(name, ACTION);
+            }
             continue;
         }
         if form == Form::Lagrangian && explicit.is_none() && is_called(name, "p") {
@@ -134,10 +137,11 @@ fn constant_of_body(item: &ItemFn, ty: &Type) -> Option<Ident> {
 
 /// An argument may come with lints, and with nothing that could take it away.
 fn attributes_of_argument(attributes: &[Attribute], errors: &mut Diagnostics) {
-    let is_lint = |attribute: &&Attribute| {
-        ["allow", "expect", "warn", "deny", "forbid"].iter().any(|lint| attribute.path().is_ident(lint))
+    // Of documentation rustc says that it does not belong here.
+    let stays = |attribute: &&Attribute| {
+        ["allow", "expect", "warn", "deny", "forbid", "doc"].iter().any(|name| attribute.path().is_ident(name))
     };
-    for attribute in attributes.iter().filter(|attribute| !is_lint(attribute)) {
+    for attribute in attributes.iter().filter(|attribute| !stays(attribute)) {
         let name = attribute.path().to_token_stream();
         errors.at(
             attribute,
@@ -193,11 +197,33 @@ pub(super) fn is_called(name: &Ident, default: &str) -> bool {
 }
 
 pub(super) fn exists(item: &ItemFn, name: &Ident) -> bool {
-    item.sig.inputs.iter().any(|input| matches!(input, FnArg::Typed(typed) if names(&typed.pat, name)))
+    names(item).any(|other| other == name)
 }
 
-fn names(pattern: &Pat, name: &Ident) -> bool {
-    matches!(pattern, Pat::Ident(pattern) if pattern.ident == *name)
+/// The names of all arguments.
+pub(super) fn names(item: &ItemFn) -> impl Iterator<Item = &Ident> {
+    item.sig.inputs.iter().filter_map(|input| match input {
+        FnArg::Typed(typed) => match &*typed.pat {
+            Pat::Ident(pattern) => Some(&pattern.ident),
+            _ => None,
+        },
+        FnArg::Receiver(_) => None,
+    })
+}
+
+/// An argument with the name of a velocity, where an energy has no momenta: all else that is missing follows from that.
+pub(super) fn velocity_for_momenta<'a>(form: Form, item: &'a ItemFn, options: &Options) -> Option<&'a Ident> {
+    let named = options.roles.iter().any(|(role, _)| *role == Role::Momentum);
+    let momenta = named || ["p", "_p"].iter().any(|name| exists(item, &format_ident!("{name}")));
+    let of_energy = matches!(form, Form::Hamiltonian | Form::Contact);
+    (of_energy && !momenta).then(|| names(item).find(|name| is_velocity(name))).flatten()
+}
+
+/// Whether an argument has the name that a velocity has in a Lagrangian.
+pub(super) fn is_velocity(name: &Ident) -> bool {
+    let name = name.to_string();
+    let name = name.trim_start_matches('_');
+    ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
 }
 
 const MOMENTUM_OF_LAGRANGIAN: &str =

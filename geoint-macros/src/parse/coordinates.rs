@@ -1,11 +1,10 @@
 //! Coordinates: positions with their momenta or velocities, x alone, or the attitudes of bodies.
 
-use super::arguments::{exists, is_called};
+use super::arguments::{exists, is_called, is_velocity, velocity_for_momenta};
 use super::options::Options;
 use super::shape::{Leaf, Shape, plain};
 use super::{Argument, Form, Role};
 use crate::diagnostics::Diagnostics;
-use proc_macro2::Ident;
 use quote::{ToTokens, format_ident};
 use syn::ItemFn;
 
@@ -17,15 +16,23 @@ pub(super) fn coordinates(
     arguments: &[(Role, Argument)],
     errors: &mut Diagnostics,
 ) -> Option<Argument> {
+    if let Some(name) = velocity_for_momenta(form, item, options) {
+        errors.at(name, format!("`{name}` {VELOCITY}"));
+        return None;
+    }
+    let found = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
+    // A wrong name in the attribute, or a wrong type, has been reported.
+    let told = |role: Role, default: &str| {
+        found(role).is_some()
+            || options.roles.iter().any(|(r, _)| *r == role)
+            || exists(item, &format_ident!("{default}"))
+            || exists(item, &format_ident!("_{default}"))
+    };
     let mut find = |role: Role, default: &str, missing: &dyn Fn(&mut Diagnostics)| {
-        let found = arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument.clone());
-        // A wrong name in the attribute, or a wrong type, has been reported.
-        let named = options.roles.iter().any(|(r, _)| *r == role);
-        let written = exists(item, &format_ident!("{default}")) || exists(item, &format_ident!("_{default}"));
-        if found.is_none() && !named && !written {
+        if !told(role, default) {
             missing(errors);
         }
-        found
+        found(role).cloned()
     };
     if form == Form::Bodies {
         return body(item, arguments, errors);
@@ -46,26 +53,30 @@ pub(super) fn coordinates(
         errors.at(x, WITHOUT_STRUCTURE);
         return None;
     }
-    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, POSITIONS));
+    let (other, letter, both) = match form {
+        Form::Lagrangian => (Role::Velocity, "v", POSITIONS_AND_VELOCITIES),
+        _ => (Role::Momentum, "p", POSITIONS_AND_MOMENTA),
+    };
+    let velocity = || arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
+    let neither = !told(Role::Position, "q") && !told(other, letter) && velocity().is_none();
+    let missing = if neither { both } else { POSITIONS };
+    let q = find(Role::Position, "q", &|errors| errors.at(&item.sig.ident, missing));
     if form == Form::Lagrangian {
         let v = find(Role::Velocity, "v", &|errors| {
-            let mut names = arguments.iter().map(|(_, argument)| &argument.name);
-            match names.find(|name| is_velocity(name)) {
+            match velocity() {
                 Some(name) => {
                     errors.at(name, format!("velocities are called `v`; say that they are `{name}`: `v = {name}`"));
                 }
                 // Who has momenta in their place has been told.
-                None if exists(item, &format_ident!("p")) => {}
+                None if neither || exists(item, &format_ident!("p")) => {}
                 None => errors.at(&item.sig.ident, VELOCITIES),
             }
         });
         return pair(q?, (&v?, "velocity"), errors);
     }
     let p = find(Role::Momentum, "p", &|errors| {
-        let velocity = arguments.iter().map(|(_, argument)| &argument.name).find(|name| is_velocity(name));
-        match velocity {
-            Some(name) => errors.at(name, format!("`{name}` {VELOCITY}")),
-            None => errors.at(&item.sig.ident, MOMENTA),
+        if !neither {
+            errors.at(&item.sig.ident, MOMENTA);
         }
     });
     if form == Form::Contact {
@@ -77,13 +88,6 @@ pub(super) fn coordinates(
     pair(q?, (&p?, "momentum"), errors)
 }
 
-/// Whether an argument has the name that a velocity has in a Lagrangian.
-fn is_velocity(name: &Ident) -> bool {
-    let name = name.to_string();
-    let name = name.trim_start_matches('_');
-    ["v", "vel", "velocity", "velocities", "dq", "qd"].contains(&name) || name.ends_with("dot")
-}
-
 const FIELD_COORDINATES: &str = "the coordinates are missing: call an argument `x`, or name one with `x = …`; an energy H(q, p) goes under \
                                  `#[hamiltonian]`";
 
@@ -93,6 +97,12 @@ const STRUCTURED_COORDINATES: &str = "with `structure` the coordinates are one a
 const WITHOUT_STRUCTURE: &str = "an energy of `x` alone does not say how x moves: add S of x' = S(x) ∇H, `structure = so3` (also `se3`, \
                                  `canonical`, `nambu(C)`, `|i, j| …` for i < j, or an array of arrays); positions and momenta are \
                                  called `q` and `p`";
+
+const POSITIONS_AND_MOMENTA: &str =
+    "positions and momenta are missing: call arguments `q` and `p`, or name them with `q = …, p = …`";
+
+const POSITIONS_AND_VELOCITIES: &str =
+    "positions and velocities are missing: call arguments `q` and `v`, or name them with `q = …, v = …`";
 
 const POSITIONS: &str = "positions are missing: call an argument `q`, or name one with `q = …`";
 

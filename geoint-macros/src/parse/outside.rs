@@ -38,6 +38,10 @@ impl Outside {
             // rustc knows the type.
             input.parse::<Type>()?;
         }
+        if !input.peek(Token![=]) {
+            let message = format!("an attribute cannot see what `{name}` is: repeat its value, `const {name} = 3`");
+            return Err(syn::Error::new_spanned(name, message));
+        }
         input.parse::<Token![=]>()?;
         let expr: Expr = input.parse()?;
         let Some(value) = self.integer(&expr) else {
@@ -67,6 +71,13 @@ impl Outside {
     fn constant(&self, path: &syn::Path) -> Option<i128> {
         let name = path.get_ident()?;
         self.constants().find(|(constant, _)| *constant == name).map(|(_, value)| value)
+    }
+
+    /// The same with an alias that hides others of its name.
+    pub(crate) fn with_alias(mut self, name: &Ident, ty: &Type) -> Self {
+        let ty = self.resolve(ty);
+        self.aliases.insert(0, Alias { name: name.clone(), ty });
+        self
     }
 
     /// What an alias stands for.

@@ -96,19 +96,6 @@ mod method_floor {
     }
 }
 
-mod method_rem_euclid {
-    use geoint_runtime::prelude::*;
-
-    #[hamiltonian]
-    fn energy(q: f64, p: f64) -> f64 {
-        p * p + q.rem_euclid(1.0)
-    }
-
-    fn uses() {
-        println!("{}", energy(0.5, 1.0));
-    }
-}
-
 mod outside_function {
     use geoint_runtime::prelude::*;
 

@@ -7,15 +7,6 @@ mod contact_action_is_a_vector {
     }
 }
 
-mod contact_action_is_time {
-    use geoint_runtime::prelude::*;
-
-    #[contact_hamiltonian(s = t)]
-    fn swing(q: f64, p: f64, t: f64) -> f64 {
-        p * p / 2.0 + q.cos() + 0.1 * t
-    }
-}
-
 mod contact_action_missing {
     use geoint_runtime::prelude::*;
 

@@ -221,4 +221,19 @@ mod vec_argument {
     }
 }
 
+mod length_without_its_value {
+    use geoint_runtime::prelude::*;
+
+    const N: usize = 2;
+
+    #[hamiltonian(const N)]
+    fn energy(q: [f64; N], p: [f64; N]) -> f64 {
+        p[0] * p[0] + q[0] * p[1] + q[1]
+    }
+
+    fn uses() {
+        println!("{}", energy([0.5; 2], [1.0; 2]));
+    }
+}
+
 fn main() {}

@@ -37,20 +37,6 @@ mod infinite_literal {
     }
 }
 
-mod integer_sum {
-    use geoint_runtime::prelude::*;
-
-    #[hamiltonian]
-    fn energy(q: f64, p: f64) -> f64 {
-        let n = 3;
-        p * p + n
-    }
-
-    fn uses() {
-        println!("{}", energy(0.5, 1.0));
-    }
-}
-
 mod integer_times_number {
     use geoint_runtime::prelude::*;
 
@@ -90,16 +76,26 @@ mod mixed_floats_cast {
     }
 }
 
-mod number_to_integer {
+mod power_by_a_caret {
     use geoint_runtime::prelude::*;
 
     #[hamiltonian]
     fn energy(q: f64, p: f64) -> f64 {
-        p * p + (q as i32) as f64
+        p^2 / 2.0 + q
     }
 
-    fn uses() {
-        println!("{}", energy(0.5, 1.0));
+    #[hamiltonian]
+    fn quartic(q: f64, p: f64) -> f64 {
+        p * p / 2.0 + q^4.0
+    }
+}
+
+mod power_by_two_stars {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, p: f64) -> f64 {
+        p ** 2 / 2.0 + q
     }
 }
 

@@ -150,4 +150,69 @@ mod vector_field {
     }
 }
 
+mod nothing_is_called_q_or_p {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn pendulum(theta: f64, omega: f64) -> f64 {
+        omega * omega / 2.0 - theta.cos()
+    }
+
+    fn uses() {
+        println!("{}", pendulum(0.5, 1.0));
+    }
+}
+
+mod nothing_is_called_q_or_v {
+    use geoint_runtime::prelude::*;
+
+    #[lagrangian]
+    fn pendulum(theta: f64, omega: f64) -> f64 {
+        omega * omega / 2.0 + theta.cos()
+    }
+
+    fn uses() {
+        println!("{}", pendulum(0.5, 1.0));
+    }
+}
+
+mod velocity_of_x {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(x: f64, v: f64) -> f64 {
+        v * v / 2.0 + x * x
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod velocity_of_x_with_an_action {
+    use geoint_runtime::prelude::*;
+
+    #[contact_hamiltonian]
+    fn energy(x: f64, v: f64, s: f64) -> f64 {
+        v * v / 2.0 + x * x + 0.1 * s
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0, 0.0));
+    }
+}
+
+mod velocity_and_action {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(q: f64, xdot: f64, s: f64) -> f64 {
+        xdot * xdot / 2.0 + q * q + 0.1 * s
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0, 0.0));
+    }
+}
+
 fn main() {}

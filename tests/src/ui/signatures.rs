@@ -93,28 +93,6 @@ mod const_generic {
     }
 }
 
-mod coordinate_integer {
-    use geoint_runtime::prelude::*;
-
-    #[hamiltonian]
-    fn energy(q: i64, p: i64) -> f64 {
-        p as f64 + q as f64
-    }
-
-    fn uses() {
-        println!("{}", energy(0, 1));
-    }
-}
-
-mod coordinate_type {
-    use geoint_runtime::prelude::*;
-
-    #[hamiltonian]
-    fn energy(q: String, p: String) -> f64 {
-        p.len() as f64 + q.len() as f64
-    }
-}
-
 mod generic_type {
     use geoint_runtime::prelude::*;
 
@@ -252,17 +230,6 @@ mod two_mistakes {
     }
 }
 
-mod types_differ {
-    use geoint_runtime::prelude::*;
-
-    use geoint_runtime::nalgebra::Vector2;
-
-    #[hamiltonian]
-    fn energy(q: Vector2<f64>, p: [f64; 2]) -> f64 {
-        p[0] * p[0] + p[1] * p[1] + q.x + q.y
-    }
-}
-
 mod unknown_attribute_argument {
     use geoint_runtime::prelude::*;
 
@@ -298,6 +265,24 @@ mod where_clause {
 
     fn uses() {
         println!("{}", energy(0.5, 1.0));
+    }
+}
+
+mod documented_argument {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian]
+    fn energy(
+        q: f64,
+        p: f64,
+        /// The mass.
+        m: f64,
+    ) -> f64 {
+        p * p / m + q
+    }
+
+    fn uses() {
+        println!("{}", energy(0.5, 1.0, 2.0));
     }
 }
 

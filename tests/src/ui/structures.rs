@@ -30,15 +30,6 @@ mod structure_not_skew {
     }
 }
 
-mod structure_of_a_field {
-    use geoint_runtime::prelude::*;
-
-    #[hamiltonian(structure = so3)]
-    fn free_body(x: [f64; 3]) -> [f64; 3] {
-        [x[1] * x[2], -x[2] * x[0], 0.0]
-    }
-}
-
 mod structure_of_another_length {
     use geoint_runtime::prelude::*;
 
@@ -80,12 +71,6 @@ mod structure_se3_of_another_length {
     #[hamiltonian(structure = se3)]
     fn top(x: [f64; 4]) -> f64 {
         x[0] * x[0] + x[3]
-    }
-
-    /// ∇C × ∇H is in space.
-    #[hamiltonian(structure = nambu(x[0] * x[1]))]
-    fn plane(x: [f64; 2]) -> f64 {
-        x[0] * x[0] + x[1]
     }
 }
 

@@ -208,3 +208,17 @@ fn rounds_and_loops_may_end_early() {
         e
     });
 }
+
+#[test]
+fn iterators_that_fold() {
+    // Horner's scheme again.
+    agrees!(|q, p, t, a| { [1.0, -2.0, 0.5, a].iter().rev().fold(0.0, |value, c| value * q[0] + c) });
+    agrees!(|q, p, t, a| { (1..5).fold((1.0, a), |(x, y), n| (x * q[0] + y, y / n as f64)).0 });
+    agrees!(|q, p, t, a| {
+        q.iter().map(|x| 1.0 + x * x).product::<f64>() + (0..0).map(|i| q[i]).product::<f64>() * a
+    });
+    agrees!(|q, p, t, a| {
+        (0..3).step_by(2).map(|i| q[i] * p[i]).sum::<f64>() + (0..3).rev().step_by(3).count() as f64
+    });
+    agrees!(|q, p, t, a| { (2..2).fold(a, |x, i| x * q[i]) });
+}

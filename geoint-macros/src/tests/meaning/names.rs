@@ -270,3 +270,26 @@ fn code_that_others_may_change_is_refused() {
         c
     });
 }
+
+#[test]
+fn names_for_types() {
+    agrees!(|q, p, t, a| {
+        type Number = f64;
+        let n: Number = 2 as Number;
+        let inner = {
+            type Number = i32;
+            (7 as Number / 2) as f64
+        };
+        n * Number::sin(q[0]) + inner * a
+    });
+    agrees!(|q, p, t, a| {
+        type Pair = [Number; 2];
+        type Number = f64;
+        let pair: Pair = [q[0], Number::cos(a)];
+        fn twice(x: f64) -> f64 {
+            type Number = f64;
+            x * 2 as Number
+        }
+        twice(pair[0]) * pair[1]
+    });
+}

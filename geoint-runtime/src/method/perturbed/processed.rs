@@ -2,6 +2,7 @@
 
 use super::{Perturbation, of_rest};
 use crate::method::perturbed::Inner;
+use crate::method::splitting::steps_of;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
 use crate::scalar::{Real, zero};
 use crate::space::{Point, Summation};
@@ -136,24 +137,5 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processe
         system.leave(z);
     }
 
-    #[inline(always)]
-    fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, R, C, P>,
-    ) -> Result<(), Refusal> {
-        Perturbation::<M>::step(&prepared.kernel, memory, step)
-    }
-
-    #[inline(always)]
-    fn advance<C: Summation<S::Phase>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        system: &S,
-        clock: &Clock<R>,
-        steps: u64,
-        x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
-        Perturbation::<M>::advance(&prepared.kernel, memory, system, clock, steps, x)
-    }
+    steps_of!(Perturbation<M>, |prepared| &prepared.kernel);
 }

@@ -48,6 +48,33 @@ pub use rotations::{FiveRotations, KickAndRotations};
 pub use table::{Flow, Splitting};
 pub use verlet::{PositionVerlet, StormerVerlet, SymplecticEuler, SymplecticEulerAdjoint};
 
+/// The steps of a method that are those of another one, by what was prepared for that.
+macro_rules! steps_of {
+    ($inner:ty, |$prepared:ident| $part:expr) => {
+        #[inline(always)]
+        fn step<Sums: Summation<S::Phase>, Watching: Probe<S, R>>(
+            $prepared: &Self::Prepared,
+            memory: &mut Self::Memory,
+            step: Step<'_, S, R, Sums, Watching>,
+        ) -> Result<(), Refusal> {
+            <$inner as Method<S, R>>::step($part, memory, step)
+        }
+
+        #[inline(always)]
+        fn advance<Sums: Summation<S::Phase>>(
+            $prepared: &Self::Prepared,
+            memory: &mut Self::Memory,
+            system: &S,
+            clock: &Clock<R>,
+            steps: u64,
+            x: &mut Point<S::Phase, Sums, S::Action>,
+        ) -> Result<(), Refusal> {
+            <$inner as Method<S, R>>::advance($part, memory, system, clock, steps, x)
+        }
+    };
+}
+pub(in crate::method) use steps_of;
+
 /// A method that is another one under a stricter condition or another name.
 macro_rules! delegate {
     ($(#[$doc:meta])* [$($generics:tt)*] $method:ty, $system:ident, $inner:ty, |$this:ident| $table:expr, $name:expr) => {
@@ -81,25 +108,7 @@ macro_rules! delegate {
             fn memory() -> Self::Memory {
                 <$inner as Method<S, R>>::memory()
             }
-            #[inline(always)]
-            fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-                prepared: &Self::Prepared,
-                memory: &mut Self::Memory,
-                step: Step<'_, S, R, C, P>,
-            ) -> Result<(), Refusal> {
-                <$inner as Method<S, R>>::step(prepared, memory, step)
-            }
-            #[inline(always)]
-            fn advance<C: Summation<S::Phase>>(
-                prepared: &Self::Prepared,
-                memory: &mut Self::Memory,
-                system: &S,
-                clock: &Clock<R>,
-                steps: u64,
-                x: &mut Point<S::Phase, C, S::Action>,
-            ) -> Result<(), Refusal> {
-                <$inner as Method<S, R>>::advance(prepared, memory, system, clock, steps, x)
-            }
+            $crate::method::splitting::steps_of!($inner, |prepared| prepared);
         }
     };
 }

@@ -2,6 +2,7 @@
 
 use super::driver::{LastKick, Sequence};
 use super::flows::{Moving, Order, Times, Weight};
+use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step};
@@ -134,24 +135,5 @@ where
         }
     }
 
-    #[inline(always)]
-    fn step<C: Summation<S::Phase>, Q: Probe<S, R>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        step: Step<'_, S, R, C, Q>,
-    ) -> Result<(), Refusal> {
-        <Splitting<K, O> as Method<S, R>>::step(&prepared.steps, memory, step)
-    }
-
-    #[inline(always)]
-    fn advance<C: Summation<S::Phase>>(
-        prepared: &Self::Prepared,
-        memory: &mut Self::Memory,
-        system: &S,
-        clock: &Clock<R>,
-        steps: u64,
-        x: &mut Point<S::Phase, C, S::Action>,
-    ) -> Result<(), Refusal> {
-        <Splitting<K, O> as Method<S, R>>::advance(&prepared.steps, memory, system, clock, steps, x)
-    }
+    steps_of!(Splitting<K, O>, |prepared| &prepared.steps);
 }

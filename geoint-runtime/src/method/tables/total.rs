@@ -1,6 +1,6 @@
 //! What every table is checked for when it is made: fractions that are to add up do so.
 
-/// Whether `fractions` add up to `total`, but for their rounding: those of a constant table are checked by the compiler.
+/// Whether `fractions` are numbers that add up to `total`, but for their rounding: those of a constant table are checked by the compiler.
 pub(crate) const fn adds_up(fractions: &[f64], total: f64) -> bool {
     let (mut sum, mut size, mut i) = (0.0_f64, total.abs(), 0);
     while i < fractions.len() {
@@ -8,5 +8,23 @@ pub(crate) const fn adds_up(fractions: &[f64], total: f64) -> bool {
         size += fractions[i].abs();
         i += 1;
     }
-    (sum - total).abs() <= (fractions.len() as f64 + 1.0) * f64::EPSILON * size
+    // Where one of them is infinite, so is the rounding.
+    size < f64::INFINITY && (sum - total).abs() <= (fractions.len() as f64 + 1.0) * f64::EPSILON * size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::adds_up;
+
+    #[test]
+    fn what_is_no_number_adds_up_to_nothing() {
+        assert!(adds_up(&[0.5, 0.25, 0.25], 1.0) && adds_up(&[0.1; 10], 1.0) && adds_up(&[], 0.0));
+        assert!(!adds_up(&[], 1.0) && !adds_up(&[0.5, 0.5 + 1e-14], 1.0));
+        let (infinite, no_number) = (f64::INFINITY, f64::NAN);
+        for fractions in [[infinite, 1.0], [-infinite, 1.0], [infinite, -infinite], [no_number, 1.0], [1e308, 1e308]] {
+            for total in [1.0, 0.0, infinite, no_number] {
+                assert!(!adds_up(&fractions, total), "{fractions:?} {total}");
+            }
+        }
+    }
 }

@@ -100,18 +100,20 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
                 self.memory = [M::memory(), M::memory()];
             }
             let shorter;
-            let (prepared, before) = if h == regular {
-                (&self.prepared, self.memory.clone())
+            let prepared = if h == regular {
+                &self.prepared
             } else {
                 shorter = Prepared::new(&self.system, &self.method, h);
-                (&shorter, [M::memory(), M::memory()])
+                &shorter
             };
-            let mut memory = before.clone();
+            // A step of another length hands nothing on.
+            let before = || if h == regular { self.memory.clone() } else { [M::memory(), M::memory()] };
+            let mut memory = before();
             let attempt = self.attempt();
             let mut outcome = attempt.take::<M, _>(prepared, &mut memory, &mut Unwatched);
             // Only a watched step searches for a solution that is hard to find.
             if matches!(outcome, Err(Reason::NotConverged)) {
-                memory = before;
+                memory = before();
                 let mut watch = Watch::new(&self.system, attempt.t, &self.x);
                 outcome = attempt.take::<M, _>(prepared, &mut memory, &mut watch);
             }

@@ -26,7 +26,7 @@ type Carried<S, R> = Point<
 type Arrival<S, M, R> = (Carried<S, R>, Clock<R>, <M as TaylorMethod<S, R>>::Memory);
 
 /// A system, and all that decides on the next step.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
     pub(in crate::running) method: M,
