@@ -36,7 +36,7 @@ pub(super) fn spring() -> Section {
         row(cells, energy <= bound && (refusal || outcome.refused.is_none()))
     }
     macro_rules! rows {
-        ($($bounds:expr, $refusal:literal: $method:expr),*) => { $( for (hw, bound) in [1.0, 10.0, 100.0].into_iter().zip($bounds) {
+        ($($method:expr, $bounds:expr, $refusal:literal;)*) => { $( for (hw, bound) in [1.0, 10.0, 100.0].into_iter().zip($bounds) {
             jobs.push(Box::new(move || {
                 let (system, start) = spring_pendulum(RATIO);
                 let h = hw / RATIO;
@@ -48,18 +48,22 @@ pub(super) fn spring() -> Section {
     // A step of Gauss's methods has the length of the spring right in its middle, and ends outside by h²v²/8: with hω = 100 the spring's energy there,
     // (hω)²(hv²)²/128, is as large as that of the swing. U. M. Ascher & S. Reich, SIAM J. Sci. Comput. 21 (1999) 1045.
     const NONE: f64 = f64::INFINITY;
-    rows!([1e-3, 1e-2, NONE], false: ImplicitMidpoint, [1e-9, 1e-5, NONE], false: Gauss::<3>,
-        [1e-9; 3], false: DiscreteGradient, [1e-9; 3], true: FourthOrder(DiscreteGradient));
+    rows! {
+        ImplicitMidpoint, [1e-3, 1e-2, NONE], false;
+        Gauss::<3>, [1e-9, 1e-5, NONE], false;
+        DiscreteGradient, [1e-9; 3], false;
+        FourthOrder(DiscreteGradient), [1e-9; 3], true;
+    }
     // An error of 1e-9 of a coordinate is 1e-5 of the vibration, in each of 10⁵ steps: a method that damps may lose all of its energy, and no more.
     let vibration = 0.5 * (1e-4 * RATIO).powi(2) * (1.0 + 1e-6);
     macro_rules! adaptive {
-        ($($tolerance:literal, $bound:expr: $method:expr),*) => { $( jobs.push(Box::new(move || {
+        ($($tolerance:literal, $method:expr, $bound:expr);*) => { $( jobs.push(Box::new(move || {
             let (system, start) = spring_pendulum(RATIO);
             let outcome = adapting(system.adaptive($method, $tolerance, start), END, 100, |_| ());
             told(format!("adaptive({}), {:.0e}", stringify!($method), $tolerance), "".into(), &outcome, $bound, false)
         })); )* };
     }
-    adaptive!(1e-9, vibration: DOP853, 1e-12, 1e-5: DOP853, 1e-9, 1e-7: Gauss::<3>);
+    adaptive!(1e-9, DOP853, vibration; 1e-12, DOP853, 1e-5; 1e-9, Gauss::<3>, 1e-7);
     jobs.push(Box::new(|| {
         let (system, start) = spring_pendulum(RATIO);
         let outcome = adapting(TaylorIntegrator::new(system, Taylor::default(), start), END, 100, |_| ());
