@@ -70,6 +70,17 @@ fn angles_of_many_turns() {
     check("Projection", Projection(RK4, Energy));
 }
 
+/// Where a gradient vanishes at the end of a step, rounding of an angle is seen at its start.
+#[test]
+fn angles_of_many_turns_where_forces_vanish() {
+    let system = Pendulum { m: MASS, l: 1.0, g: 1.0 };
+    let start = State::new(1e9 - 5e4, MASS * 2.5);
+    let outcome = fixed(system.integrator(Projection(RK4, Energy), 0.025, start), 60_000, 10, |_| ());
+    let bound = MASS * start.q * f64::EPSILON * (outcome.steps as f64).sqrt();
+    assert!(outcome.refused.is_none(), "{} after {}", outcome.end(), outcome.steps);
+    assert!(outcome.energy <= bound, "{:.1e}, at most {bound:.1e}", outcome.energy);
+}
+
 /// Twelve evaluations a step: an estimate of its own needs no second look.
 #[test]
 fn estimates_cost_no_evaluations() {

@@ -13,7 +13,7 @@ macro_rules! methods {
         methods!(@ $jobs, $row, StormerVerlet, BlanesMoanSrkn14a, ImplicitMidpoint, Gauss::<3>, DiscreteGradient,
             FourthOrder(DiscreteGradient), Projection(RK4, Energy) $(, $more)*)
     };
-    (@ $jobs:ident, $row:expr, $($method:expr),*) => { $( $jobs.push(Box::new(|| $row(stringify!($method), $method))); )* };
+    (@ $jobs:ident, $row:expr, $($method:expr),*) => { $( $jobs.push(Box::new(|| $row($method))); )* };
 }
 
 /// What a method that does not keep the energy changes it by, of its size, with steps of h in which the motion turns by as many radians: some hᵖ.
@@ -46,7 +46,7 @@ pub(super) fn units() -> Section {
         let system = Kepler { mass, mu: mass * length };
         fixed(system.integrator(method, H * length, start(mass, length)), STEPS, 100, |_| ())
     }
-    fn told<M: Method<Kepler>>(name: &str, method: M) -> Row {
+    fn told<M: Method<Kepler>>(method: M) -> Row {
         let plain = ran(method, 1.0, 1.0);
         let (mut worst, mut energy, mut refused) = (0.0_f64, 0.0_f64, None);
         for mass in EACH {
@@ -71,7 +71,10 @@ pub(super) fn units() -> Section {
         // An error of the energy that grows like √N, and one that grows like N, change how far the orbit has turned by this.
         let allowed = turned * (1.5 / 3_f64.sqrt() * rounding + 0.75 * drift);
         let holds = worst <= allowed && end == "reached" && (energy - plain.energy).abs() <= rounding + drift;
-        row(vec![name.into(), short(worst), short(allowed), short(energy), short(plain.energy), end], holds)
+        row(
+            vec![method.name().to_string(), short(worst), short(allowed), short(energy), short(plain.energy), end],
+            holds,
+        )
     }
     let mut jobs: Vec<Job> = vec![];
     methods!(jobs, told, DOP853);
@@ -94,33 +97,39 @@ const SCALE: f64 = 1.3;
 pub(super) fn places() -> Section {
     const STEPS: u64 = 1_000_000;
     const SMALL: f64 = 1e-8;
-    fn told(what: &str, name: &str, outcome: &Outcome<State<f64>>, energy: f64, bound: f64) -> Row {
-        let cells =
-            vec![what.into(), name.into(), short(energy), short(bound), outcome.steps.to_string(), outcome.end()];
+    fn told<M: Method<Pendulum>>(what: &str, method: M, outcome: &Outcome<State<f64>>, energy: f64, bound: f64) -> Row {
+        let cells = vec![
+            what.into(),
+            method.name().to_string(),
+            short(energy),
+            short(bound),
+            outcome.steps.to_string(),
+            outcome.end(),
+        ];
         row(cells, energy <= bound && outcome.refused.is_none())
     }
     /// cos q changes by as much as q is rounded.
-    fn far<M: Method<Pendulum>>(what: &str, name: &str, method: M, h: f64, start: State<f64>) -> Row {
+    fn far<M: Method<Pendulum>>(what: &str, method: M, h: f64, start: State<f64>) -> Row {
         let outcome = fixed(SYSTEM.integrator(method, h, start), STEPS, 1000, |_| ());
         let bound = law(method.claims(), h) + walk(method.claims(), start.q * f64::EPSILON, STEPS);
-        told(what, name, &outcome, outcome.energy / SCALE, bound)
+        told(what, method, &outcome, outcome.energy / SCALE, bound)
     }
-    fn swings<M: Method<Pendulum>>(name: &str, method: M) -> Row {
+    fn swings<M: Method<Pendulum>>(method: M) -> Row {
         let start = State::new(TAU * (1e8 / TAU).round() + 0.8, 0.3);
-        far("swing about q = 1e8", name, method, 0.05, start)
+        far("swing about q = 1e8", method, 0.05, start)
     }
-    fn turns<M: Method<Pendulum>>(name: &str, method: M) -> Row {
-        far("turns up to 10⁹ radians", name, method, 0.025, State::new(1e9 - 5e4, 1.3 * 2.5))
+    fn turns<M: Method<Pendulum>>(method: M) -> Row {
+        far("turns up to 10⁹ radians", method, 0.025, State::new(1e9 - 5e4, 1.3 * 2.5))
     }
     /// The energy above that at rest, as a sum of squares.
-    fn small<M: Method<Pendulum>>(name: &str, method: M) -> Row {
+    fn small<M: Method<Pendulum>>(method: M) -> Row {
         let energy = |x: &State<f64>| x.p * x.p / (2.0 * SCALE) + SCALE * 2.0 * (x.q / 2.0).sin().powi(2);
         let (start, mut worst) = (State::new(SMALL, 0.0), 0.0_f64);
         let outcome = fixed(SYSTEM.integrator(method, 0.05, start), STEPS, 1000, |x| {
             worst = worst.max((energy(x) / energy(&start) - 1.0).abs())
         });
         let bound = law(method.claims(), 0.05) + walk(method.claims(), f64::EPSILON, STEPS);
-        told("small swing, energy 1e-16", name, &outcome, worst, bound)
+        told("small swing, energy 1e-16", method, &outcome, worst, bound)
     }
     let mut jobs: Vec<Job> = vec![];
     methods!(jobs, swings);
@@ -140,15 +149,21 @@ pub(super) fn places() -> Section {
 pub(super) fn single() -> Section {
     const STEPS: u64 = 10_000_000;
     const H: f32 = 0.02;
-    fn told<M: Method<ShortPendulum, f32>>(name: &str, method: M) -> Row {
+    fn told<M: Method<ShortPendulum, f32>>(method: M) -> Row {
         let system = ShortPendulum { m: 1.3, l: 0.7, g: 9.81 };
         let outcome = fixed(system.integrator(method, H, State::new(0.8, 0.1)), STEPS, 1000, |_| ());
         let energy = outcome.energy / (1.3 * 0.7 * 9.81);
         // Small swings turn by this in a step.
         let turned = f64::from(H) * (9.81_f64 / 0.7).sqrt();
         let bound = law(method.claims(), turned) + walk(method.claims(), f32::EPSILON.into(), STEPS);
-        let cells =
-            vec![name.into(), H.to_string(), short(energy), short(bound), outcome.steps.to_string(), outcome.end()];
+        let cells = vec![
+            method.name().to_string(),
+            H.to_string(),
+            short(energy),
+            short(bound),
+            outcome.steps.to_string(),
+            outcome.end(),
+        ];
         row(cells, energy <= bound && outcome.refused.is_none())
     }
     let mut jobs: Vec<Job> = vec![];

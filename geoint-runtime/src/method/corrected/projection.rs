@@ -147,6 +147,15 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
             };
             let kinds = [I::Values::LEN, 1];
             let noise = noise::measure(&digits, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
+            // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
+            let mut digits = digits;
+            let mut gradients = invariants.gradients(system, before);
+            for (i, gradient) in I::Values::entries(&mut gradients).iter_mut().enumerate() {
+                let start = sizes.normalise(gradient);
+                if terms.as_slice()[i].magnitude() > 0.0 {
+                    digits.entries()[i] += start / terms.as_slice()[i];
+                }
+            }
             noise::explains(&noise, &correction(multipliers), &digits)
         }
     };
