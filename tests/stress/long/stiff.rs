@@ -185,7 +185,7 @@ pub(super) fn frequencies() -> Section {
         title: "Long steps",
         text: "An oscillator, and one that hardens, k(q²/2 + q⁴/4), with m = 1.3 from q = 1 over a million steps: the largest relative change of the energy. Verlet's \
                changes by 1/(1 − (hω/2)²) − 1 at most for hω < 2, and above that is refused when numbers end; implicit methods have no bound. Their steps round \
-               by hω ε: discrete gradients walk by 16 of that at most, Gauss's methods on the oscillator drift by 2 of it a step; of the one that hardens the \
+               by hω ε: discrete gradients walk by 16 of that at most (of order 4 they may be refused), Gauss's methods on the oscillator drift by 2 of it a step; of the one that hardens the \
                midpoint rule keeps the size of the energy.",
         head: &["method, system", "hω", "energy", "steps", "end"],
         jobs,
