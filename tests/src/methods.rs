@@ -91,3 +91,31 @@ pub fn kinds_of_pieces<S: Pieces<ContactSplitting, R>, R: Real>(visitor: &mut im
     visitor.visit(BlanesMoan4X);
     visitor.visit(Suzuki4.of(ContactSplitting));
 }
+
+/// A test for each kind of phase space: `$Visitor`, a step size and a scene, is shown every method for it.
+#[macro_export]
+macro_rules! every_method {
+    ($Visitor:ident) => {
+        $crate::every_method! { $Visitor:
+            canonical on $crate::problems::HenonHeiles, 0.05: methods general, methods discrete_gradient, methods itoh_abe,
+                methods itoh_abe_one_way, methods separable, methods nystrom, methods force_gradient, methods perturbed,
+                methods perturbed_gradient, methods processed, methods projected, methods relaxed, methods cubic;
+            in_coordinates_of_jacobi on $crate::problems::Planets, 0.05: methods perturbed, methods processed;
+            one_degree_of_freedom on $crate::scenes::Shears, 0.05: methods coordinate_increment, catalogue coupled;
+            constrained on $crate::scenes::Spheres, 0.02: methods constrained;
+            contact on $crate::scenes::Charges, 0.05: catalogue pieces, catalogue contact;
+            damped on $crate::scenes::Relativists, 0.05: methods separable, catalogue mechanical;
+            flows on $crate::scenes::Spins, 0.05: catalogue poisson, catalogue planar;
+            bodies on $crate::scenes::Heavies, 0.05: methods separable, catalogue principal_axes;
+        }
+    };
+    ($Visitor:ident: $($test:ident on $Scene:ty, $h:literal: $($from:ident $list:ident),*;)*) => { $(
+        #[test]
+        fn $test() {
+            #[allow(unused_imports)]
+            use {geoint_runtime::method::catalogue, $crate::methods};
+            let mut visitor = $Visitor::<$Scene> { h: $h, scene: std::marker::PhantomData };
+            $( $from::$list(&mut visitor); )*
+        }
+    )* };
+}

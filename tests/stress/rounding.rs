@@ -4,23 +4,28 @@ use geoint_runtime::prelude::*;
 use geoint_runtime::space::Summation;
 use geoint_tests::problems::{Kepler, Pendulum, Problem};
 
-/// Energy errors after 10⁴, 10⁵ … steps, the root mean square over a few starts, in units of the energy.
-fn growth<S, M, C>(runs: Vec<Integrator<S, M, f64, C>>, most: u32) -> Vec<(f64, f64)>
+/// Energy errors after 10⁴, 10⁵ … steps, in units of the energy: the root mean square over all runs, and beyond `most` steps, a power of ten, of the first
+/// one alone.
+fn growth<S, M, C>(runs: Vec<Integrator<S, M, f64, C>>, most: u32, first: u32) -> Growth
 where
     S: PhaseSpace,
     M: Method<S>,
     C: Summation<S::Phase>,
 {
-    let mut squares = vec![0.0; most as usize - 3];
-    let count = runs.len() as f64;
-    for mut run in runs {
-        let energy = run.energy();
-        for (power, square) in (4..=most).zip(&mut squares) {
-            run.advance(10_u64.pow(power) - run.steps()).expect("steps");
-            *square += (run.energy() / energy - 1.0).powi(2) / count;
+    let (energies, mut runs): (Vec<f64>, _) = (runs.iter().map(Integrator::energy).collect(), runs);
+    let errors = (4..=first).map(|power| {
+        if power > most {
+            runs.truncate(1);
         }
-    }
-    (4..=most).zip(squares).map(|(power, square)| (10_f64.powi(power as i32), square.sqrt())).collect()
+        let square = |(run, energy): (&mut Integrator<S, M, f64, C>, &f64)| {
+            run.advance(10_u64.pow(power) - run.steps()).expect("steps");
+            (run.energy() / energy - 1.0).powi(2)
+        };
+        let count = runs.len() as f64;
+        let sum: f64 = runs.iter_mut().zip(&energies).map(square).sum();
+        (10_f64.powi(power as i32), (sum / count).sqrt())
+    });
+    errors.collect()
 }
 
 /// Starts that differ in the last digits, and so in all roundings.
@@ -37,11 +42,12 @@ fn orbits<M: Method<Kepler>>(method: M, h: f64, starts: u32) -> Vec<Integrator<K
 /// Numbers of steps, and the errors after them.
 pub(crate) type Growth = Vec<(f64, f64)>;
 
-/// A method whose energy error is rounding alone, on a system: its growth up to a power of ten of steps, from so many starts.
+/// A method whose energy error is rounding alone, on a system: its growth up to a power of ten of steps from so many starts, and up to another one from the
+/// first of them.
 pub(crate) struct Walk {
     pub(crate) name: &'static str,
-    pub(crate) plain: fn(u32, u32) -> Growth,
-    pub(crate) compensated: fn(u32, u32) -> Growth,
+    pub(crate) plain: fn((u32, u32), u32) -> Growth,
+    pub(crate) compensated: fn((u32, u32), u32) -> Growth,
 }
 
 /// All of them.
@@ -49,8 +55,8 @@ pub(crate) fn walks() -> Vec<Walk> {
     macro_rules! walks {
         ($($system:literal, $starts:ident: $($method:expr, $h:literal),+;)*) => { vec![$($( Walk {
             name: concat!($system, ", ", stringify!($method), ", h = ", $h),
-            plain: |most, starts| growth($starts($method, $h, starts), most),
-            compensated: |most, starts| growth($starts($method, $h, starts).into_iter().map(Integrator::compensated).collect(), most),
+            plain: |(most, starts), first| growth($starts($method, $h, starts), most, first),
+            compensated: |(most, starts), first| growth($starts($method, $h, starts).into_iter().map(Integrator::compensated).collect(), most, first),
         } ),+),*] };
     }
     walks! {

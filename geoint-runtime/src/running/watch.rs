@@ -1,6 +1,7 @@
 //! What explains a refused step: the step is repeated, and every point at which it evaluates the energy is examined.
 
 use crate::method::Probe;
+use crate::running::error::StepError;
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::space::Point;
@@ -12,6 +13,12 @@ pub(crate) struct Watch<'a, S, X> {
     system: &'a S,
     poles: Poles,
     start: X,
+    seen: Seen,
+}
+
+/// What a watch has seen. No system is known here: it is compiled once for all of them.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Seen {
     found: Option<Found>,
     /// The first term that was evaluated where it has no derivative.
     edge: Option<&'static str>,
@@ -31,18 +38,18 @@ type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Phase, C, S::Action>) -> Self {
-        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), found: None, edge: None }
+        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), seen: Seen::default() }
     }
 }
 
 impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
     #[inline(always)]
     fn examine(&mut self, t: R, z: &S::Phase, s: &S::Action) {
-        if self.found.is_none() {
+        if self.seen.found.is_none() {
             let (t0, z0, s0) = &self.start;
             let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
-            self.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
-            self.edge = self.edge.or_else(|| self.system.edge(t, z, s));
+            self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
+            self.seen.edge = self.seen.edge.or_else(|| self.system.edge(t, z, s));
         }
     }
 
@@ -55,8 +62,27 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
 }
 
 impl<S, X> Watch<'_, S, X> {
+    /// What it has seen.
+    pub(crate) fn seen(&self) -> Seen {
+        self.seen
+    }
+}
+
+impl Seen {
+    /// Why a step from a time on has no good end.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn error(self, outcome: Result<(), Refusal>, t: f64) -> StepError {
+        match (outcome, self.reason(outcome.err())) {
+            (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
+            (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
+            (Ok(()), None) => StepError::NonFinite { t },
+            (Err(refusal), None) => StepError::refused(refusal, t),
+        }
+    }
+
     /// What explains best why a step was refused.
-    pub(crate) fn reason(&self, refusal: Option<Refusal>) -> Option<Found> {
+    pub(crate) fn reason(self, refusal: Option<Refusal>) -> Option<Found> {
         match refusal {
             Some(Refusal::OutsideDomain { what }) => Some(Found::OutsideDomain(what)),
             // A step may end at an edge: that explains nothing but numbers that are none.
@@ -74,8 +100,8 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     }
 
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
-        if self.found.is_none() && !finite() {
-            self.found = Some(Found::Pole(piece));
+        if self.seen.found.is_none() && !finite() {
+            self.seen.found = Some(Found::Pole(piece));
         }
     }
 }

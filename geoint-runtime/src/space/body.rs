@@ -198,6 +198,7 @@ impl<A: Attitudes, C: Centres<A>> Snapshot for BodyState<A, C> {
     type Phase = [C::Array; 2];
     type Action = ();
     const ALIKE: usize = A::Array::LEN;
+    const ATTITUDES: bool = true;
     #[inline]
     fn time(&self) -> A::Real {
         self.t

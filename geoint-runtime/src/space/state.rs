@@ -87,6 +87,8 @@ pub trait Snapshot: Sealed + Copy + Debug + PartialEq {
     type Action: Action<Self::Real>;
     /// Coordinates come in groups of so many that have one unit: positions, momenta.
     const ALIKE: usize;
+    /// Whether there are unit quaternions among them.
+    const ATTITUDES: bool = false;
     /// Its time.
     fn time(&self) -> Self::Real;
     /// A point from its parts.

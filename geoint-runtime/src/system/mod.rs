@@ -122,12 +122,6 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
     }
 }
 
-/// Whether there are unit quaternions among the coordinates.
-#[inline(always)]
-pub(crate) fn has_attitudes<S: PhaseSpace<R>, R: Real>() -> bool {
-    !S::attitudes(&mut S::Phase::zero()).is_empty()
-}
-
 /// Points of the phase space of a system: [`State`], [`ContactState`](crate::ContactState),
 /// [`FlowState`](crate::FlowState), or [`BodyState`](crate::BodyState).
 pub type StateOf<S, R> = <S as PhaseSpace<R>>::State;

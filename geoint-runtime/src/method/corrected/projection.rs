@@ -1,6 +1,6 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
-use super::Memory;
+use super::{Memory, Scales};
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
@@ -16,8 +16,9 @@ use core::cell::Cell;
 ///
 /// The order of the method; invariants are kept to rounding; where gradients depend on each other, those that say nothing new take
 /// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
-/// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had: it does not depend on the
-/// units in which q and p are given, and a coordinate that has always been zero stays zero.
+/// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had, or of what it moves by in a
+/// thousand steps, if that is less: an angle of many turns is large, and energies do not change over as much. It does not depend on the units in
+/// which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 ///
 /// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Their energy then has no drift at
@@ -70,15 +71,15 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let Memory { method: memory, sizes, sums } = memory;
+        let Memory { method: memory, scales, sums } = memory;
         let before = step.x.z;
         outer_step::<S, R, M, C, P>(method, memory, *h, step.part(step.t))?;
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
-        sizes.include(&before, &moved);
+        scales.include(&before, &moved);
 
-        let way = way_back(system, invariants, sizes, [&before, &x.z], &moved)?;
+        let way = way_back(system, invariants, scales, [&before, &x.z], &moved)?;
         x.correct(sums, &before, &moved, &way.back);
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
@@ -94,20 +95,24 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// The way back from the end of a step by `moved`, in units of sizes.
+/// The way back from the end of a step by `moved`.
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
-    sizes: &Sizes<S::Phase>,
+    scales: &Scales<S::Phase>,
     [before, end]: [&S::Phase; 2],
     moved: &S::Phase,
 ) -> Result<WayBack<S::Phase>, Refusal> {
-    // D∇I, and the sum of its entries' magnitudes, by which it is divided: what an invariant of this size can be kept to.
+    let (sizes, units) = (&scales.sizes, scales.units());
+    // D∇I, and the sum of its entries' magnitudes, by which it is divided. By ε times the same sum over sizes rounding changes an invariant.
     let mut gradients = invariants.gradients(system, end);
     let directions = I::Values::entries(&mut gradients);
-    let mut terms = I::Values::zero();
-    for (direction, terms) in directions.iter_mut().zip(terms.as_mut_slice()) {
-        *terms = sizes.normalise(direction);
+    let (mut terms, mut digits) = (I::Values::zero(), Sizes::equal());
+    for (i, direction) in directions.iter_mut().enumerate() {
+        let whole = sizes.normalise(&mut direction.clone());
+        let part = units.normalise(direction);
+        terms.as_mut_slice()[i] = part;
+        digits.entries()[i] = if part.magnitude() > 0.0 { whole / part } else { zero() };
     }
     // Simplified Newton for the multipliers: at y, with the gradients that are there already.
     let triangle = orthonormalise::<I::Values, S::Phase>(directions);
@@ -116,7 +121,7 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
             back.add_scaled(*multiplier, direction);
         }
-        sizes.multiply(&mut back);
+        units.multiply(&mut back);
         back
     };
     // The increments at whose end conditions of the energy were decided last.
@@ -131,24 +136,32 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         }
         changes
     };
-    // Multipliers are relative to sizes. A correction that does not shrink may be one from side to side of a jump.
+    // A correction that does not shrink may be one from side to side of a jump.
     let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
     let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
-        let units = Sizes::equal();
         !jumps && {
             let correction = |at: &I::Values| {
                 let mut delta = residual(at);
-                along(&triangle, &mut delta);
+                along(&triangle, &digits, &mut delta);
                 delta
             };
             let kinds = [I::Values::LEN, 1];
-            let noise = noise::measure(&units, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
-            noise::explains(&noise, &correction(multipliers), &units)
+            let noise = noise::measure(&digits, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
+            // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
+            let mut digits = digits;
+            let mut gradients = invariants.gradients(system, before);
+            for (i, gradient) in I::Values::entries(&mut gradients).iter_mut().enumerate() {
+                let start = sizes.normalise(gradient);
+                if terms.as_slice()[i].magnitude() > 0.0 {
+                    digits.entries()[i] += start / terms.as_slice()[i];
+                }
+            }
+            noise::explains(&noise, &correction(multipliers), &digits)
         }
     };
     let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
         let mut delta = residual(multipliers);
-        let relative = along(&triangle, &mut delta);
+        let relative = along(&triangle, &digits, &mut delta);
         Ok((delta, relative))
     })?;
     Ok(WayBack { back: back(&multipliers), decided: decided.get() })
@@ -181,8 +194,8 @@ fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> S
     triangle
 }
 
-/// From changes of functions to multipliers of orthonormal directions; the largest change of those that have a direction.
-fn along<A: Array>(triangle: &Square<A>, changes: &mut A) -> f64 {
+/// From changes of functions to multipliers of orthonormal directions; the largest change of those that have a direction, relative to `digits`.
+fn along<A: Array>(triangle: &Square<A>, digits: &Sizes<A>, changes: &mut A) -> f64 {
     let mut greatest = 0.0_f64;
     for (i, row) in A::entries_of::<A>(triangle).iter().enumerate() {
         let (row, changes) = (row.as_slice(), changes.as_mut_slice());
@@ -191,7 +204,7 @@ fn along<A: Array>(triangle: &Square<A>, changes: &mut A) -> f64 {
             continue;
         }
         // Not `max`: that would lose what is not a number.
-        let change = changes[i].magnitude();
+        let change = changes[i].magnitude() / digits.of(i);
         greatest = if change <= greatest { greatest } else { change };
         for j in 0..i {
             changes[i] -= row[j] * changes[j];

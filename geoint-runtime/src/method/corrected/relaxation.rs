@@ -78,7 +78,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        Memory { corrected: super::Memory { method: memory, sizes, sums }, left }: &mut Self::Memory,
+        Memory { corrected: super::Memory { method: memory, scales, sums }, left }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
@@ -86,13 +86,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
-        sizes.include(&before, &moved);
+        scales.include(&before, &moved);
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);
         let rate = dot(&gradient, &moved);
         // What rounding of the coordinates changes the energy by is ε times its terms. The energy has a value of its own to be rounded, and forces
         // that cancel are small beside it.
-        let terms = sizes.normalise(&mut gradient).magnitude();
+        let terms = scales.sizes.normalise(&mut gradient).magnitude();
         let rounding = ROUNDINGS * R::epsilon() * terms;
         let noise = || rounding + ROUNDINGS * R::epsilon() * system.kept_energy(t, &before).magnitude();
 

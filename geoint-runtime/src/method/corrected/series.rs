@@ -37,14 +37,14 @@ where
     #[inline]
     fn correction(
         &self,
-        Memory { sizes, .. }: &mut Memory<(), S::Phase>,
+        Memory { scales, .. }: &mut Memory<(), S::Phase>,
         system: &S,
         before: &S::Phase,
         z: &S::Phase,
     ) -> Result<Option<S::Phase>, Refusal> {
         let moved = difference(z, before);
-        sizes.include(before, &moved);
-        way_back(system, &self.1, sizes, [before, z], &moved).map(|way| Some(way.back))
+        scales.include(before, &moved);
+        way_back(system, &self.1, scales, [before, z], &moved).map(|way| Some(way.back))
     }
     fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
         M::series(coefficient)

@@ -46,7 +46,16 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     fn prepare(table: &Splitting<K, O>, system: &S, h: R) -> Self {
         let part = |fraction: f64| R::from_f64(fraction) * h;
-        let reached = |fractions: &[f64]| part(fractions.iter().sum());
+        let (mut inner_at, mut outer_at) = ([h; K], [h; K]);
+        let (mut outers, mut inners) = (0.0, 0.0);
+        for i in 0..K {
+            outers += table.outer[i];
+            inners += table.inner[i];
+            inner_at[i] = part(outers);
+            if i + 1 < K {
+                outer_at[i] = part(inners);
+            }
+        }
         let cube = h * h * h;
         let weight = |fraction: f64, gradient: f64| Weight {
             h: part(fraction),
@@ -64,8 +73,8 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 _ => outer(merged.0, merged.1),
             }),
             last: last.map(|(fraction, gradient)| outer(fraction, gradient)),
-            inner_at: core::array::from_fn(|i| reached(&table.outer[..=i])),
-            outer_at: core::array::from_fn(|i| if i + 1 < K { reached(&table.inner[..=i]) } else { h }),
+            inner_at,
+            outer_at,
             repeats: O::REPEATS && table.last == table.outer[0],
         }
     }
@@ -203,9 +212,10 @@ fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     flow: impl FnOnce(Moving<'_, S, R, C>),
 ) {
     probe.visit(t, &x.z, &x.s);
-    let named = P::PATIENT && is_drift && x.is_finite();
+    // The constant first: nothing is compiled of what is not asked.
+    let named = P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && is_drift && x.is_finite();
     flow(moving(system, x));
-    if named {
+    if P::PATIENT && const { !S::DRIFT_PARTS.is_empty() } && named {
         for part in S::DRIFT_PARTS {
             probe.flown(part.name, || part.is_finite(&x.z));
         }

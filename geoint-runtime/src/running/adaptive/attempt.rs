@@ -133,7 +133,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         match self.take::<M, _>(&prepared, &mut [M::memory(), M::memory()], &mut watch) {
             Ok((_, error)) => Reason::Inaccurate { error },
             Err(reason @ Reason::OutsideDomain { .. }) => reason,
-            Err(reason) => match watch.reason(None) {
+            Err(reason) => match watch.seen().reason(None) {
                 Some(Found::OutsideDomain(what)) => Reason::OutsideDomain { what },
                 Some(Found::Pole(piece)) => Reason::Pole { piece },
                 None => reason,

@@ -8,8 +8,8 @@ use crate::running::step_size::{Bounds, Controller};
 use crate::running::tolerance::Tolerance;
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{DoubleWord, PerCoordinate, normalisation, wrong_length};
-use crate::system::{PhaseSpace, Rates, has_attitudes};
+use crate::space::{DoubleWord, PerCoordinate, Snapshot, normalisation, wrong_length};
+use crate::system::{PhaseSpace, Rates};
 
 /// A system under a method, and all that decides on the next step.
 #[derive(Clone)]
@@ -144,7 +144,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.taken += 1;
-            if has_attitudes::<S, R>() && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+            if S::State::ATTITUDES && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
                 self.x.add(&normalisation::<S, R>(&self.x.z));
             }
             return Ok(());
@@ -166,7 +166,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         if self.taken != self.given {
             return Ok(());
         }
-        if let Some(length) = wrong_length::<S, R>(&self.x.z) {
+        if S::State::ATTITUDES
+            && let Some(length) = wrong_length::<S, R>(&self.x.z)
+        {
             return Err(StepError::NotNormalised { t, length });
         }
         match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {

@@ -6,7 +6,7 @@ use crate::running::trajectory::Scalar;
 use crate::running::{Adaptive, Integrator, StepError};
 use crate::scalar::Real;
 use crate::space::{PerCoordinate, Snapshot, Summation, normalisation};
-use crate::system::{PhaseSpace, Rates, StateOf, has_attitudes};
+use crate::system::{PhaseSpace, Rates, StateOf};
 
 /// A polynomial is known by so many coefficients at most: states and rates at seven points, for methods of order 12.
 const MOST: usize = 14;
@@ -169,7 +169,7 @@ fn on<S: PhaseSpace<R>, R: Real>(curve: &CurveOf<S, R>, t: R) -> StateOf<S, R> {
         x.times(part - R::from_f64((k / 2) as f64 / (curve.points - 1) as f64));
         x.add_scaled(R::from_f64(1.0), &curve.coefficients[k]);
     }
-    if has_attitudes::<S, R>() {
+    if S::State::ATTITUDES {
         let (one, length) = (R::from_f64(1.0), normalisation::<S, R>(&x.z));
         x.add_scaled(one, &PerCoordinate { z: length, s: <S::Action as crate::space::Action<R>>::zero() });
     }

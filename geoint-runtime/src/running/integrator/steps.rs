@@ -2,10 +2,10 @@
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::StepError;
-use crate::running::watch::{Found, Watch};
+use crate::running::watch::Watch;
 use crate::scalar::{Real, signed};
-use crate::space::{Array, Point, Summation, normalisation, wrong_length};
-use crate::system::{PhaseSpace, Unmet, has_attitudes, singular_time};
+use crate::space::{Array, Point, Snapshot, Summation, normalisation, wrong_length};
+use crate::system::{PhaseSpace, Unmet, singular_time};
 
 /// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
 /// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
@@ -93,7 +93,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Steps until the state is kept, to go back to.
     #[inline(always)]
     fn steps_to_look(&self) -> u64 {
-        if has_attitudes::<S, R>() {
+        if S::State::ATTITUDES {
             // They are normalised after the same steps, in whatever numbers those are asked for.
             STEPS_BETWEEN_LOOKS - self.taken % STEPS_BETWEEN_LOOKS
         } else {
@@ -152,12 +152,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         }
         let end = self.seen_as(&x, self.clock.at(1));
         watch.visit(self.clock.at(1), &end, &x.s);
-        Err(match (outcome, watch.reason(outcome.err())) {
-            (_, Some(Found::OutsideDomain(what))) => StepError::OutsideDomain { t, what },
-            (_, Some(Found::Pole(piece))) => StepError::Pole { t, piece },
-            (Ok(()), None) => StepError::NonFinite { t },
-            (Err(refusal), None) => StepError::refused(refusal, t),
-        })
+        Err(watch.seen().error(outcome, t))
     }
 
     #[inline(always)]
@@ -176,7 +171,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         if !(t.is_finite() && self.x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
-        if let Some(length) = wrong_length::<S, R>(&self.x.z) {
+        if S::State::ATTITUDES
+            && let Some(length) = wrong_length::<S, R>(&self.x.z)
+        {
             return Err(StepError::NotNormalised { t, length });
         }
         if let Some(what) = self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
@@ -263,7 +260,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn pass(&mut self, steps: u64) {
         self.clock.pass(steps);
         self.taken += steps;
-        if has_attitudes::<S, R>() && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+        if S::State::ATTITUDES && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
             self.x.add(&normalisation::<S, R>(&self.x.z));
         }
     }
