@@ -1,7 +1,7 @@
 //! The pieces of an energy in kernels.
 
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
-use crate::ir::{Graph, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::Kernel;
 use crate::split::{self, Pieces};
 
@@ -16,15 +16,17 @@ pub(in crate::derive) fn kernels(
         Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, rest)).collect()),
         Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
     };
-    let (cost, rejected) = found.as_ref().map(|found| (found.cost, found.rejected.clone())).unwrap_or_default();
-    PiecesOf { splitting, pieces, cost, rejected, symplectic: true, conserves_energy: false }
+    let split::Partition { cost, linear, rejected, .. } = found.clone().unwrap_or_default();
+    PiecesOf { splitting, pieces, cost, linear, rejected, symplectic: true, conserves_energy: false }
 }
 
 fn kernel(graph: &mut Graph, piece: &split::Piece, rest: bool) -> PieceKernel<Kernel> {
     let mut changed = piece.flow.changed(graph);
     changed.retain(|(symbol, _)| !(rest && matches!(symbol, Symbol::P(_))));
+    let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let may_end = split::may_end(graph, piece.energy, &ends);
     let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
     let split::Family { name, energies, source, .. } = piece.family;
     let known = vec![format!("{name}: {energies} ({source})")];
-    PieceKernel { energy: piece.energy, solved: false, known, clock: piece.clock, flow }
+    PieceKernel { energy: piece.energy, solved: false, may_end, known, clock: piece.clock, flow }
 }

@@ -210,11 +210,13 @@ const _: () = {
                 name: "q[0]²·p[0]²",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
             FlowPiece {
                 name: "p[0]² + q[1]·p[1]",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
         ];
         const SYMPLECTIC: bool = true;

@@ -265,11 +265,13 @@ const _: () = {
                 name: "x[0]²",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
             FlowPiece {
                 name: "x[1]²",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
         ];
         const SYMPLECTIC: bool = true;
@@ -385,6 +387,7 @@ const _: () = {
                 name: "-x[1]·w",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
         ];
         const SYMPLECTIC: bool = false;
@@ -497,6 +500,7 @@ const _: () = {
                 name: "-x[1]·w",
                 clock: PieceClock::Own,
                 solved: true,
+                may_end: true,
             },
         ];
         const SYMPLECTIC: bool = false;
@@ -640,11 +644,13 @@ const _: () = {
                 name: "-x[1]·w",
                 clock: PieceClock::Own,
                 solved: true,
+                may_end: true,
             },
             FlowPiece {
                 name: "-x[1]·w",
                 clock: PieceClock::Own,
                 solved: true,
+                may_end: true,
             },
         ];
         const SYMPLECTIC: bool = false;
