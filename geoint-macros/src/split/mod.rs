@@ -22,7 +22,7 @@ mod perturbed;
 
 pub(crate) use fields::{Motion, NoPart, Part, parts, planes, solved_planes};
 pub(crate) use flow::{Family, Flow, Piece, Space, may_end};
-pub(crate) use increment::increments;
+pub(crate) use increment::{increments, steady};
 pub(crate) use mechanics::{Mechanics, mechanics};
 pub(crate) use modified::modified_energy;
 pub(crate) use nearest::nearest;

@@ -118,6 +118,7 @@ fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
         Motion::Closed(changed) => {
             let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
             let may_end = split::may_end(graph, part.formula, &ends);
+            let changed = split::steady(graph, changed);
             (false, may_end, FlowKernel::with_increments(graph, levels, changed))
         }
         Motion::Solved(pair, field) => {
