@@ -104,7 +104,9 @@ pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
         Node::Power(base, exponent) if exponent.numerator < 0 || !exponent.is_integer() => Some(*base),
         _ => None,
     };
-    let of_energy = graph.reachable(&[energy]);
+    // What becomes singular in time is an end as well: the flow goes on to times at which the energy is not asked for.
+    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == Symbol::T);
+    let of_energy: Vec<Id> = graph.reachable(&[energy]).into_iter().filter(steady).collect();
     let bases: Vec<Id> = of_energy.iter().filter_map(divided_by).collect();
     graph.reachable(ends).iter().any(|id| match graph.node(*id) {
         Node::Call(function, _) => {
