@@ -103,6 +103,57 @@ fn what_is_given_is_taken() {
     assert!((sim.energy() / energy - 1.0).abs() < 1e-6);
 }
 
+/// A charge in a field that hardly grows.
+#[hamiltonian]
+fn growing(q: [f64; 2], p: [f64; 2], m: f64, b: f64, l: f64) -> f64 {
+    let [x, _] = q;
+    (p[0] * p[0] + (p[1] - b * (x + x * x / (2.0 * l))).powi(2)) / (2.0 * m)
+}
+
+/// Terms of degree 2 that are within the square of a sum are one piece with the others: the error is as small as the rest, at any step.
+#[test]
+fn linear_motion_is_one_piece() {
+    let report = Growing::<f64>::REPORT;
+    assert!(report.contains("linear motion is one piece") && report.contains("- rejected, at a cost of"), "{report}");
+    let error = |l: f64| {
+        let system = Growing { m: 1.5, b: 3.0, l };
+        let mut sim = system.integrator(PieceSplitting, 1.7, State::new([0.0, 0.0], [1.5, 0.0]));
+        sim.advance(10).expect("steps");
+        // A circle of radius v/ω, with ω = b/m.
+        let ([x, y], (sin, cos)) = (sim.state().q, 34.0_f64.sin_cos());
+        (x - sin / 2.0).abs().max((y - (cos - 1.0) / 2.0).abs())
+    };
+    assert!(error(1e12) < 1e-10, "{:e}", error(1e12));
+    assert!(error(1e6) < 1e-4 && error(1e6) > 1e-9, "{:e}", error(1e6));
+}
+
+/// What overflows, and parameters that are no numbers, are not called the end of a flow that has none, or that is not defined from its start.
+#[test]
+fn what_is_not_finite_is_no_end() {
+    let start = State::new([0.3, 0.1], [0.5, -0.4]);
+    for system in [Growing { m: 1.0, b: f64::NAN, l: 1.0 }, Growing { m: 1.0, b: 1e200, l: 1e-200 }] {
+        let mut sim = system.integrator(PieceSplitting, 0.1, start);
+        assert!(matches!(sim.step(), Err(StepError::NonFinite { .. })), "{:?}", sim.step());
+        assert_eq!(sim.state(), start);
+    }
+    #[hamiltonian(split = "k * q * q * p | p * p / 2.0")]
+    fn may_end(q: f64, p: f64, k: f64) -> f64 {
+        k * q * q * p + p * p / 2.0
+    }
+    let mut sim = MayEnd { k: f64::NAN }.integrator(PieceSplitting, 0.1, State::new(2.0, 0.1));
+    assert!(matches!(sim.step(), Err(StepError::NonFinite { .. })), "{:?}", sim.step());
+    #[hamiltonian(split = "p * p / 2.0 - k * q * q / 2.0 | q.powi(3)")]
+    fn hill(q: f64, p: f64, k: f64) -> f64 {
+        p * p / 2.0 - k * q * q / 2.0 + q.powi(3)
+    }
+    for (k, h) in [(f64::NAN, 0.1), (1.0, 1e4)] {
+        let mut pieces = Hill { k }.integrator(PieceSplitting, h, State::new(2.0, 0.1));
+        assert!(matches!(pieces.step(), Err(StepError::NonFinite { .. })), "{:?}", pieces.step());
+        let mut parts = Hill { k }.integrator(WisdomHolman, h, State::new(2.0, 0.1));
+        assert!(matches!(parts.step(), Err(StepError::NonFinite { .. })), "{:?}", parts.step());
+    }
+}
+
 /// A flow that ends refuses the step, names the piece, and leaves the state.
 #[test]
 fn a_flow_that_ends_is_refused() {

@@ -183,8 +183,35 @@ macro_rules! frame {
                 together.q[3] = together.q[2];
                 let mut sim = OUTER.integrator(Aba10_6_4, 100.0, together);
                 let refused = sim.advance(10);
-                assert!(matches!(refused, Err(StepError::OutsideDomain { .. })), "{refused:?}");
+                let Err(StepError::OutsideDomain { what, .. }) = refused else { panic!("{refused:?}") };
+                assert!(what.contains("q[3]") && what.contains("q[2]"), "{what}");
                 assert_eq!(sim.state(), together);
+            }
+
+            /// A step of half a period of the innermost planet, and more, is no error: it is wrong.
+            #[test]
+            fn steps_that_mean_nothing_are_taken() {
+                for h in [2000.0, 5000.0] {
+                    let mut sim = OUTER.integrator(WisdomHolman, h, outer_planets::start());
+                    sim.advance(20).expect("numbers");
+                    assert!(sim.state().q.iter().all(|q| q.iter().all(|x| x.is_finite())));
+                }
+            }
+
+            /// An order of bodies that is not that of their distances makes the rest large, not wrong.
+            #[test]
+            fn bodies_in_any_order() {
+                let order = [0, 5, 2, 4, 1, 3];
+                let arranged = OuterPlanets { m: order.map(|i| OUTER.m[i]), ..OUTER };
+                let start = outer_planets::start();
+                let mut sim = arranged.integrator(Aba10_6_4, 50.0, State::new(order.map(|i| start.q[i]), order.map(|i| start.p[i])));
+                let mut exact = OUTER.integrator(BceRkn17_8, 40.0, start);
+                sim.advance(400).expect("no collision");
+                exact.advance(500).expect("no collision");
+                let (found, mut state) = (sim.state(), exact.state());
+                (state.q, state.p) = (order.map(|i| state.q[i]), order.map(|i| state.p[i]));
+                let error = outer_planets::error(&found, &state);
+                assert!(error < 1e-9, "{error:e}");
             }
         }
     };

@@ -245,6 +245,12 @@ impl Function {
     pub(crate) const LINEAR_FLOW: [Function; 4] =
         [Function::SineAt, Function::SineSlope, Function::CosineAt, Function::CosineSlope];
 
+    /// Whether this is not a number where a flow has ended.
+    pub(crate) fn ends_flows(self) -> bool {
+        use Function::*;
+        matches!(self, NotNegative | RecipPositive | AtMost | Powf | Spread | Swept) || Self::KEPLER.contains(&self)
+    }
+
     /// The function that shares the work of this one.
     pub(crate) fn partner(self) -> Option<Function> {
         PARTNERS.iter().find_map(|[a, b]| match self {

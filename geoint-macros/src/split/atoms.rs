@@ -2,9 +2,9 @@
 
 use super::families::piece;
 use super::flow::Space;
-use super::polynomial::{Monomial, Polynomial, degree, times_powers};
+use super::linear_motion::{is_quadratic, linear_motion, monomials};
 use crate::analyze::{self, Reads};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Graph, Id, Node, Ratio};
 
 /// With more terms than this those that read the same parts of phase space stay together: all subsets are tried.
 const MAX_ATOMS: usize = 7;
@@ -104,34 +104,6 @@ impl Classes {
     }
 }
 
-/// The quadratic terms if some of them couple, and their sum; those of positions alone are left out where only without them its flow is
-/// known.
-pub(super) fn linear_motion(graph: &mut Graph, terms: &[Id], space: Space) -> Option<(Vec<Id>, Id)> {
-    let mut taken: Vec<Id> = terms.iter().copied().filter(|term| is_quadratic(graph, *term)).collect();
-    if !taken.iter().any(|term| analyze::reads(graph, *term).kinds() > 1) {
-        return None;
-    }
-    for _ in 0..2 {
-        let together = graph.sum(&taken);
-        if piece(graph, together, space).is_some() {
-            return Some((taken, together));
-        }
-        taken.retain(|term| analyze::reads(graph, *term).p);
-    }
-    None
-}
-
-/// Whether a term is of degree 2 in the coordinates.
-pub(super) fn is_quadratic(graph: &mut Graph, term: Id) -> bool {
-    let Some(powers) = Polynomial::of(graph, term, &Symbol::is_coordinate) else { return false };
-    powers.has_only(|monomial| is_whole(monomial) && degree(monomial.values().copied()) == Some(Ratio::integer(2)))
-}
-
-/// Whether no exponent is negative or a fraction.
-pub(super) fn is_whole(monomial: &Monomial) -> bool {
-    monomial.values().all(|power| power.is_integer() && power.numerator > 0)
-}
-
 /// A product with a sum that couples, or a power of one, as a sum of products; without an action every polynomial that couples.
 fn distributed(graph: &mut Graph, term: Id, space: Space) -> Option<Vec<Id>> {
     let (c, rest) = graph.coefficient(term);
@@ -158,13 +130,4 @@ fn distributed(graph: &mut Graph, term: Id, space: Space) -> Option<Vec<Id>> {
         products = pairs.collect::<Vec<_>>().into_iter().map(|(product, term)| graph.mul(product, term)).collect();
     }
     Some(products)
-}
-
-/// The terms of a product of sums of powers.
-fn monomials(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
-    let powers = Polynomial::of(graph, term, &Symbol::is_coordinate)?;
-    if powers.single().is_some() || !powers.has_only(is_whole) {
-        return None;
-    }
-    Some(powers.into_terms().map(|(monomial, coefficient)| times_powers(graph, coefficient, &monomial)).collect())
 }

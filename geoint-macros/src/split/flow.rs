@@ -1,6 +1,8 @@
 //! What families of energies, pieces and their flows are.
 
+use super::polynomial::is_free;
 use super::time::Clock;
+use crate::ir::op::Domain;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 use crate::schedule::Levels;
 
@@ -93,6 +95,30 @@ impl Flow {
     pub(super) fn all(&self) -> Vec<Id> {
         [&self.q[..], &self.p, &[self.s]].concat()
     }
+}
+
+/// Whether a flow may end before its time at points where its energy is defined: it reads then what is not a number there. What is not
+/// finite otherwise has overflown, or is made of parameters that are not finite.
+pub(crate) fn may_end(graph: &Graph, energy: Id, ends: &[Id]) -> bool {
+    let divided_by = |id: &Id| match graph.node(*id) {
+        Node::Power(base, exponent) if exponent.numerator < 0 || !exponent.is_integer() => Some(*base),
+        _ => None,
+    };
+    // What becomes singular in time is an end as well: the flow goes on to times at which the energy is not asked for.
+    let steady = |id: &Id| is_free(graph, *id, &|symbol| symbol == Symbol::T);
+    let of_energy: Vec<Id> = graph.reachable(&[energy]).into_iter().filter(steady).collect();
+    let bases: Vec<Id> = of_energy.iter().filter_map(divided_by).collect();
+    graph.reachable(ends).iter().any(|id| match graph.node(*id) {
+        Node::Call(function, _) => {
+            function.ends_flows() || function.entry().domain != Domain::Everywhere && !of_energy.contains(id)
+        }
+        _ => divided_by(id).is_some_and(|base| !bases.contains(&base) && !is_constant(graph, base)),
+    })
+}
+
+/// Whether nothing that moves, nor the length of a flow, is read.
+fn is_constant(graph: &Graph, id: Id) -> bool {
+    is_free(graph, id, &|symbol| symbol.is_coordinate() || matches!(symbol, Symbol::T | Symbol::H))
 }
 
 /// A part of the energy whose flow is known in closed form.

@@ -2,6 +2,8 @@
 
 use super::polynomial::factors;
 use super::scalar::mean_of_power;
+use crate::analyze;
+use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// end − x for every coordinate that a flow changes.
@@ -12,6 +14,34 @@ pub(crate) fn increments(graph: &mut Graph, ends: &[(Symbol, Id)]) -> Vec<Id> {
         direct.unwrap_or_else(|| graph.sub(*end, x))
     };
     ends.iter().map(difference).collect()
+}
+
+/// Linear maps with constant coefficients as x and what they add to it. 1 + c, rounded, would make areas grow, or shrink, by the same rounding at each
+/// step: energies and lengths would have a trend.
+pub(crate) fn steady(graph: &mut Graph, ends: Vec<(Symbol, Id)>) -> Vec<(Symbol, Id)> {
+    let all: Vec<Id> = ends.iter().map(|(_, end)| *end).collect();
+    let moving: Vec<Symbol> = ends.iter().map(|(symbol, _)| *symbol).collect();
+    let is_moving = |symbol: Symbol| moving.contains(&symbol);
+    if !analyze::is_polynomial_in(graph, &all, 1, is_moving) {
+        return ends;
+    }
+    let weights = diff::jacobian(graph, &all, &moving);
+    let is_varying = |graph: &Graph, id: Id| {
+        let reads = analyze::reads(graph, id);
+        reads.state() || reads.t
+    };
+    if weights.into_iter().flatten().any(|weight| is_varying(graph, weight)) {
+        return ends;
+    }
+    let added = increments(graph, &ends);
+    ends.into_iter()
+        .zip(added)
+        .map(|((symbol, end), added)| {
+            let x = graph.symbol(symbol);
+            let beside = matches!(graph.node(end), Node::Linear(_, terms) if terms.contains(&(Number::ONE, x)));
+            (symbol, if beside { end } else { graph.add(x, added) })
+        })
+        .collect()
 }
 
 /// end − x, if it can be seen how x is contained in `end`.
@@ -77,7 +107,13 @@ fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
                 }
                 _ => None,
             },
-            // cos w − 1 = −2 sin² w/2.
+            // cos w − 1 = −2 sin² w/2, of an angle that is prepared: of others it would be one more sine a step.
+            Function::Cos if !analyze::reads(graph, args[0]).state() => {
+                let half = graph.scale(Number::HALF, args[0]);
+                let sine = graph.call(Function::Sin, &[half]);
+                let square = graph.mul(sine, sine);
+                Some(graph.scale(Number::integer(-2), square))
+            }
             Function::StumpffC0 => {
                 let half = graph.scale(Number::HALF, args[0]);
                 let quarter = graph.scale(Number::HALF, half);

@@ -3,6 +3,7 @@
 use super::atoms::atoms;
 use super::families::{FAMILIES, piece};
 use super::flow::{Piece, Space};
+use super::linear_motion::hidden_linear_motion;
 use super::nystrom::{in_order_of_nystrom, is_nystrom};
 use super::powers::powers_of_forms;
 use crate::analyze::{self, Split, Structure};
@@ -28,6 +29,8 @@ pub(crate) struct Partition {
     ends_early: bool,
     /// Whether these are two, A and B, with {B, {B, {B, A}}} = 0.
     pub(crate) nystrom: bool,
+    /// Whether it was taken because all linear motion is in A, and not for what it costs.
+    pub(crate) linear: bool,
     /// What else was found.
     pub(crate) rejected: Vec<Rejected>,
 }
@@ -42,7 +45,8 @@ pub(crate) struct Rejected {
 /// Splits H; into the groups that the user wants, if there are any.
 ///
 /// With an action into the fewest pieces. Without one into those whose flows never end, as shears, rather than such as qᵏpⁿ have; then into
-/// those whose flows cost least, which need not be the fewest.
+/// those whose flows cost least, which need not be the fewest. Before all that comes linear motion as a whole beside a rest, if both are an A and
+/// a B for tables of Runge–Kutta–Nyström type.
 pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option<&[(Id, Place)]>) -> Pieces {
     if let Some(groups) = groups {
         // In the order given: who groups by hand knows what is to be in the middle.
@@ -67,10 +71,32 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
     let mut found: Vec<Partition> = found.into_iter().map(|pieces| Partition::of(graph, pieces)).collect();
     found.sort_by_key(|partition| (partition.ends_early, partition.cost, partition.pieces.len()));
     found.dedup_by_key(|partition| partition.energies());
-    let mut best = found.remove(0);
+    // One piece has no error.
+    let around = if found[0].pieces.len() > 1 { around_linear_motion(graph, energy, space) } else { None };
+    let mut best = around.unwrap_or_else(|| {
+        let mut cheapest = found.remove(0);
+        cheapest.nystrom = !space.action && in_order_of_nystrom(graph, &mut cheapest.pieces, space.degrees);
+        cheapest
+    });
     best.rejected = found.iter().map(|other| Rejected { energies: other.energies(), cost: other.cost }).collect();
-    best.nystrom = !space.action && in_order_of_nystrom(graph, &mut best.pieces, space.degrees);
     Ok(best)
+}
+
+/// All linear motion as one piece and the rest as another, where less of it would be one otherwise.
+///
+/// The error of pieces that share a motion of frequency ω is as large as (hω)ⁿ allows, however small the motion; around linear motion it is as
+/// small as the rest, for a flow that costs hardly more. Measured: a charge in a field that grows takes 0.58 of the time that two shears take,
+/// and oscillators of which nothing is small 1.4 at most.
+fn around_linear_motion(graph: &mut Graph, energy: Id, space: Space) -> Option<Partition> {
+    if space.action {
+        return None;
+    }
+    let parts = hidden_linear_motion(graph, energy, space)?;
+    let pieces: Option<Vec<Piece>> = parts.into_iter().map(|energy| piece(graph, energy, space)).collect();
+    let mut partition = Partition::of(graph, pieces?);
+    partition.linear = true;
+    partition.nystrom = is_nystrom(graph, &partition.pieces, space.degrees);
+    (partition.nystrom && !partition.ends_early).then_some(partition)
 }
 
 /// The pieces of H(q, p, t) where kick and drift are none, or not the pieces that the user wants.
@@ -92,7 +118,7 @@ impl Partition {
         let ends = [costs.first(), costs.last()].into_iter().flatten().sum::<usize>();
         let cost = if costs.len() > 1 { 2 * costs.iter().sum::<usize>() - ends } else { ends / 2 };
         let ends_early = pieces.iter().any(|piece| piece.flow.ends_early(graph));
-        Partition { pieces, cost, ends_early, nystrom: false, rejected: vec![] }
+        Partition { pieces, cost, ends_early, nystrom: false, linear: false, rejected: vec![] }
     }
 
     fn energies(&self) -> Vec<Id> {

@@ -2,9 +2,9 @@
 //!
 //! x₁⋯xₙ = Σ ε₂⋯εₙ (x₁ + ε₂x₂ + … + εₙxₙ)ⁿ/(2ⁿ⁻¹ n!) over all signs. S. Blanes, Phys. Rev. E 65 (2002) 056703.
 
-use super::atoms::{is_quadratic, is_whole};
 use super::families::piece;
 use super::flow::Space;
+use super::linear_motion::{is_quadratic, is_whole};
 use super::polynomial::Polynomial;
 use crate::analyze;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};

@@ -100,7 +100,10 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     }
 
     fn flown(&mut self, piece: &'static str, finite: impl FnOnce() -> bool) {
-        if self.seen.found.is_none() && !finite() {
+        // What is not defined at the start, as with parameters that are no numbers, has no flow that could end.
+        let (t, z, s) = &self.start;
+        let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
+        if self.seen.found.is_none() && !finite() && defined() {
             self.seen.found = Some(Found::Pole(piece));
         }
     }

@@ -4,42 +4,57 @@
 
 use crate::scalar::Real;
 
-/// Terms of the series.
-const TERMS: u32 = 16;
+/// The longest series, an even number of terms.
+const MOST_TERMS: u32 = 16;
 
-/// exp(A) − 1 as an array of columns, of a matrix with these entries, each with its place column by column: a series for A/2ˢ, and
+/// exp(A) − 1 as an array of columns, of a matrix with these entries, each with its place column by column, in order: a series for A/2ˢ, and
 /// exp(2A) − 1 = 2D + D² for D = exp(A) − 1.
 pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; N] {
     let zero = R::from_f64(0.0);
-    let mut columns = [0.0; N];
-    for (place, entry) in entries {
-        columns[place / N] += entry.magnitude();
-    }
-    let norm = columns.into_iter().fold(0.0, f64::max);
+    let mut rest = entries;
+    let columns: [&[(usize, R)]; N] = core::array::from_fn(|j| {
+        let (own, others) = rest.split_at(rest.iter().take_while(|(place, _)| place / N == j).count());
+        rest = others;
+        own
+    });
+    // Of A, and of A², which the units of momenta do not enter.
+    let sizes = columns.map(|column| column.iter().map(|(_, entry)| entry.magnitude()).sum::<f64>());
+    let squares =
+        columns.map(|column| column.iter().map(|(place, entry)| entry.magnitude() * sizes[place % N]).sum::<f64>());
     // Too large, or no number.
-    if norm.is_nan() || norm >= f64::MAX.sqrt() {
+    if !sizes.iter().chain(&squares).all(|size| *size < f64::MAX.sqrt()) {
         return [[R::from_f64(f64::NAN); N]; N];
     }
-    // The next term of the series is lost: z¹⁷/17! < ε z.
+    let square = squares.into_iter().fold(0.0, f64::max);
+    // Whether the next term of a series of A/2ˢ is lost: of 16 terms, if A·(A²)⁸/17! < ε A.
+    let is_lost = |part: f64, terms: u32| {
+        let power = (0..terms / 2).fold(1.0, |power, _| power * square * part * part);
+        power <= R::epsilon() * (1..=terms + 1).map(f64::from).product::<f64>()
+    };
     let (mut part, mut doublings) = (1.0, 0);
-    let factorial = (1..=TERMS + 1).map(f64::from).product::<f64>();
-    while (0..TERMS).fold(1.0, |power, _| power * norm * part) > R::epsilon() * factorial {
+    while !is_lost(part, MOST_TERMS) {
         part /= 2.0;
         doublings += 1;
     }
-    // D ← (D + 1) A/k, from the last term to the first.
+    let terms = (2..MOST_TERMS).step_by(2).find(|terms| is_lost(part, *terms)).unwrap_or(MOST_TERMS);
+    // D ← (D + 1) A/k, from the last term to the first, a column in registers.
     let mut change = [[zero; N]; N];
-    for k in (1..=TERMS).rev() {
-        let mut product = [[zero; N]; N];
+    for k in (1..=terms).rev() {
+        let before = change;
         let weight = R::from_f64(part) / R::from_f64(f64::from(k));
-        for (place, entry) in entries {
-            let (column, row, entry) = (place / N, place % N, *entry * weight);
-            for i in 0..N {
-                product[column][i] = change[row][i].multiply_add(entry, product[column][i]);
+        for (column, own) in change.iter_mut().zip(columns) {
+            let mut sum = [zero; N];
+            for (place, entry) in own {
+                let (row, entry) = (place % N, *entry * weight);
+                for i in 0..N {
+                    sum[i] = before[row][i].multiply_add(entry, sum[i]);
+                }
             }
-            product[column][row] += entry;
+            *column = sum;
+            for (place, entry) in own {
+                column[place % N] += *entry * weight;
+            }
         }
-        change = product;
     }
     for _ in 0..doublings {
         let mut doubled = change.map(|column| column.map(|x| x + x));
@@ -55,22 +70,33 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
     change
 }
 
-/// A matrix, by columns, times a vector. Two sums side by side wait half as long.
+/// A matrix, by columns, times a vector: as many rows at a time as a processor without wider vectors has registers for.
 #[inline(always)]
 pub fn flow_change<R: Real, const N: usize>(matrix: &[R], x: [R; N]) -> [R; N] {
-    let (mut even, mut odd) = ([R::from_f64(0.0); N], [R::from_f64(0.0); N]);
-    for (columns, x) in matrix.chunks(2 * N).zip(x.chunks(2)) {
-        let (first, second) = columns.split_at(N);
-        for i in 0..N {
-            even[i] = first[i].multiply_add(x[0], even[i]);
-        }
-        if let [_, x] = x {
-            for i in 0..N {
-                odd[i] = second[i].multiply_add(*x, odd[i]);
+    let (mut all, mut first) = ([R::from_f64(0.0); N], 0);
+    macro_rules! rows {
+        ($($count:literal)*) => { $(
+            while N - first >= $count {
+                all[first..first + $count].copy_from_slice(&rows::<R, N, $count>(matrix, &x, first));
+                first += $count;
             }
+        )* };
+    }
+    rows!(16 8 4 2 1);
+    all
+}
+
+/// Some rows of that. Two sums side by side wait half as long, where there are few.
+#[inline(always)]
+fn rows<R: Real, const N: usize, const ROWS: usize>(matrix: &[R], x: &[R; N], first: usize) -> [R; ROWS] {
+    let mut sums = [[R::from_f64(0.0); ROWS]; 2];
+    for (j, (column, x)) in matrix.chunks_exact(N).zip(x).enumerate() {
+        let sum = &mut sums[if ROWS < 16 { j % 2 } else { 0 }];
+        for (sum, entry) in sum.iter_mut().zip(&column[first..first + ROWS]) {
+            *sum = entry.multiply_add(*x, *sum);
         }
     }
-    core::array::from_fn(|i| even[i] + odd[i])
+    core::array::from_fn(|i| if ROWS < 16 { sums[0][i] + sums[1][i] } else { sums[0][i] })
 }
 
 /// Numbers and matrices in a row.

@@ -78,6 +78,8 @@ pub struct Piece {
     pub clock: Clock,
     /// Whether its flow is not known in closed form, and a symmetric step of order 2 is solved for in its place.
     pub solved: bool,
+    /// Whether its flow may end before its time.
+    pub may_end: bool,
 }
 
 /// The system is a sum of pieces whose flows are known: for the splitting `M`.

@@ -177,6 +177,56 @@ fn what_has_no_orbit_is_refused() {
     assert!(sim.state().q[1][0].is_finite() && sim.state().q[1][0] < 0.1);
 }
 
+/// A charge in a uniform field and a potential.
+#[hamiltonian]
+fn charge(q: [f64; 2], p: [f64; 2], m: f64, b: f64, k: f64) -> f64 {
+    let [x, y] = q;
+    ((p[0] + b * y).powi(2) + (p[1] - b * x).powi(2)) / (2.0 * m)
+        + k * ((x.powi(4) + y.powi(4)) / 4.0 + x * x * y / 2.0)
+}
+
+#[test]
+fn charges_gyrate() {
+    let start = State::new([0.5, 0.3], [0.2, -0.4]);
+    let free = Charge { m: 0.7, b: 1.3, k: 0.0 };
+    // A circle, in one step: with ω = 2b/m the velocity turns by ωh.
+    let mut sim = free.integrator(WisdomHolman, 2.3, start);
+    sim.step().expect("a circle");
+    let ([u, v], omega) = ([(0.2 + 1.3 * 0.3) / 0.7, (-0.4 - 1.3 * 0.5) / 0.7], 2.0 * 1.3 / 0.7);
+    let (sin, cos) = (2.3_f64 * omega).sin_cos();
+    let expected = [0.5 + (u * sin + v * (1.0 - cos)) / omega, 0.3 + (v * sin - u * (1.0 - cos)) / omega];
+    assert!(sim.state().q.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-14), "{:?} {expected:?}", sim.state());
+    // With a potential: orders of tables of all kinds, against a method that knows nothing of A and B.
+    let system = Charge { k: 0.4, ..free };
+    let mut exact = system.integrator(Gauss::<6>, 0.005, start);
+    exact.advance(400).expect("steps");
+    fn order<M: Method<Charge>>(system: Charge, method: M, exact: &State<[f64; 2]>, start: State<[f64; 2]>) -> f64 {
+        let error = |steps: u64| {
+            let mut sim = system.integrator(method, 2.0 / steps as f64, start);
+            sim.advance(steps).expect("steps");
+            distance(&flat(&sim.state()), &flat(exact))
+        };
+        (error(64) / error(128)).log2()
+    }
+    let exact = exact.state();
+    assert!((order(system, WisdomHolman, &exact, start) - 2.0).abs() < 0.2);
+    assert!((order(system, Saba3Gradient, &exact, start) - 4.0).abs() < 0.3);
+    assert!((order(system, Perturbation(BlanesMoanSrkn6b), &exact, start) - 4.0).abs() < 0.3);
+}
+
+/// A linear flow with rounded coefficients that stand beside 1 would change areas by the same number each time: the energy by 5e-16 a step.
+#[test]
+fn energies_of_oscillators_have_no_trend() {
+    let system = Hardening { m: 1.0, k: 1.0, epsilon: 0.01 };
+    for h in [0.3, 0.17] {
+        let mut sim = system.integrator(Rnia10_8_6, h, State::new(0.9, 0.3));
+        let energy = sim.energy();
+        sim.advance(100_000).expect("no singularity");
+        let change = sim.energy() / energy - 1.0;
+        assert!(change.abs() < 3e-12, "h = {h}: {change:e}");
+    }
+}
+
 /// A and B by name: the same as what is found by itself, and a part that is not found.
 #[hamiltonian(split = "p * p / (2.0 * m) + k * q * q / 2.0 | epsilon * (q.powi(3) / 3.0 + q.powi(4) / 5.0)")]
 fn hardening_by_hand(q: f64, p: f64, m: f64, k: f64, epsilon: f64) -> f64 {

@@ -129,6 +129,15 @@ mod pieces_of_separable {
     }
 }
 
+mod pieces_split_without_flow {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(split = "p[0] * p[0] / 2.0 + q[0].cos() | (p[1] - b * q[0] * q[0]).powi(2) / 2.0 | q[1].cos()")]
+    fn charge(q: [f64; 2], p: [f64; 2], b: f64) -> f64 {
+        (p[0] * p[0] + (p[1] - b * q[0] * q[0]).powi(2)) / 2.0 + q[0].cos() + q[1].cos()
+    }
+}
+
 mod pieces_verlet {
     use geoint_runtime::prelude::*;
 

@@ -105,7 +105,7 @@ fn pieces_of(
     symplectic: bool,
     conserves_energy: bool,
 ) -> PiecesOf<Kernel> {
-    PiecesOf { cost: 0, rejected: vec![], splitting, pieces, symplectic, conserves_energy }
+    PiecesOf { cost: 0, linear: false, rejected: vec![], splitting, pieces, symplectic, conserves_energy }
 }
 
 fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
@@ -114,13 +114,18 @@ fn kernel(graph: &mut Graph, part: Part) -> PieceKernel<Kernel> {
         Clock::Stage => Levels::Frozen,
     };
     let known = part.rules.iter().map(|rule| format!("{}: {}", rule.name, rule.fields)).collect();
-    let (solved, flow) = match part.motion {
-        Motion::Closed(ends) => (false, FlowKernel::with_increments(graph, levels, ends)),
+    let (solved, may_end, flow) = match part.motion {
+        Motion::Closed(changed) => {
+            let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+            let may_end = split::may_end(graph, part.formula, &ends);
+            let changed = split::steady(graph, changed);
+            (false, may_end, FlowKernel::with_increments(graph, levels, changed))
+        }
         Motion::Solved(pair, field) => {
             let h = graph.symbol(Symbol::H);
             let equation = implicit::image(graph, &field, h);
-            (true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, equation) })
+            (true, true, FlowKernel { changes: pair.to_vec(), kernel: Kernel::new(levels, equation) })
         }
     };
-    PieceKernel { energy: part.formula, solved, known, clock: part.clock, flow }
+    PieceKernel { energy: part.formula, solved, may_end, known, clock: part.clock, flow }
 }

@@ -22,6 +22,7 @@ pub(in crate::derive) fn kernels(
     };
     let changed: Vec<(Symbol, Id)> =
         parts.flow.changed(graph).into_iter().filter(|(symbol, _)| *symbol != Symbol::S).collect();
+    let changed = split::steady(graph, changed);
     let after = after_kick(graph, &changed, degrees).filter(|_| parts.jump.is_none() && parts.inner.is_none());
     let gradient_kick = match &parts.velocity {
         Ok(velocity) => {

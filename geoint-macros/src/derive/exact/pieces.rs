@@ -1,7 +1,7 @@
 //! The pieces of an energy in kernels.
 
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
-use crate::ir::{Graph, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 use crate::schedule::Kernel;
 use crate::split::{self, Pieces};
 
@@ -13,18 +13,25 @@ pub(in crate::derive) fn kernels(
     rest: bool,
 ) -> PiecesOf<Kernel> {
     let pieces = match found {
-        Ok(found) => Ok(found.pieces.iter().map(|piece| kernel(graph, piece, rest)).collect()),
+        Ok(found) => {
+            let canonical = splitting == "PieceSplitting";
+            Ok(found.pieces.iter().map(|piece| kernel(graph, piece, rest, canonical)).collect())
+        }
         Err(term) => Err(Missing { marker: "Splits", term: *term, why, pair: None }),
     };
-    let (cost, rejected) = found.as_ref().map(|found| (found.cost, found.rejected.clone())).unwrap_or_default();
-    PiecesOf { splitting, pieces, cost, rejected, symplectic: true, conserves_energy: false }
+    let split::Partition { cost, linear, rejected, .. } = found.clone().unwrap_or_default();
+    PiecesOf { splitting, pieces, cost, linear, rejected, symplectic: true, conserves_energy: false }
 }
 
-fn kernel(graph: &mut Graph, piece: &split::Piece, rest: bool) -> PieceKernel<Kernel> {
+fn kernel(graph: &mut Graph, piece: &split::Piece, rest: bool, canonical: bool) -> PieceKernel<Kernel> {
     let mut changed = piece.flow.changed(graph);
     changed.retain(|(symbol, _)| !(rest && matches!(symbol, Symbol::P(_))));
+    let ends: Vec<Id> = changed.iter().map(|(_, end)| *end).collect();
+    let may_end = split::may_end(graph, piece.energy, &ends);
+    // Friction lets areas shrink anyway.
+    let changed = if canonical { split::steady(graph, changed) } else { changed };
     let flow = FlowKernel::with_increments(graph, piece.levels(), changed);
     let split::Family { name, energies, source, .. } = piece.family;
     let known = vec![format!("{name}: {energies} ({source})")];
-    PieceKernel { energy: piece.energy, solved: false, known, clock: piece.clock, flow }
+    PieceKernel { energy: piece.energy, solved: false, may_end, known, clock: piece.clock, flow }
 }

@@ -126,6 +126,8 @@ pub(crate) struct PiecesOf<K> {
     pub(crate) pieces: Result<Vec<PieceKernel<K>>, Missing>,
     /// What flows cost a step, in units of one sum.
     pub(crate) cost: usize,
+    /// Whether they were taken because all linear motion is in the first one, and not for what they cost.
+    pub(crate) linear: bool,
     /// What else was found, and not taken.
     pub(crate) rejected: Vec<Rejected>,
     /// Whether every flow keeps the structure of phase space.
@@ -140,6 +142,8 @@ pub(crate) struct PieceKernel<K> {
     pub(crate) energy: Id,
     /// Whether its step is solved for: the kernel is then that of the equation.
     pub(crate) solved: bool,
+    /// Whether its flow may end before its time.
+    pub(crate) may_end: bool,
     /// How its flow is known: the names of rules, what they are for, and where from.
     pub(crate) known: Vec<String>,
     pub(crate) clock: Clock,
@@ -269,16 +273,16 @@ impl<K> KickDrift<K> {
 
 impl<K> PieceKernel<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PieceKernel<L> {
-        let PieceKernel { energy, solved, known, clock, flow } = self;
-        PieceKernel { energy, solved, known, clock, flow: flow.map(of) }
+        let PieceKernel { energy, solved, may_end, known, clock, flow } = self;
+        PieceKernel { energy, solved, may_end, known, clock, flow: flow.map(of) }
     }
 }
 
 impl<K> PiecesOf<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> PiecesOf<L> {
-        let PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy } = self;
+        let PiecesOf { splitting, pieces, cost, linear, rejected, symplectic, conserves_energy } = self;
         let pieces = pieces.map(|pieces| pieces.into_iter().map(|piece| piece.map(&mut *of)).collect());
-        PiecesOf { splitting, pieces, cost, rejected, symplectic, conserves_energy }
+        PiecesOf { splitting, pieces, cost, linear, rejected, symplectic, conserves_energy }
     }
 }
 

@@ -32,12 +32,12 @@ fn splitting(
     let (symplectic, conserves_energy) = (found.symplectic, found.conserves_energy);
     let printer = Printer::new(graph, |symbol| context.user_name(symbol));
     let table = pieces.iter().map(|piece| {
-        let (name, solved) = (printer.excerpt(piece.energy), piece.solved);
+        let (name, solved, may_end) = (printer.excerpt(piece.energy), piece.solved, piece.may_end);
         let clock = match piece.clock {
             Clock::Own => quote!(Own),
             Clock::Stage => quote!(Stage),
         };
-        quote!(FlowPiece { name: #name, clock: PieceClock::#clock, solved: #solved })
+        quote!(FlowPiece { name: #name, clock: PieceClock::#clock, solved: #solved, may_end: #may_end })
     });
     let types = |level: usize| {
         let slots = pieces.iter().map(|piece| Literal::usize_unsuffixed(piece.flow.kernel.slots[level]));

@@ -20,6 +20,9 @@ pub(super) fn of_energy<F: Fn(Symbol) -> String>(
         }
     };
     pieces.iter().try_for_each(|each| piece(text, printer, each))?;
+    if found.linear {
+        writeln!(text, "- linear motion is one piece, beside which errors are as small as the rest is")?;
+    }
     for Rejected { energies, cost } in &found.rejected {
         let energies: Vec<String> = energies.iter().map(|energy| printer.excerpt(*energy)).collect();
         writeln!(

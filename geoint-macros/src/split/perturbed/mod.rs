@@ -9,9 +9,9 @@ mod frame;
 mod heliocentric;
 mod jacobi;
 
-use super::atoms::{is_whole, linear_motion};
 use super::families::piece;
-use super::flow::{Flow, Space};
+use super::flow::{Flow, Space, may_end};
+use super::linear_motion::{is_whole, linear_motion};
 use super::polynomial::{Monomial, Polynomial, degree, is_momentum, times_powers};
 use super::time::Clock;
 use crate::analyze::{self, Split, Structure};
@@ -150,6 +150,7 @@ fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
     }
     let found = piece(graph, exact, Space { degrees, action: false })
         .ok_or(NoPart { term: exact, why: NO_FLOW_OF_EXACT_PART })?;
+    let ends = may_end(graph, exact, &found.flow.all());
     Ok(Perturbed {
         exact,
         kick: rest,
@@ -157,7 +158,7 @@ fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
         clock: found.clock,
         known: vec![format!("{}: {} ({})", found.family.name, found.family.energies, found.family.source)],
         velocity: velocity(graph, exact, degrees),
-        parts: vec![(OwnMotion::Energy(exact), 0..degrees as usize)],
+        parts: if ends { vec![(OwnMotion::Energy(exact), 0..degrees as usize)] } else { vec![] },
         flow: found.flow,
         inner: None,
     })

@@ -207,20 +207,22 @@ const _: () = {
                 name: "q[0]²·p[0]²",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
             FlowPiece {
                 name: "p[0]² + q[1]·p[1]",
                 clock: PieceClock::Own,
                 solved: false,
+                may_end: false,
             },
         ];
         const SYMPLECTIC: bool = true;
         const CONSERVES_ENERGY: bool = false;
         type Proof = ();
-        type Flows = ([R; 2], [R; 6]);
+        type Flows = ([R; 2], [R; 4]);
         type Frozen = ([R; 0], [R; 0]);
         #[inline]
-        fn prepare_flows(&self, outer: R, last: R) -> ([R; 2], [R; 6]) {
+        fn prepare_flows(&self, outer: R, last: R) -> ([R; 2], [R; 4]) {
             (
                 {
                     let h = outer;
@@ -251,8 +253,6 @@ const _: () = {
                         v11,
                         v12,
                         v13,
-                        v14,
-                        v15,
                     );
                     k0 = R::from_f64(0.0);
                     k1 = R::from_f64(2.0);
@@ -261,25 +261,23 @@ const _: () = {
                     v0 = slope::stumpff_c1(k0);
                     v1 = k1 * h;
                     v2 = v1 * v0;
-                    v3 = slope::stumpff_c0(k0);
-                    v4 = h * h;
-                    v5 = -v4;
-                    v6 = slope::stumpff_c1(v5);
-                    v7 = h * v6;
-                    v8 = slope::stumpff_c0(v5);
-                    v9 = -v7;
-                    v10 = k2 * v4;
-                    v11 = -v10;
-                    v12 = slope::stumpff_c1(v11);
-                    v13 = v12 * v12;
-                    v14 = k3 * v4;
-                    v15 = v14 * v13;
-                    [v2, v3, v7, v8, v9, v15]
+                    v3 = h * h;
+                    v4 = -v3;
+                    v5 = slope::stumpff_c1(v4);
+                    v6 = h * v5;
+                    v7 = k2 * v3;
+                    v8 = -v7;
+                    v9 = slope::stumpff_c1(v8);
+                    v10 = v9 * v9;
+                    v11 = k3 * v3;
+                    v12 = v11 * v10;
+                    v13 = -v6;
+                    [v2, v6, v12, v13]
                 },
             )
         }
         #[inline(always)]
-        fn freeze(&self, flows: &([R; 2], [R; 6]), t: R) -> ([R; 0], [R; 0]) {
+        fn freeze(&self, flows: &([R; 2], [R; 4]), t: R) -> ([R; 0], [R; 0]) {
             (
                 {
                     let prepared = &flows.0;
@@ -295,7 +293,7 @@ const _: () = {
         fn flow(
             &self,
             piece: usize,
-            flows: &([R; 2], [R; 6]),
+            flows: &([R; 2], [R; 4]),
             frozen: &([R; 0], [R; 0]),
             t: R,
             z: &mut [[R; 2]; 2],
@@ -326,12 +324,11 @@ const _: () = {
                     let (
                         prepared_0,
                         p0,
-                        prepared_1,
                         q0,
-                        prepared_2,
+                        prepared_1,
                         q1,
+                        prepared_2,
                         prepared_3,
-                        prepared_4,
                         p1,
                         v0,
                         v1,
@@ -343,23 +340,22 @@ const _: () = {
                     );
                     prepared_0 = prepared[0];
                     p0 = p[0];
-                    prepared_1 = prepared[1];
                     q0 = q[0];
-                    prepared_2 = prepared[2];
+                    prepared_1 = prepared[1];
                     q1 = q[1];
+                    prepared_2 = prepared[2];
                     prepared_3 = prepared[3];
-                    prepared_4 = prepared[4];
                     p1 = p[1];
-                    v0 = prepared_0 * p0;
-                    v1 = prepared_1.multiply_add(q0, v0);
-                    v2 = prepared_2 * q1;
-                    v3 = prepared_3.multiply_add(q1, v2);
-                    v4 = prepared_1 * p0;
-                    v5 = prepared_4 * p1;
-                    v6 = prepared_3.multiply_add(p1, v5);
-                    q[0] = v1;
+                    v0 = prepared_0.multiply_add(p0, q0);
+                    v1 = prepared_1 * q1;
+                    v2 = prepared_2.multiply_add(q1, v1);
+                    v3 = q1 + v2;
+                    v4 = prepared_3 * p1;
+                    v5 = prepared_2.multiply_add(p1, v4);
+                    v6 = p1 + v5;
+                    q[0] = v0;
                     q[1] = v3;
-                    p[0] = v4;
+                    p[0] = p0;
                     p[1] = v6;
                 }
                 _ => {}
@@ -369,7 +365,7 @@ const _: () = {
         fn increments(
             &self,
             piece: usize,
-            flows: &([R; 2], [R; 6]),
+            flows: &([R; 2], [R; 4]),
             frozen: &([R; 0], [R; 0]),
             t: R,
             x: &PerCoordinate<[[R; 2]; 2], ()>,
@@ -403,10 +399,10 @@ const _: () = {
                     let (
                         prepared_0,
                         p0,
-                        prepared_2,
+                        prepared_1,
                         q1,
-                        prepared_5,
-                        prepared_4,
+                        prepared_2,
+                        prepared_3,
                         p1,
                         k7,
                         v0,
@@ -417,17 +413,17 @@ const _: () = {
                     );
                     prepared_0 = prepared[0];
                     p0 = p[0];
-                    prepared_2 = prepared[2];
+                    prepared_1 = prepared[1];
                     q1 = q[1];
-                    prepared_5 = prepared[5];
-                    prepared_4 = prepared[4];
+                    prepared_2 = prepared[2];
+                    prepared_3 = prepared[3];
                     p1 = p[1];
                     k7 = R::from_f64(0.0);
                     v0 = prepared_0 * p0;
-                    v1 = prepared_2 * q1;
-                    v2 = prepared_5.multiply_add(q1, v1);
-                    v3 = prepared_4 * p1;
-                    v4 = prepared_5.multiply_add(p1, v3);
+                    v1 = prepared_1 * q1;
+                    v2 = prepared_2.multiply_add(q1, v1);
+                    v3 = prepared_3 * p1;
+                    v4 = prepared_2.multiply_add(p1, v3);
                     d.z[0][0] = v0;
                     d.z[0][1] = v2;
                     d.z[1][0] = k7;

@@ -140,6 +140,7 @@ pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
     Step { system, t, x, probe }: Step<'_, S, R, C, P>,
 ) {
     for piece in pieces {
+        let named = P::PATIENT && S::PIECES[piece].may_end && x.is_finite();
         if C::PLAIN {
             // An action that is not followed is dropped here, and with it what it is computed from.
             let mut unread = x.s;
@@ -149,6 +150,8 @@ pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
             let d = system.increments(piece, flows, frozen, t, &PerCoordinate::of(x));
             x.add_everywhere(&d);
         }
-        probe.flown(S::PIECES[piece].name, || x.is_finite());
+        if named {
+            probe.flown(S::PIECES[piece].name, || x.is_finite());
+        }
     }
 }

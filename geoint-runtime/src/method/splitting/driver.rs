@@ -61,18 +61,21 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
             h: part(fraction),
             gradient: (gradient != 0.0).then(|| R::from_f64(gradient) * cube),
         };
-        let outer = |fraction, gradient| O::prepare_outer(system, weight(fraction, gradient));
-        let first = (table.outer[0], table.gradients[0]);
+        let outer = |(fraction, gradient)| O::prepare_outer(system, weight(fraction, gradient));
+        let start = (table.outer[0], table.gradients[0]);
         let last = (table.last != 0.0).then_some((table.last, table.gradients[0]));
-        let merged = last.map_or(first, |last| (first.0 + last.0, first.1 + last.1));
+        let merged = last.map_or(start, |last| (start.0 + last.0, start.1 + last.1));
+        let inner = core::array::from_fn(|i| (table.inner[i], table.gradients[i]));
+        let between = core::array::from_fn(|i| match i + 1 {
+            next if next < K => (table.outer[next], table.gradients[next]),
+            _ => merged,
+        });
+        let first = outer(start);
         Sequence {
-            first: outer(first.0, first.1),
-            inner: core::array::from_fn(|i| O::prepare_inner(system, weight(table.inner[i], table.gradients[i]))),
-            outer: core::array::from_fn(|i| match i + 1 {
-                next if next < K => outer(table.outer[next], table.gradients[next]),
-                _ => outer(merged.0, merged.1),
-            }),
-            last: last.map(|(fraction, gradient)| outer(fraction, gradient)),
+            inner: mirrored(inner, K, |(fraction, gradient)| O::prepare_inner(system, weight(fraction, gradient))),
+            outer: mirrored(between, K - 1, outer),
+            last: last.map(|last| if last == start { first.clone() } else { outer(last) }),
+            first,
             inner_at,
             outer_at,
             repeats: O::REPEATS && table.last == table.outer[0],
@@ -202,6 +205,24 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     fn end<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
         self.finish(Step { system, t, x, probe: &mut Unwatched });
     }
+}
+
+/// What is prepared with some weights, of which the first ones are a palindrome or not: what is there already is copied, because a matrix takes
+/// long to prepare.
+fn mirrored<W: Copy + PartialEq, T: Clone, const K: usize>(
+    weights: [W; K],
+    palindrome: usize,
+    prepare: impl Fn(W) -> T,
+) -> [T; K] {
+    let mut all = weights.map(|_| None);
+    for i in 0..K {
+        let mirror = palindrome.checked_sub(i + 1).filter(|j| *j < i && weights[*j] == weights[i]);
+        all[i] = mirror.and_then(|j| all[j].clone());
+        if all[i].is_none() {
+            all[i] = Some(prepare(weights[i]));
+        }
+    }
+    core::array::from_fn(|i| all[i].take().unwrap_or_else(|| prepare(weights[i])))
 }
 
 /// A flow under the eyes of a probe: a part of a drift that ends before its time is named.

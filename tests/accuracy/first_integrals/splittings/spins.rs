@@ -93,6 +93,19 @@ fn its_flow_is_the_solution() {
     }
 }
 
+/// A field turns spins by the same angle at every step: cos²θ + sin²θ, rounded, would be another number than 1 each time, by some 1e-17.
+#[test]
+fn lengths_of_spins_have_no_trend() {
+    let start: [f64; 12] = [0.5, 0.3, -0.2, 0.1, 0.9, 0.4, -0.3, 0.2, 0.8, -0.5, 0.5, 0.5];
+    let mut sim = Row { j: 0.7, b: 0.5 }.integrator(PoissonSplitting, 0.05, FlowState::new(start));
+    sim.advance(30_000).expect("steps");
+    let square = |x: &[f64; 12], k: usize| x[3 * k..3 * k + 3].iter().map(|x| x * x).sum::<f64>();
+    for k in 0..4 {
+        let change = square(&sim.state().x, k) / square(&start, k) - 1.0;
+        assert!(change.abs() < 3e-13, "{k}: {change:e}");
+    }
+}
+
 /// Bonds keep the sum of both spins, so that without a field steps keep that of all.
 #[test]
 fn a_row_keeps_its_sum() {
