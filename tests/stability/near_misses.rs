@@ -101,7 +101,6 @@ fn radial_orbits_do_not() {
 fn random_encounters_pass() {
     let mut random = random();
     let mut between = |a: f64, b: f64| a + (b - a) * random();
-    let mut runaways = 0;
     for _ in 0..if cfg!(debug_assertions) { 50 } else { 150 } {
         let q = [0; 3].map(|_| [between(-1.0, 1.0), between(-1.0, 1.0)]);
         let p = [0; 3].map(|_| [between(-2.0, 2.0), between(-2.0, 2.0)]);
@@ -113,10 +112,8 @@ fn random_encounters_pass() {
         // Fast ones in a plane.
         let start = State::new(q[0], p[0]);
         let refused = poles(Kepler { m: 1.3 }, DiscreteGradient, h, start, 500)
-            + poles(Kepler { m: 1.3 }, Gauss::<2>, h, start, 500);
+            + poles(Kepler { m: 1.3 }, Gauss::<2>, h, start, 500)
+            + poles(Expanded { m: 1.3 }, ImplicitMidpoint, h, start, 500);
         assert_eq!(refused, 0, "{start:?}, h = {h}");
-        // A step of the midpoint rule that has no solution: its iteration ends far behind the pole, where the denominator is nothing but rounding.
-        runaways += poles(Expanded { m: 1.3 }, ImplicitMidpoint, h, start, 500);
     }
-    assert!(runaways <= 1, "{runaways}");
 }
