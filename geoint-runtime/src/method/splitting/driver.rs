@@ -1,10 +1,11 @@
 //! The driver: a table multiplied by h, one step, and many steps with neighbouring flows merged.
 
 use super::flows::{Moving, Order, Times, Weight};
+use super::last_kick::LastKick;
 use super::table::Splitting;
 use crate::method::{Claims, Clock, Method, Name, Probe, Refusal, Step, Unwatched};
 use crate::scalar::Real;
-use crate::space::{Array, Point, Record, Summation, Tape};
+use crate::space::{Array, Point, Summation};
 use crate::system::Separable;
 
 /// Up to so many coordinates a call costs more than it saves.
@@ -23,22 +24,6 @@ pub struct Sequence<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> {
     outer_at: [R; K],
     /// A step begins with the flow that the one before ended with, and that is what it was.
     repeats: bool,
-}
-
-/// The kick that ended a step: where, and what it added to the momenta.
-#[derive(Clone, Copy, Debug)]
-pub struct LastKick<A> {
-    known: bool,
-    q: A,
-    impulse: A,
-}
-
-impl<A: Array> Record<A::Real> for LastKick<A> {
-    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        tape.flag(&mut self.known);
-        tape.array(&mut self.q);
-        tape.array(&mut self.impulse);
-    }
 }
 
 impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O, K> {
@@ -276,7 +261,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Method<S, R> for 
     }
 
     fn memory() -> Self::Memory {
-        LastKick { known: false, q: S::Array::zero(), impulse: S::Array::zero() }
+        LastKick::unknown()
     }
 
     #[inline(always)]

@@ -33,15 +33,17 @@
 mod driver;
 mod field;
 mod flows;
+mod last_kick;
 mod nystrom;
 mod processed;
 mod rotations;
 mod table;
 mod verlet;
 
-pub use driver::{LastKick, Sequence};
+pub use driver::Sequence;
 pub use field::{gradient_kick, modified_verlet};
 pub use flows::{DriftFirst, KickFirst, Kicks, Moving, Order, SomeKick, Times, Weight, WithGradient, WithoutGradient};
+pub use last_kick::LastKick;
 pub use nystrom::Nystrom;
 pub use processed::ProcessedSplitting;
 pub use rotations::{FiveRotations, KickAndRotations};

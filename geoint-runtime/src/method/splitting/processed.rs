@@ -1,7 +1,8 @@
 //! Tables with a processor: χ⁻¹ ∘ K ∘ … ∘ K ∘ χ, cheap steps K between a way before the first one and the same way back after the last.
 
-use super::driver::{LastKick, Sequence};
+use super::driver::Sequence;
 use super::flows::{Moving, Order, Times, Weight};
+use super::last_kick::LastKick;
 use super::steps_of;
 use super::table::Splitting;
 use crate::method::tables::total::adds_up;

@@ -24,6 +24,10 @@ const SENTENCES: &[(&str, &str)] = &[
     ("is exact: ", "tests/accuracy::energy_is_kept_where_the_mean_is_exact"),
     ("the equation is linear, its matrix inverted once", "tests/stability::linear_systems_are_solved_at_once"),
     ("in the order of half a step", "tests/pieces::one_degree_of_freedom"),
+    (
+        "- linear motion is one piece, beside which errors are as small as the rest is",
+        "tests/pieces::linear_motion_is_one_piece",
+    ),
     ("`BlanesMoanSrkn14a.of(PieceSplitting)`", "tests/pieces::methods_have_their_orders"),
     ("A + B, an exact flow and a kick", "tests/accuracy::tables_have_the_order_of_h_that_they_claim"),
     ("a step of order 2", "tests/planets::compositions_have_their_order"),

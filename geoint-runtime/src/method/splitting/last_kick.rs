@@ -1,0 +1,26 @@
+//! What a step may take over from the one before: steps end with the kick that the next ones begin with.
+
+use crate::space::{Array, Record, Tape};
+
+/// The kick that ended a step: where, and what it added to the momenta.
+#[derive(Clone, Copy, Debug)]
+pub struct LastKick<A> {
+    pub(super) known: bool,
+    pub(super) q: A,
+    pub(super) impulse: A,
+}
+
+impl<A: Array> LastKick<A> {
+    /// There was none yet.
+    pub(super) fn unknown() -> Self {
+        LastKick { known: false, q: A::zero(), impulse: A::zero() }
+    }
+}
+
+impl<A: Array> Record<A::Real> for LastKick<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.flag(&mut self.known);
+        tape.array(&mut self.q);
+        tape.array(&mut self.impulse);
+    }
+}
