@@ -18,7 +18,7 @@ impl Lowering {
             ("iter" | "into_iter", []) => Value::Iterator(items.clone()),
             ("len", []) => Value::Integer(items.len() as i128),
             ("windows", [Value::Integer(n @ 1..)]) => {
-                let windows = items.windows(usize::try_from(*n).unwrap_or(usize::MAX));
+                let windows = items.windows(count(n));
                 Value::iterator(windows.map(|window| Value::list(window.to_vec())))
             }
             ("map", [Value::Callable(function, sees)]) => match self.map(call, items, (function, sees)) {
@@ -39,7 +39,6 @@ impl Lowering {
         items: &Rc<Vec<Value>>,
         arguments: &[Value],
     ) -> Value {
-        let count = |n: &i128| usize::try_from(*n).unwrap_or(usize::MAX);
         match (name, arguments) {
             ("iter" | "into_iter" | "copied" | "cloned", []) => Value::Iterator(items.clone()),
             ("rev", []) => Value::iterator(items.iter().rev().cloned()),
@@ -175,4 +174,9 @@ impl Lowering {
         }
         None
     }
+}
+
+/// A number of items, of which there are never more than that.
+fn count(n: &i128) -> usize {
+    usize::try_from(*n).unwrap_or(usize::MAX)
 }
