@@ -1,6 +1,6 @@
 //! What a run costs: time, and evaluations of the energy.
 
-use geoint_runtime::method::{Probe, Step};
+use geoint_runtime::method::{Observer, Probe, Step};
 use geoint_runtime::space::{Coordinates, Plain, Point};
 use geoint_runtime::{Hamiltonian, Method, State};
 use std::time::{Duration, Instant};
@@ -42,6 +42,10 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
 }
 
 struct Count(u64);
+
+impl Observer for Count {
+    fn pause(&mut self, _: bool) {}
+}
 
 impl<S: Hamiltonian> Probe<S, f64> for Count {
     fn visit(&mut self, _: f64, _: &S::Phase, _: &()) {

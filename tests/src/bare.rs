@@ -5,7 +5,7 @@
 
 use crate::scalars::Scalar;
 use crate::scene::{Scene, flat, point};
-use geoint_runtime::method::{Probe, Refusal, Step};
+use geoint_runtime::method::{Observer, Probe, Refusal, Step};
 use geoint_runtime::space::{Plain, Point, Snapshot};
 use geoint_runtime::{Method, PhaseSpace, Real};
 
@@ -28,6 +28,10 @@ type PointOf<P, R> =
 
 /// Points at which an energy was evaluated to solve an equation.
 struct Count(u64);
+
+impl Observer for Count {
+    fn pause(&mut self, _: bool) {}
+}
 
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Count {
     const PATIENT: bool = false;

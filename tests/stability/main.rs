@@ -13,6 +13,7 @@ mod near_misses;
 mod small_waves;
 mod units;
 mod long_steps;
+mod rest;
 mod rounding;
 mod time;
 mod names;

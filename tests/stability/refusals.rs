@@ -217,6 +217,24 @@ fn newton_that_does_not_converge() {
     check("composition", Suzuki4.of(DiscreteGradient));
 }
 
+/// Projected steps of order 4 end where an oscillation turns by half a turn in one: beyond hω = √12 the projection goes along the surface of
+/// constant energy.
+#[test]
+fn half_a_turn_in_a_step() {
+    #[hamiltonian]
+    fn oscillator(q: f64, p: f64, m: f64, k: f64) -> f64 {
+        p * p / (2.0 * m) + k * q * q / 2.0
+    }
+    // ω = 10.
+    let run = |h: f64| {
+        let start = State::new(1.0, 0.3);
+        Oscillator { m: 0.5, k: 50.0 }.integrator(FourthOrder(DiscreteGradient), h, start).advance(100)
+    };
+    let most = 12.0_f64.sqrt() / 10.0;
+    assert_eq!(run(0.999 * most), Ok(()));
+    assert!(matches!(run(1.001 * most), Err(StepError::Singular { .. })));
+}
+
 /// The longer a step in a well, the nearer is its middle to the bottom: in the end it is a reflection. However bad the guess, that is
 /// found.
 #[test]

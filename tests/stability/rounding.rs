@@ -1,6 +1,6 @@
 //! What divided differences without cancellation are worth: small steps, large constants in the energy, very long runs.
 
-use geoint_runtime::method::{Method, Probe, Step};
+use geoint_runtime::method::{Method, Observer, Probe, Step};
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::{Plain, Point};
 use geoint_tests::measure::{Line, distance, regression};
@@ -60,6 +60,10 @@ fn small_steps_do_not_cost_digits() {
 #[test]
 fn energy_in_the_background() {
     struct Count(u64);
+    impl Observer for Count {
+        fn pause(&mut self, _: bool) {}
+    }
+
     impl Probe<Swing, f64> for Count {
         fn visit(&mut self, _: f64, _: &[[f64; 1]; 2], _: &()) {
             self.0 += 1;

@@ -2,7 +2,8 @@
 
 use super::domain::{Domain, Roots};
 use super::exact::kick_drift::{kick_drift, modified_energy};
-use super::exact::{perturbed, pieces};
+use super::exact::perturbed;
+use super::exact::pieces::{self, Followed};
 use super::implicit;
 use super::jet::JetKernel;
 use super::system::{Implicit, Missing, System};
@@ -64,7 +65,7 @@ pub(crate) fn canonical(
         perturbed: Some(perturbed),
         modified,
         pieces: pieces
-            .map(|pieces| pieces::kernels(graph, "PieceSplitting", (pieces, NO_CANONICAL_PIECES), false))
+            .map(|pieces| pieces::kernels(graph, Followed::Canonical, (pieces, NO_CANONICAL_PIECES)))
             .into_iter()
             .collect(),
         implicit: Implicit::Field(fields.kernels(graph, structure, degrees)),

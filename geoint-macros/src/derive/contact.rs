@@ -1,7 +1,7 @@
 //! What is derived from H(q, p, s, t).
 
 use super::domain::{Domain, Roots};
-use super::exact::pieces;
+use super::exact::pieces::{self, Followed};
 use super::jet::JetKernel;
 use super::system::{
     ContactKernels, ContactStages, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
@@ -31,7 +31,8 @@ pub(crate) fn contact(
     let followed = rates.clone().unwrap_or_else(|| self::rates(graph, energy, &gradient));
     let jet = JetKernel::contact(graph, &followed);
     let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
-    let pieces = pieces::kernels(graph, "ContactSplitting", (found, NO_PIECES), lift);
+    let what = if lift { Followed::Lift } else { Followed::Contact };
+    let pieces = pieces::kernels(graph, what, (found, NO_PIECES));
     let modified = found.as_ref().ok().filter(|_| !lift).map(|found| {
         let modified = split::modified_energy(graph, &found.pieces, degrees);
         Modified::Value(Kernel::new(Levels::One, vec![modified]))

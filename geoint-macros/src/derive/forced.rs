@@ -2,7 +2,7 @@
 
 use super::contact::rates;
 use super::domain::{Domain, Roots};
-use super::exact::pieces;
+use super::exact::pieces::{self, Followed};
 use super::jet::JetKernel;
 use super::system::{ContactKernels, Implicit, Missing, System};
 use crate::analyze::{Damping, Forces};
@@ -44,7 +44,7 @@ pub(crate) fn forced(
         splitting: Some(Err(Missing { marker: "MechanicalIn", term, why: FORCED_ACTION, pair: None })),
         perturbed: None,
         modified: None,
-        pieces: vec![pieces::kernels(graph, "ContactSplitting", (&Err(term), FORCED_ACTION), false)],
+        pieces: vec![pieces::kernels(graph, Followed::Contact, (&Err(term), FORCED_ACTION))],
         implicit: Implicit::Contact(ContactKernels { steps: vec![], stages: None }),
         integrals: None,
         lagrangian: None,

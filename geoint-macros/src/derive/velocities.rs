@@ -1,7 +1,7 @@
 //! What is derived from L(q, v, t) where velocities are the unknowns of steps.
 
 use super::domain::{Domain, Roots};
-use super::exact::pieces;
+use super::exact::pieces::{self, Followed};
 use super::system::{
     HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
@@ -112,7 +112,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
         rate: None,
         splitting: Some(Err(Missing { marker: "MechanicalIn", term: long, why: FULL_MASS_OF_ACTION, pair: None })),
         modified: None,
-        pieces: vec![pieces::kernels(graph, "ContactSplitting", (&Err(long), NO_PIECES_OF_VELOCITIES), false)],
+        pieces: vec![pieces::kernels(graph, Followed::Contact, (&Err(long), NO_PIECES_OF_VELOCITIES))],
         perturbed: None,
         implicit: Implicit::Herglotz(HerglotzKernels { stages, polarised }),
         integrals: None,

@@ -18,6 +18,7 @@ mod probe;
 pub mod splitting;
 pub mod tables;
 
+pub use crate::solving::equation::Observer;
 pub use catalogue::Visitor;
 pub use clock::Clock;
 pub use explicit::tableau;

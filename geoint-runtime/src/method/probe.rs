@@ -3,11 +3,12 @@
 use crate::method::Step;
 use crate::scalar::Real;
 use crate::solving::Refusal;
+use crate::solving::equation::Observer;
 use crate::space::{Array, Point};
 use crate::system::{Known, PhaseSpace, Poles, jump_between};
 
 /// Is shown every point at which a step evaluates the energy.
-pub trait Probe<S: PhaseSpace<R>, R: Real> {
+pub trait Probe<S: PhaseSpace<R>, R: Real>: Observer {
     /// Whether a step that finds no solution is to search for one from afar. What is searched for has to be in memory, which all
     /// other steps would pay for: the fast path refuses, and the step is repeated, watched.
     const PATIENT: bool = true;
@@ -26,6 +27,11 @@ pub trait Probe<S: PhaseSpace<R>, R: Real> {
 #[derive(Clone, Copy, Debug)]
 pub struct Unwatched;
 
+impl Observer for Unwatched {
+    #[inline(always)]
+    fn pause(&mut self, _: bool) {}
+}
+
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
     const PATIENT: bool = false;
 
@@ -37,6 +43,12 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
 pub(crate) struct Deciding<'a, P, Z> {
     pub probe: &'a mut P,
     pub end: Z,
+}
+
+impl<P: Observer, Z> Observer for Deciding<'_, P, Z> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<P, Z: Array> Deciding<'_, P, Z> {

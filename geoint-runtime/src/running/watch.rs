@@ -4,6 +4,7 @@ use crate::method::Probe;
 use crate::running::error::StepError;
 use crate::scalar::Real;
 use crate::solving::Refusal;
+use crate::solving::equation::Observer;
 use crate::space::Point;
 use crate::system::{Known, PhaseSpace, Poles};
 
@@ -14,6 +15,7 @@ pub(crate) struct Watch<'a, S, X> {
     poles: Poles,
     start: X,
     seen: Seen,
+    paused: bool,
 }
 
 /// What a watch has seen. No system is known here: it is compiled once for all of them.
@@ -38,14 +40,14 @@ type Start<S, R> = (R, <S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action
 
 impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
     pub(crate) fn new<C>(system: &'a S, t: R, x: &Point<S::Phase, C, S::Action>) -> Self {
-        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), seen: Seen::default() }
+        Watch { system, poles: Poles::of(system), start: (t, x.z, x.s), seen: Seen::default(), paused: false }
     }
 }
 
 impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
     #[inline(always)]
     fn examine(&mut self, t: R, z: &S::Phase, s: &S::Action) {
-        if self.seen.found.is_none() {
+        if self.seen.found.is_none() && !self.paused {
             let (t0, z0, s0) = &self.start;
             let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
             self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
@@ -94,6 +96,12 @@ impl Seen {
     }
 }
 
+impl<S, X> Observer for Watch<'_, S, X> {
+    fn pause(&mut self, paused: bool) {
+        self.paused = paused;
+    }
+}
+
 impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
     fn visit(&mut self, t: R, z: &S::Phase, s: &S::Action) {
         if Known::<S, R>::NONE { self.examine(t, z, s) } else { self.examine_apart(t, z, s) }
@@ -103,7 +111,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
         // What is not defined at the start, as with parameters that are no numbers, has no flow that could end.
         let (t, z, s) = &self.start;
         let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
-        if self.seen.found.is_none() && !finite() && defined() {
+        if self.seen.found.is_none() && !self.paused && !finite() && defined() {
             self.seen.found = Some(Found::Pole(piece));
         }
     }

@@ -5,7 +5,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::solving::size::Sizes;
 use crate::space::vector::{moved, scaled};
@@ -23,7 +23,7 @@ const MAX_ITERATIONS: u32 = 100;
 /// at the start of the step.
 #[cold]
 #[inline(never)]
-pub(crate) fn approach_solution<A: Array, W: ?Sized>(
+pub(crate) fn approach_solution<A: Array, W: Observer + ?Sized>(
     sizes: &Sizes<A>,
     equation: impl StepEquation<A, W>,
     watch: &mut W,

@@ -3,11 +3,21 @@
 use crate::space::vector::difference;
 use crate::space::{Array, Square};
 
+/// Sees the points at which an equation is evaluated.
+pub trait Observer {
+    /// Whether what is evaluated from now on is no point of the step, and explains nothing: one looks there for rounding only.
+    fn pause(&mut self, paused: bool);
+}
+
+impl Observer for () {
+    fn pause(&mut self, _: bool) {}
+}
+
 /// An equation x = g(x) for the increment of a step. `W` watches where g is evaluated.
 ///
 /// `Copy`, because what is done seldom is done with a copy: what is pointed at from elsewhere is not kept in registers. The functions are
 /// to be inlined in the iteration, which has one place where it evaluates.
-pub(crate) trait StepEquation<A: Array, W: ?Sized>: Copy {
+pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// Whether all is done to find a solution: a search from afar, and a measure of what is rounding.
     const PATIENT: bool;
 
@@ -63,10 +73,30 @@ pub(crate) struct Distant<'a, A> {
     pub(crate) explicit: &'a dyn Fn() -> A,
 }
 
-/// x − g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated.
-pub(crate) type Residual<'a, A> = dyn FnMut(&A, &mut Square<A>) -> A + 'a;
+/// x − g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated, and who watches that.
+pub(crate) trait Residual<A: Array>: Observer {
+    fn at(&mut self, x: &A, matrix: &mut Square<A>) -> A;
+}
 
-impl<A: Array> StepEquation<A, Residual<'_, A>> for Distant<'_, A> {
+/// The residual of an equation.
+pub(crate) struct ResidualOf<'a, E, W: ?Sized> {
+    pub(crate) equation: E,
+    pub(crate) watch: &'a mut W,
+}
+
+impl<E, W: Observer + ?Sized> Observer for ResidualOf<'_, E, W> {
+    fn pause(&mut self, paused: bool) {
+        self.watch.pause(paused);
+    }
+}
+
+impl<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>> Residual<A> for ResidualOf<'_, E, W> {
+    fn at(&mut self, x: &A, matrix: &mut Square<A>) -> A {
+        self.equation.residual(self.watch, x, matrix)
+    }
+}
+
+impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<'_, A> {
     const PATIENT: bool = true;
 
     fn standstill(&self) -> f64 {
@@ -81,11 +111,11 @@ impl<A: Array> StepEquation<A, Residual<'_, A>> for Distant<'_, A> {
         (self.explicit)()
     }
 
-    fn evaluate(&self, residual: &mut Residual<'_, A>, x: &A, matrix: &mut Square<A>) -> A {
-        difference(x, &residual(x, matrix))
+    fn evaluate(&self, residual: &mut (dyn Residual<A> + '_), x: &A, matrix: &mut Square<A>) -> A {
+        difference(x, &residual.at(x, matrix))
     }
 
-    fn residual_at(&self, residual: &mut Residual<'_, A>, x: &A, _: &A, matrix: &mut Square<A>) -> A {
-        residual(x, matrix)
+    fn residual_at(&self, residual: &mut (dyn Residual<A> + '_), x: &A, _: &A, matrix: &mut Square<A>) -> A {
+        residual.at(x, matrix)
     }
 }

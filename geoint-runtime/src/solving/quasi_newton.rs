@@ -2,6 +2,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
+use crate::solving::equation::Observer;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::{Sizes, largest, sum};
 use crate::solving::{damped, linear, noise};
@@ -27,15 +28,16 @@ impl<A: Array> QuasiNewton<A> {
     /// Solves `residual(x) = 0` for an increment of `origin`, to rounding, from `guess` on. If that fails, with a matrix of
     /// difference quotients; if that fails, from where damped corrections lead.
     ///
-    /// `residual` writes the residual and a matrix near its derivative. What is left after a correction is about the next one:
+    /// `residual` writes the residual and a matrix near its derivative, seen by `watch`. What is left after a correction is about the next one:
     /// the iteration ends where that is bound to be below rounding, or where rounding keeps corrections from shrinking.
     /// The determinant has the meaning that it has for Newton's iteration.
     #[inline(always)]
-    pub(crate) fn solve(
+    pub(crate) fn solve<W: Observer>(
         &mut self,
         origin: &A,
         guess: A,
-        mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+        watch: &mut W,
+        mut residual: impl FnMut(&mut W, &A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
         // A guess may look beyond the domain of the energy where the solution need not.
         let guess = if guess.is_finite() { guess } else { A::zero() };
@@ -43,47 +45,48 @@ impl<A: Array> QuasiNewton<A> {
         let mut scale = self.sizes;
         scale.include(origin, &guess);
         let mut noise = A::zero();
-        self.iterate(origin, (guess, &scale), None, &mut noise, &mut residual)
-            .or_else(|refusal| self.otherwise(origin, (guess, &scale), noise, residual).map_err(|_| refusal))
+        self.iterate(origin, (guess, &scale), None, &mut noise, watch, &mut residual)
+            .or_else(|refusal| self.otherwise(origin, (guess, &scale), noise, watch, residual).map_err(|_| refusal))
     }
 
     #[cold]
-    fn otherwise(
+    fn otherwise<W: Observer>(
         &mut self,
         origin: &A,
         (guess, scale): (A, &Sizes<A>),
         seen: A,
-        mut residual: impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+        watch: &mut W,
+        mut residual: impl FnMut(&mut W, &A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
         let mut noise = seen;
-        self.iterate(origin, (guess, scale), Some(&seen), &mut noise, &mut residual).or_else(|_| {
+        self.iterate(origin, (guess, scale), Some(&seen), &mut noise, watch, &mut residual).or_else(|_| {
             let near = damped::approach(origin, 0.0, scale, |x, r, matrix| {
-                residual(x, r, matrix)?;
-                differentiate(scale, origin, (x, r), &seen, matrix, &mut residual)
+                residual(watch, x, r, matrix)?;
+                differentiate(scale, origin, (x, r), &seen, matrix, watch, &mut residual)
             });
-            self.iterate(origin, (near, scale), Some(&seen), &mut noise, &mut residual)
+            self.iterate(origin, (near, scale), Some(&seen), &mut noise, watch, &mut residual)
         })
     }
 
     /// The matrix is made of difference quotients if the noise of the residual is given that they have to exceed. `noise` becomes the one where
     /// the iteration was stuck last.
-    fn iterate(
+    fn iterate<W: Observer>(
         &mut self,
         origin: &A,
         (mut x, scale): (A, &Sizes<A>),
         differences: Option<&A>,
         noise: &mut A,
-        residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+        watch: &mut W,
+        residual: &mut impl FnMut(&mut W, &A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
     ) -> Result<A, Refusal> {
         let mut corrections = Corrections::of_order(1);
         let mut matrix = A::fill(A::zero());
         for _ in 0..MAX_ITERATIONS {
             let mut delta = A::zero();
-            residual(&x, &mut delta, &mut matrix)?;
+            residual(watch, &x, &mut delta, &mut matrix)?;
             if let Some(seen) = differences {
-                differentiate(scale, origin, (&x, &delta), seen, &mut matrix, residual)?;
+                differentiate(scale, origin, (&x, &delta), seen, &mut matrix, watch, residual)?;
             }
-            let left = delta;
             let positive = linear::solve(&mut matrix, &mut delta, scale).ok_or(Refusal::Singular)?;
             let before = x;
             x.add_scaled(A::Real::from_f64(-1.0), &delta);
@@ -96,10 +99,15 @@ impl<A: Array> QuasiNewton<A> {
                     sizes.include(origin, &before);
                     // Positions, then momenta.
                     let kinds = [A::LEN / 2, 2];
+                    watch.pause(true);
                     *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), kinds, |x| {
                         let mut r = A::zero();
-                        residual(x, &mut r, &mut matrix).is_ok().then_some(r)
+                        residual(watch, x, &mut r, &mut matrix).is_ok().then_some(r)
                     });
+                    watch.pause(false);
+                    // Here last: who watches has seen the solution last.
+                    let mut left = A::zero();
+                    residual(watch, &before, &mut left, &mut matrix)?;
                     if noise::explains(noise, &left, &sizes) {
                         solved = Some(before);
                     }
@@ -121,13 +129,14 @@ impl<A: Array> QuasiNewton<A> {
 
 /// The derivative of the residual `r` at `x` by difference quotients; a column whose unknown has no size stays as it is. Unknowns are
 /// moved so far that the `noise` of the residual is a small part of what it changes by.
-fn differentiate<A: Array>(
+fn differentiate<A: Array, W>(
     sizes: &Sizes<A>,
     origin: &A,
     (x, r): (&A, &A),
     noise: &A,
     matrix: &mut Square<A>,
-    residual: &mut impl FnMut(&A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
+    watch: &mut W,
+    residual: &mut impl FnMut(&mut W, &A, &mut A, &mut Square<A>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     let size = |i: usize| sizes.of(i).max(sum(origin, x, i));
     let parts = (0..A::LEN).filter(|i| size(*i) > 0.0).map(|i| noise.as_slice()[i].magnitude() / size(i));
@@ -142,7 +151,7 @@ fn differentiate<A: Array>(
         if distance.magnitude() == 0.0 {
             continue;
         }
-        residual(&moved, &mut there, &mut unused)?;
+        residual(watch, &moved, &mut there, &mut unused)?;
         for (i, row) in A::entries::<A>(matrix).iter_mut().enumerate() {
             row.as_mut_slice()[j] = (there.as_slice()[i] - r.as_slice()[i]) / distance;
         }

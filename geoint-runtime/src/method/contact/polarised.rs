@@ -3,7 +3,7 @@
 use super::ContactDiscreteGradient;
 use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::{Real, zero};
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, product, scaled, sum};
 use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
@@ -169,6 +169,12 @@ struct Seen<'a, P, D: Array> {
     d: D,
     increments: D,
     by_d: Square<D>,
+}
+
+impl<P: Observer, D: Array> Observer for Seen<'_, P, D> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<S: ContactPolarised<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Seen<'_, P, S::Unknown>>

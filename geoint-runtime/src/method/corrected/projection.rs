@@ -1,6 +1,6 @@
 //! x₁ = y + Σ λᵢ D²∇Iᵢ(y): a step of any method, and back to where the invariants were.
 
-use super::{Memory, Scales};
+use super::scales::Scales;
 use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
@@ -8,7 +8,7 @@ use crate::solving::noise;
 use crate::solving::rounding::correct;
 use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, sum};
-use crate::space::{Array, Square, Summation};
+use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
 use crate::system::{Poles, VectorField};
 use core::cell::Cell;
 
@@ -25,6 +25,23 @@ use core::cell::Cell;
 /// any tolerance. States between the ends of steps are those of the series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
+
+/// What a step hands on to the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<M, A: Array> {
+    method: M,
+    scales: Scales<A>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: Compensated<A>,
+}
+
+impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.method.record(tape);
+        self.scales.record(tape);
+        self.sums.record(tape);
+    }
+}
 
 /// What the method prepared, and the invariants.
 #[derive(Clone, Copy, Debug)]
@@ -62,7 +79,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn memory() -> Self::Memory {
-        Memory::new(M::memory())
+        Memory { method: M::memory(), scales: Scales::new(), sums: Compensated::new() }
     }
 
     #[inline]

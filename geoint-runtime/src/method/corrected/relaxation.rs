@@ -4,8 +4,9 @@ use crate::method::corrected::invariants::Invariants;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::MAX_ITERATIONS;
+use crate::solving::size::Sizes;
 use crate::space::vector::{difference, dot, scaled, sum};
-use crate::space::{Array, Record, Summation, Tape};
+use crate::space::{Array, Compensated, Record, Summation, Tape};
 use crate::system::{KeepsEnergy, Poles};
 use core::cell::Cell;
 
@@ -32,14 +33,19 @@ pub struct Relaxation<M>(pub M);
 /// What a step hands on to the next one.
 #[derive(Clone, Debug)]
 pub struct Memory<M, A: Array> {
-    corrected: super::Memory<M, A>,
+    method: M,
+    sizes: Sizes<A>,
+    /// Corrections may be smaller than the last digit of a coordinate, and all of one sign.
+    sums: Compensated<A>,
     /// What steps before have changed the energy by, less than rounding of it each, and all of one sign perhaps.
     left: A::Real,
 }
 
 impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
-        self.corrected.record(tape);
+        self.method.record(tape);
+        self.sizes.record(tape);
+        self.sums.record(tape);
         tape.scalar(&mut self.left);
     }
 }
@@ -72,13 +78,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     }
 
     fn memory() -> Self::Memory {
-        Memory { corrected: super::Memory::new(M::memory()), left: zero() }
+        Memory { method: M::memory(), sizes: Sizes::new(), sums: Compensated::new(), left: zero() }
     }
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { method, poles, h }: &Self::Prepared,
-        Memory { corrected: super::Memory { method: memory, scales, sums }, left }: &mut Self::Memory,
+        Memory { method: memory, sizes, sums, left }: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
@@ -86,13 +92,13 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         let Step { system, t, x, probe } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
-        scales.include(&before, &moved);
+        sizes.include(&before, &moved);
         let energy = S::Kept::default();
         let mut gradient = energy.gradients(system, &x.z);
         let rate = dot(&gradient, &moved);
         // What rounding of the coordinates changes the energy by is ε times its terms. The energy has a value of its own to be rounded, and forces
         // that cancel are small beside it.
-        let terms = scales.sizes.normalise(&mut gradient).magnitude();
+        let terms = sizes.normalise(&mut gradient).magnitude();
         let rounding = ROUNDINGS * R::epsilon() * terms;
         let noise = || rounding + ROUNDINGS * R::epsilon() * system.kept_energy(t, &before).magnitude();
 

@@ -1,8 +1,8 @@
 //! Steps by Taylor series, projected to invariants.
 
-use super::Memory;
 use super::invariants::Invariants;
 use super::projection::{Projection, way_back};
+use super::scales::Scales;
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
@@ -23,7 +23,7 @@ where
 {
     type Orders<X: Copy + Debug> = M::Orders<X>;
     type Series = M::Series;
-    type Memory = Memory<(), S::Phase>;
+    type Memory = Scales<S::Phase>;
 
     fn steps(&self) -> Steps {
         self.0.steps()
@@ -31,13 +31,13 @@ where
     fn order(&self) -> usize {
         self.0.order()
     }
-    fn memory() -> Memory<(), S::Phase> {
-        Memory::new(())
+    fn memory() -> Scales<S::Phase> {
+        Scales::new()
     }
     #[inline]
     fn correction(
         &self,
-        Memory { scales, .. }: &mut Memory<(), S::Phase>,
+        scales: &mut Scales<S::Phase>,
         system: &S,
         before: &S::Phase,
         z: &S::Phase,

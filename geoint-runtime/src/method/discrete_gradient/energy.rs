@@ -3,6 +3,7 @@
 use super::matrix::Matrix;
 use crate::method::Probe;
 use crate::scalar::Real;
+use crate::solving::equation::Observer;
 use crate::space::vector::{entries, moved, opposite, sum};
 use crate::space::{Array, Square};
 use crate::system::{Conservative, DiscreteField};
@@ -38,6 +39,12 @@ pub struct Energy<'a, S: DiscreteField<R>, R: Real, P> {
     pub t: R,
     /// The step size.
     pub h: R,
+}
+
+impl<S: DiscreteField<R>, R: Real, P: Observer> Observer for Energy<'_, S, R, P> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, S, R, P> {

@@ -16,6 +16,9 @@ use crate::system::{Conservative, DiscreteField};
 /// names, and every field with first integrals; see
 /// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
 /// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
+/// An oscillation that turns by more than half a turn in a step, hω > √12, would be projected along the surface of constant energy: the change
+/// of the energy by a correction λ, λ ∇H(x₁)·(1 − h ∂F)⁻¹MG, is in it as 1 − (hω)²/12. Such steps are refused where a part of the energy is in
+/// such oscillations.
 ///
 /// With another mean g of gradients, as in `FourthOrder(Gonzalez)`, x₁ = x₀ + h S̃ g(x₀, x₁) and S̃ = J + ⅔h JQJ − h²/12 JBJBJ, where B =
 /// ∇²H((x₀ + x₁)/2) and Q = ½(Dᵀ − D), D half the difference of ∂g/∂x₁ and ∂g/∂x₀.

@@ -97,8 +97,8 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         let guess = scaled(*h, &rate);
         // The end of the step at which conditions of the energy were decided last.
         let mut decided = x;
-        let d = solver.solve(&x, guess, |d, residual, matrix| {
-            let Slope { g, mut derivative } = mean.between(&mut energy, &x, d)?;
+        let d = solver.solve(&x, guess, &mut energy, |energy, d, residual, matrix| {
+            let Slope { g, mut derivative } = mean.between(energy, &x, d)?;
             if !S::JUMPS.is_empty() {
                 decided = sum(&x, d);
             }

@@ -6,7 +6,7 @@ use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
 use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Record, Square, Summation, Tape};
@@ -166,6 +166,12 @@ struct Seen<'a, P, A: Array, const S: usize> {
     probe: &'a mut P,
     v: [A; S],
     stages: [Stage<A>; S],
+}
+
+impl<P: Observer, A: Array, const S: usize> Observer for Seen<'_, P, A, S> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[Y::Array; S], Seen<'_, P, Y::Array, S>>

@@ -2,6 +2,7 @@
 
 use crate::method::Probe;
 use crate::scalar::Real;
+use crate::solving::equation::Observer;
 use crate::space::PerCoordinate;
 use crate::system::{
     Cotangent, FlowPart, ForceGradient, Perturbed, PerturbedGradient, PhaseSpace, QuadraticKinetic, Separable,
@@ -104,6 +105,12 @@ impl<S: PerturbedGradient<R>, R: Real> ForceGradient<R> for Inner<S> {
 pub(super) struct Seen<'a, S, P> {
     pub(super) system: &'a S,
     pub(super) probe: &'a mut P,
+}
+
+impl<S, P: Observer> Observer for Seen<'_, S, P> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<S: Perturbed<R>, R: Real, P: Probe<S, R>> Probe<Inner<S>, R> for Seen<'_, S, P> {

@@ -2,7 +2,7 @@
 
 use super::Found;
 use super::iteration::{Iteration, Start, explicit};
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::rounding::{Corrections, Verdict, is_rounding};
 use crate::space::Array;
 use crate::space::vector::difference;
@@ -16,7 +16,7 @@ const ANOTHER_TRY: u32 = 256;
 impl<A: Array> Iteration<A> {
     /// Solves an equation for many unknowns: by the fixed point if that attracts.
     #[inline(always)]
-    pub(super) fn of_many<W: ?Sized, E: StepEquation<A, W>>(
+    pub(super) fn of_many<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
         start: Start<A>,
         equation: &E,
@@ -38,7 +38,12 @@ impl<A: Array> Iteration<A> {
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.
     #[inline(always)]
-    fn fixed_point<W: ?Sized, E: StepEquation<A, W>>(&mut self, guess: A, equation: &E, watch: &mut W) -> Option<A> {
+    fn fixed_point<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        guess: A,
+        equation: &E,
+        watch: &mut W,
+    ) -> Option<A> {
         let (origin, mut x) = (equation.origin(), guess);
         let mut corrections = Corrections::of_order(1);
         loop {

@@ -6,7 +6,7 @@ use super::{Found, MOST_UNKNOWNS, Newton, subtract};
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::damped;
-use crate::solving::equation::{Distant, Residual, StepEquation};
+use crate::solving::equation::{Distant, Observer, Residual, ResidualOf, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
@@ -99,7 +99,7 @@ impl<A: Array> Iteration<A> {
     /// Solves the equation from an extrapolated guess, if there is one, and does all to find a solution.
     #[cold]
     #[inline(never)]
-    pub(super) fn patient<W: ?Sized, E: StepEquation<A, W>>(
+    pub(super) fn patient<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
         guess: Option<A>,
         equation: E,
@@ -107,7 +107,7 @@ impl<A: Array> Iteration<A> {
     ) -> Found<A> {
         let distant =
             Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
-        let residual: &mut Residual<'_, A> = &mut |x, matrix| equation.residual(watch, x, matrix);
+        let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many((guess, None), &distant, residual);
         }
@@ -118,7 +118,7 @@ impl<A: Array> Iteration<A> {
 
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
     #[inline(never)]
-    pub(super) fn search<W: ?Sized, E: StepEquation<A, W>>(
+    pub(super) fn search<W: Observer + ?Sized, E: StepEquation<A, W>>(
         mut self,
         (extrapolated, mut first): Start<A>,
         equation: E,
@@ -172,7 +172,7 @@ impl<A: Array> Iteration<A> {
     /// correction is no solution, however small it is: the constant C is that of the steps before, and a guess from afar may be at a wall, where
     /// the first correction is small and the next one twice as large.
     #[inline(always)]
-    fn iterate<W: ?Sized, E: StepEquation<A, W>>(
+    fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
         (guess, mut first): (A, Option<(A, bool)>),
         attempt: &Attempt<A>,
@@ -237,7 +237,7 @@ impl<A: Array> Iteration<A> {
     /// Whether what is left of x − g(x) is rounding.
     #[cold]
     #[inline(never)]
-    fn is_noise<W: ?Sized, E: StepEquation<A, W>>(
+    fn is_noise<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &self,
         x: A,
         (delta, farther): (A, f64),
@@ -245,12 +245,14 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> bool {
         let mut unused = A::fill(A::zero());
-        let mut residual = |x: &A| equation.residual(watch, x, &mut unused);
         let mut sizes = self.sizes;
         sizes.include(&equation.origin(), &x);
-        let noise = noise::measure(&sizes, &x, (&delta, farther), self.kinds, |x| Some(residual(x)));
+        watch.pause(true);
+        let residual = |x: &A| Some(equation.residual(watch, x, &mut unused));
+        let noise = noise::measure(&sizes, &x, (&delta, farther), self.kinds, residual);
+        watch.pause(false);
         // Here last: who watches has seen the solution last.
-        noise::explains(&noise, &residual(&x), &sizes)
+        noise::explains(&noise, &equation.residual(watch, &x, &mut unused), &sizes)
     }
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
@@ -268,7 +270,7 @@ impl<A: Array> Iteration<A> {
 
 /// The addresses of what is compiled once for a shape of unknowns.
 pub(crate) fn compiled<A: Array>() -> *const () {
-    Iteration::<A>::search::<Residual<'_, A>, Distant<'_, A>> as *const ()
+    Iteration::<A>::search::<dyn Residual<A>, Distant<'_, A>> as *const ()
 }
 
 /// Where an iteration starts.
@@ -282,7 +284,7 @@ enum Attempt<A> {
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-pub(super) fn explicit<A: Array, W: ?Sized>(equation: impl StepEquation<A, W>) -> A {
+pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }

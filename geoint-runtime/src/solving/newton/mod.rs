@@ -6,7 +6,7 @@ mod iteration;
 mod predictor;
 
 use crate::solving::Refusal;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
 use crate::space::vector::difference;
 use crate::space::{Array, Record, Tape};
@@ -91,7 +91,11 @@ impl<A: Array> Newton<A> {
     /// Where h goes to 0 the matrix 1 − g' is the identity. If its determinant is negative at a solution, that one is not
     /// continuous in h: the equation has others, or an unstable direction has been turned round.
     #[inline(always)]
-    pub(crate) fn solve<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    pub(crate) fn solve<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        equation: &E,
+        watch: &mut W,
+    ) -> Found<A> {
         let found = self.solution(equation, watch);
         // Here for all: the terms of the sequence are moved once. A memory after a refusal is not used.
         self.predictor.push(&found.x);
@@ -100,7 +104,7 @@ impl<A: Array> Newton<A> {
     }
 
     #[inline(always)]
-    fn solution<W: ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
+    fn solution<W: Observer + ?Sized, E: StepEquation<A, W>>(&mut self, equation: &E, watch: &mut W) -> Found<A> {
         let guesses = self.iteration.guesses;
         if E::PATIENT || Self::MANY {
             let guess = guesses.extrapolated(&self.predictor);

@@ -3,7 +3,7 @@
 use super::DiscreteGradient;
 use crate::method::{Deciding, Earlier, Probe, Refusal, Step, StepsOf, check_conditions, check_poles, start};
 use crate::scalar::Real;
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
@@ -183,6 +183,12 @@ struct Seen<'a, P, Z, A: Array> {
     d: A,
     impulse: A,
     by_d: Square<A>,
+}
+
+impl<P: Observer, Z, A: Array> Observer for Seen<'_, P, Z, A> {
+    fn pause(&mut self, paused: bool) {
+        self.deciding.pause(paused);
+    }
 }
 
 impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'_, P, S::Phase, S::Array>>

@@ -5,7 +5,7 @@ use crate::method::Probe;
 use crate::method::contact::gauss::factors::Factors;
 use crate::method::gauss::prepared::Prepared;
 use crate::scalar::{Real, zero};
-use crate::solving::equation::StepEquation;
+use crate::solving::equation::{Observer, StepEquation};
 use crate::space::vector::{difference, dot, moved, scaled, sum, sum_of_products};
 use crate::space::{Array, PerCoordinate, Square};
 use crate::system::{ContactStage, ContactVelocities, row_scale, velocity_near};
@@ -117,6 +117,12 @@ pub(super) struct Seen<'a, P, D, A: Array, const S: usize> {
     pub(super) probe: &'a mut P,
     pub(super) d: [D; S],
     pub(super) stages: [ContactStage<A>; S],
+}
+
+impl<P: Observer, D, A: Array, const S: usize> Observer for Seen<'_, P, D, A, S> {
+    fn pause(&mut self, paused: bool) {
+        self.probe.pause(paused);
+    }
 }
 
 impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
