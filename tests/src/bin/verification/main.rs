@@ -5,7 +5,7 @@
 //!
 //! Without optimisation measuring would take an hour, and every `cargo test` would build a thousand instances of methods. There the measured
 //! tables are those of the page in the repository, and what fails is a row that is missing, a test that is gone, or words that differ: seconds,
-//! for every run of the tests.
+//! for every run of the tests (`tests/rows.rs`).
 
 mod examples;
 #[cfg(not(debug_assertions))]
