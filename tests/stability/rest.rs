@@ -62,8 +62,8 @@ fn double_pendulum(q: [f64; 2], v: [f64; 2], m: f64, g: f64, c: f64) -> f64 {
     v[0] * v[0] * m + v[1] * v[1] / 2.0 + v[0] * v[1] * (q[0] - q[1]).cos() + g * (2.0 * q[0].cos() + q[1].cos())
 }
 
-/// Friction leaves e⁻⁴⁴ of every wave, or less.
-const SETTLED: f64 = 300.0;
+/// Long after friction has left nothing of any wave: only rounding moves what is at rest, and by another amount in each step.
+const SETTLED: f64 = 1500.0;
 
 /// Runs until nothing but rounding moves. The energy is then at its minimum, to rounding of terms of some size.
 macro_rules! rests {

@@ -3,7 +3,7 @@
 use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::equation::Observer;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict, is_of_last_digits};
 use crate::solving::size::{Sizes, largest, sum};
 use crate::solving::{damped, linear, noise};
 use crate::space::{Array, Record, Square, Tape};
@@ -95,22 +95,26 @@ impl<A: Array> QuasiNewton<A> {
             match corrections.judge::<A::Real>(relative) {
                 Verdict::Solved => solved = Some(x),
                 Verdict::Stuck => {
-                    let mut sizes = self.sizes;
-                    sizes.include(origin, &before);
-                    // Positions, then momenta.
-                    let kinds = [A::LEN / 2, 2];
-                    watch.pause(true);
-                    *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), kinds, |x| {
-                        let mut r = A::zero();
-                        residual(watch, x, &mut r, &mut matrix).is_ok().then_some(r)
-                    });
-                    watch.pause(false);
-                    // Here last: who watches has seen the solution last.
-                    let mut left = A::zero();
+                    let (mut left, mut sizes) = (A::zero(), self.sizes);
                     residual(watch, &before, &mut left, &mut matrix)?;
-                    if noise::explains(noise, &left, &sizes) {
-                        solved = Some(before);
+                    // Without the unknowns: far from where the system has been, all may be rounding.
+                    sizes.include(origin, &A::zero());
+                    let mut rounding = is_of_last_digits(&sizes, &left, &matrix);
+                    if !rounding {
+                        sizes.include(origin, &before);
+                        // Positions, then momenta.
+                        let kinds = [A::LEN / 2, 2];
+                        watch.pause(true);
+                        *noise = noise::measure(&sizes, &before, (&delta, corrections.farther()), kinds, |x| {
+                            let mut r = A::zero();
+                            residual(watch, x, &mut r, &mut matrix).is_ok().then_some(r)
+                        });
+                        watch.pause(false);
+                        // Here last: who watches has seen the solution last.
+                        residual(watch, &before, &mut left, &mut matrix)?;
+                        rounding = noise::explains(noise, &left, &sizes);
                     }
+                    solved = rounding.then_some(before);
                     corrections.restart();
                 }
                 Verdict::Continue => {}

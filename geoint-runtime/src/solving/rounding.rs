@@ -6,7 +6,8 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::space::Array;
+use crate::solving::size::Sizes;
+use crate::space::{Array, Square};
 
 /// Reached only where there is no convergence.
 pub(crate) const MAX_ITERATIONS: u32 = 100;
@@ -18,9 +19,16 @@ pub(crate) const REMAINDER: f64 = 1.0 / 1_048_576.0;
 /// A relative correction of so many ε that does not shrink any more is rounding.
 pub(crate) const ROUNDINGS: f64 = 64.0;
 
-/// Iterations without a smaller correction than all before. Once may be chance, and corrections that turn round one another shrink on
-/// the whole.
+/// What an unknown is rounded by on the way to a residual: the last digits of a position, of a distance, and of what is computed with that.
+const LAST_DIGITS: f64 = 8.0;
+
+/// Iterations without a correction that is smaller than all before, by this factor. Once may be chance, and corrections that turn round one
+/// another shrink on the whole.
 const MOST_STUCK: u32 = 4;
+const SMALLER: f64 = 0.75;
+
+/// Where convergence is quadratic, near a solution a correction is less than this part of the one before.
+const SLOW: f64 = 0.25;
 
 /// Rounding by which corrections do not shrink is seen at points that are farther apart than they are large, by this, and by the second
 /// factor more each time that it is not seen.
@@ -52,6 +60,7 @@ pub(crate) struct Corrections {
     before: f64,
     smallest: f64,
     stuck: u32,
+    slow: bool,
     looks: u32,
     /// Of the points at which rounding is looked for, in units of a correction.
     distance: f64,
@@ -65,6 +74,7 @@ impl Corrections {
             before: f64::INFINITY,
             smallest: f64::INFINITY,
             stuck: 0,
+            slow: false,
             looks: 0,
             distance: FARTHER,
         }
@@ -80,6 +90,13 @@ impl Corrections {
     /// shrinking.
     pub(crate) fn farther(&self) -> f64 {
         self.distance
+    }
+
+    /// Whether the last one is larger than it would be near a solution to which convergence is quadratic: what the iteration takes for the
+    /// derivative may be rounding.
+    #[inline(always)]
+    pub(crate) fn slow(&self) -> bool {
+        self.slow
     }
 
     /// The last one, relative to what it corrects; infinite if there is none.
@@ -102,8 +119,12 @@ impl Corrections {
         if next <= REMAINDER * R::epsilon() || shrunk > 0.5 && is_rounding::<R>(relative) {
             return Verdict::Solved;
         }
-        self.stuck = if relative < self.smallest { 0 } else { self.stuck + 1 };
-        self.smallest = self.smallest.min(relative);
+        if relative < SMALLER * self.smallest {
+            (self.smallest, self.stuck) = (relative, 0);
+        } else {
+            self.stuck += 1;
+        }
+        self.slow = shrunk > SLOW;
         if self.stuck == MOST_STUCK && self.looks < MOST_LOOKS { Verdict::Stuck } else { Verdict::Continue }
     }
 
@@ -118,6 +139,18 @@ impl Corrections {
 #[inline(always)]
 pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
     relative <= ROUNDINGS * R::epsilon()
+}
+
+/// Whether a residual, of which `matrix` is the derivative, is no more than what some ε of the sizes of unknowns change it by: it is zero for
+/// coordinates that differ in their last digits. Where large forces cancel, corrections never become smaller than that.
+///
+/// W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
+pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix: &Square<A>) -> bool {
+    A::entries_of::<A>(matrix).iter().zip(residual.as_slice()).all(|(row, left)| {
+        let terms =
+            row.as_slice().iter().zip(sizes.as_slice()).map(|(slope, size)| slope.magnitude() * size.magnitude());
+        left.magnitude() <= LAST_DIGITS * A::Real::epsilon() * terms.sum::<f64>()
+    })
 }
 
 /// Subtracts corrections of coordinates from `x` until nothing but rounding is left. Corrections shrink by a factor.
@@ -138,7 +171,7 @@ pub(crate) fn correct<A: Array>(
             Verdict::Solved => return Ok(x),
             Verdict::Stuck if is_noise(&before, &delta, corrections.farther()) => return Ok(before),
             Verdict::Stuck => corrections.restart(),
-            Verdict::Continue if !relative.is_finite() => break,
+            _ if !relative.is_finite() => break,
             Verdict::Continue => {}
         }
     }

@@ -9,10 +9,10 @@ use crate::solving::damped;
 use crate::solving::equation::{Distant, Observer, Residual, ResidualOf, StepEquation};
 use crate::solving::linear;
 use crate::solving::noise;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_of_last_digits};
 use crate::solving::size::Sizes;
 use crate::space::vector::difference;
-use crate::space::{Array, Record, Tape};
+use crate::space::{Array, Record, Square, Tape};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
@@ -186,11 +186,21 @@ impl<A: Array> Iteration<A> {
         let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
+        let (mut lost, mut stuck) = (A::zero(), None);
         for iterations in 1..=MAX_ITERATIONS {
+            let mut solved = false;
             let (delta, positive) = match first.take() {
                 Some(first) => first,
                 None => {
                     let mut delta = equation.residual(watch, &x, &mut matrix);
+                    solved = corrections.slow() && self.is_of_last_digits(&origin, &delta, &matrix);
+                    if let (false, Some(last)) = (solved, stuck.take()) {
+                        // Only who watches measures what is rounding.
+                        if !E::PATIENT {
+                            break;
+                        }
+                        solved = self.is_noise(x, last, *equation, watch);
+                    }
                     match linear::solve(&mut matrix, &mut delta, scale) {
                         Some(positive) => (delta, positive),
                         None if delta.is_finite() => return Err(Refusal::Singular),
@@ -201,7 +211,11 @@ impl<A: Array> Iteration<A> {
             if iterations == 1 && extrapolated && !self.sizes.exceed(&delta, FAR_OFF) {
                 return Err(corrections.not_converged());
             }
-            let lost = subtract(&mut x, &delta);
+            if solved {
+                self.sizes.include(&origin, &x);
+                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+            }
+            lost = subtract(&mut x, &delta);
             if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
                 return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
             }
@@ -212,26 +226,32 @@ impl<A: Array> Iteration<A> {
             if iterations == 2 {
                 self.see(correction, corrections.last());
             }
-            let verdict = corrections.judge::<A::Real>(correction);
-            let mut noise = || {
-                if E::PATIENT { self.is_noise(x, (delta, corrections.farther()), *equation, watch) } else { false }
-            };
-            if verdict == Verdict::Solved || verdict == Verdict::Stuck && noise() {
-                self.sizes.include(&origin, &x);
-                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
-            }
-            if verdict == Verdict::Stuck {
-                // Only who watches measures whether that is rounding.
-                if !E::PATIENT {
-                    break;
+            match corrections.judge::<A::Real>(correction) {
+                Verdict::Solved => {
+                    self.sizes.include(&origin, &x);
+                    return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
                 }
-                corrections.restart();
+                Verdict::Stuck => {
+                    stuck = Some((delta, corrections.farther()));
+                    corrections.restart();
+                }
+                Verdict::Continue => {}
             }
             if !correction.is_finite() {
                 break;
             }
         }
         Err(corrections.not_converged())
+    }
+
+    /// Whether what is left of x − g(x) follows from the last digits of coordinates.
+    #[cold]
+    #[inline(never)]
+    fn is_of_last_digits(&self, origin: &A, left: &A, matrix: &Square<A>) -> bool {
+        let mut sizes = self.sizes;
+        // Without x: far from where the system has been, all may be rounding.
+        sizes.include(origin, &A::zero());
+        is_of_last_digits(&sizes, left, matrix)
     }
 
     /// Whether what is left of x − g(x) is rounding.
