@@ -5,6 +5,7 @@ mod constraints;
 mod contact;
 mod fields;
 mod forms;
+mod regular;
 mod velocities;
 
 pub use canonical::CanonicalForm;
@@ -16,5 +17,6 @@ pub use forms::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, ContactCollocated,
     ContactGraded, Graded,
 };
+pub(crate) use regular::Regular;
 pub use velocities::{MassForm, PolarisedForm, VelocityForm, energy_of, rate_of, velocity_of};
-pub(crate) use velocities::{Orientation, acceleration, row_scale, velocity_near};
+pub(crate) use velocities::{acceleration, row_scale, velocity_near};
