@@ -10,7 +10,7 @@ mod velocities;
 
 pub use canonical::CanonicalForm;
 pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
-pub(crate) use constraints::{on_one_side, projected, tangent};
+pub(crate) use constraints::{held, on_one_side, projected, tangent};
 pub use contact::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
 pub use fields::{Collocation, DiscreteField, Mean, QuadraticField};
 pub use forms::{
