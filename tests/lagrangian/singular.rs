@@ -167,6 +167,58 @@ fn masses_may_jump() -> Result<(), StepError> {
     Ok(())
 }
 
+/// Masses that vanish at a time, and change their sign there or do not.
+#[test]
+fn no_step_leads_over_a_time_without_inertia() {
+    #[lagrangian]
+    fn leaking(q: f64, v: f64, t: f64, m: f64) -> f64 {
+        (m - t) * v * v - 0.5 * q * q
+    }
+    #[lagrangian]
+    fn pulsing(q: [f64; 3], v: [f64; 3], t: f64, m: f64) -> f64 {
+        let both = v[0] * v[1] * (q[0] - q[1]).cos() + v[1] * v[2] * (q[2] - q[1]).cos();
+        (m - t).powi(2) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + 0.3 * both) - 0.5 * q[0] * q[0]
+    }
+    let (one, three) = (Leaking { m: 1.01 }, Pulsing { m: 1.01 });
+    let start = one.at(0.3, 0.5);
+    stay!(one, start, |state: &State<f64>| state.t > 1.01, ImplicitMidpoint, Gauss::<2>, DiscreteGradient);
+    let start = three.at([0.3, 0.1, 0.2], [0.5, 0.1, 0.3]);
+    stay!(three, start, |state: &State<[f64; 3]>| state.t > 1.01, ImplicitMidpoint, Gauss::<2>, DiscreteGradient);
+}
+
+/// Masses of both signs: the determinant is negative all along.
+#[test]
+fn velocities_may_have_masses_of_both_signs() -> Result<(), StepError> {
+    #[lagrangian]
+    fn mixed(q: [f64; 3], v: [f64; 3], m: f64) -> f64 {
+        let turned = v[2] + 0.3 * v[0] * q[1].cos();
+        m * v[0] * v[1] + 0.5 * turned * turned - q[0] * q[1] - 0.5 * q[2] * q[2]
+    }
+    #[hamiltonian]
+    fn by_hand(q: [f64; 3], p: [f64; 3], m: f64) -> f64 {
+        p[1] * (p[0] - 0.3 * q[1].cos() * p[2]) / m + 0.5 * p[2] * p[2] + q[0] * q[1] + 0.5 * q[2] * q[2]
+    }
+    let system = Mixed { m: 0.7 };
+    assert!(Mixed::<f64>::REPORT.contains("steps are solved for v"));
+    let start = system.at([0.3, 0.2, -0.1], [-0.4, 0.5, 0.3]);
+    macro_rules! same {
+        ($($method:expr),*) => { $(
+            let mut one = system.integrator($method, 0.05, start);
+            let mut other = ByHand { m: 0.7 }.integrator($method, 0.05, start);
+            one.advance(40)?;
+            other.advance(40)?;
+            let far = (0..3).fold(0.0, |far, i| f64::max(far, (one.state().q[i] - other.state().q[i]).abs()));
+            assert!(far < 1e-12, "{far:e}");
+        )* };
+    }
+    same!(ImplicitMidpoint, Gauss::<2>, Gauss::<3>);
+    let mut sim = system.integrator(DiscreteGradient, 0.05, start);
+    let energy = sim.energy();
+    sim.advance(40)?;
+    assert!((sim.energy() - energy).abs() < 1e-13);
+    Ok(())
+}
+
 /// q₁²v₀ − H is of first order, with Ω = −2q₁.
 #[test]
 fn no_step_leads_over_a_singular_form() {

@@ -103,8 +103,12 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
             let products: Vec<Id> = terms.iter().map(|(still, moving)| graph.mul(*still, *moving)).collect();
             let sum = graph.sum(&products);
             let sum = invariant::simplified(graph, sum);
-            let one = terms.iter().find(|(_, moving)| analyze::is_positive(graph, *moving));
-            let condition = if is_still(graph, sum) { Some(sum) } else { one.map(|(still, _)| *still) };
+            let condition = if is_still(graph, sum) {
+                Some(sum)
+            } else {
+                let one = terms.iter().find(|(_, moving)| analyze::is_positive(graph, *moving));
+                one.map(|(still, _)| *still)
+            };
             let condition = condition.filter(|condition| !graph.is_zero(*condition));
             positive.extend(condition);
             condition.is_some()

@@ -2,7 +2,7 @@
 
 use super::invariant::simplified;
 use crate::analyze::{self, vanishes};
-use crate::ir::{Graph, Id, Ratio, Symbol};
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// A square, or a form of two, and what divides it.
 pub(super) type Square = (Id, Id);
@@ -15,7 +15,7 @@ pub(super) enum NoForm {
     NoPivot(Id),
 }
 
-/// yᵀM⁻¹y for a symmetric M, as a sum of squares; where every pivot might vanish at a state at which M is regular, of forms of two.
+/// yᵀM⁻¹y for a symmetric M, as a sum of squares; of two rows it is one form where either pivot might vanish at a state at which M is regular.
 ///
 /// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
 pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Square>, NoForm> {
@@ -26,9 +26,8 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Res
         let k = match pivot(graph, &mass, &y, &left)? {
             Pivot::One(k) => k,
             Pivot::Two(pair, determinant) => {
-                left.retain(|i| !pair.contains(i));
-                squares.push((pair[0], of_two(graph, (&mut mass, &mut y), &left, (pair, determinant))));
-                continue;
+                squares.push((pair[0], of_two(graph, &mass, &y, (pair, determinant))));
+                break;
             }
         };
         left.retain(|i| *i != k);
@@ -71,27 +70,29 @@ pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
 /// What is eliminated next.
 enum Pivot {
     One(usize),
-    /// Two at once, with the determinant of their block.
+    /// Both of two rows, with their determinant.
     Two([usize; 2], Id),
 }
 
-/// The next pivot: of those that do not vanish at any state the one whose coordinate couples to the fewest others; or two of which that is
-/// known; or one that is not zero everywhere.
+/// The next pivot: the one whose coordinate couples to the fewest others, of those that are not zero everywhere; of two rows one that vanishes at
+/// no state, or both at once. (Larger matrices that move have no H, and there what is left of them is long.)
 fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Result<Pivot, NoForm> {
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
-    if let Some(k) = order.iter().find(|i| vanishes_nowhere(graph, mass[**i][**i])) {
-        return Ok(Pivot::One(*k));
-    }
-    let coupled = order.iter().flat_map(|i| order.iter().map(move |j| (*i, *j)));
-    for (i, j) in coupled.filter(|(i, j)| i != j && !graph.is_zero(mass[*i][*j])).collect::<Vec<_>>() {
+    if let ([i, j], 2) = (&order[..], mass.len())
+        && !graph.is_zero(mass[*i][*j])
+    {
+        let (i, j) = (*i, *j);
+        if let Some(k) = order.iter().find(|i| vanishes_nowhere(graph, mass[**i][**i])) {
+            return Ok(Pivot::One(*k));
+        }
         let product = graph.mul(mass[i][i], mass[j][j]);
         let square = graph.pow(mass[i][j], Ratio::integer(2));
         let determinant = graph.sub(product, square);
         let determinant = simplified(graph, determinant);
-        // Of the last two it vanishes nowhere but where M is singular.
-        if vanishes_nowhere(graph, determinant) || left.len() == 2 && !vanishes(graph, determinant) {
+        // It vanishes where M is singular, and nowhere else.
+        if !vanishes(graph, determinant) {
             return Ok(Pivot::Two([i, j], determinant));
         }
     }
@@ -112,39 +113,14 @@ fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
     analyze::is_positive(graph, id) || analyze::is_positive(graph, opposite)
 }
 
-/// Eliminates two coordinates, [a b; b c] with this determinant: their form (c yᵢ² − 2b yᵢyⱼ + a yⱼ²)/(ac − b²).
-fn of_two(
-    graph: &mut Graph,
-    (mass, y): (&mut [Vec<Id>], &mut [Id]),
-    left: &[usize],
-    ([i, j], determinant): ([usize; 2], Id),
-) -> Square {
-    let (a, b, c) = (mass[i][i], mass[i][j], mass[j][j]);
-    // The block's inverse times two numbers, but for the determinant.
-    let solved = |graph: &mut Graph, [x, y]: [Id; 2]| {
-        let [cx, by, bx, ay] = [(c, x), (b, y), (b, x), (a, y)].map(|(entry, of)| graph.mul(entry, of));
-        [graph.sub(cx, by), graph.sub(ay, bx)]
-    };
-    let over = |graph: &mut Graph, [x, y]: [Id; 2], [u, w]: [Id; 2]| {
-        let [first, second] = [graph.mul(x, u), graph.mul(y, w)];
-        let sum = graph.add(first, second);
-        graph.div(sum, determinant)
-    };
-    let own = [y[i], y[j]];
-    let inverse = solved(graph, own);
-    let coupled: Vec<(usize, [Id; 2])> = left.iter().map(|k| (*k, [mass[*k][i], mass[*k][j]])).collect();
-    for (k, row) in &coupled {
-        let part = over(graph, *row, inverse);
-        y[*k] = graph.sub(y[*k], part);
-        let inverse = solved(graph, *row);
-        for (l, other) in coupled.iter().filter(|(l, _)| l <= k) {
-            let fill = over(graph, *other, inverse);
-            let entry = graph.sub(mass[*k][*l], fill);
-            (mass[*k][*l], mass[*l][*k]) = (entry, entry);
-        }
-    }
-    let [first, second] = [graph.mul(own[0], inverse[0]), graph.mul(own[1], inverse[1])];
-    (graph.add(first, second), determinant)
+/// The form of two coordinates with the mass matrix [a b; b c]: (c y₁² − 2b y₁y₂ + a y₂²)/(ac − b²).
+fn of_two(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], ([i, j], determinant): ([usize; 2], Id)) -> Square {
+    let both = graph.mul(y[i], y[j]);
+    let [first, second] = [y[i], y[j]].map(|y| graph.pow(y, Ratio::integer(2)));
+    let [first, both, second] =
+        [(mass[j][j], first), (mass[i][j], both), (mass[i][i], second)].map(|(entry, y)| graph.mul(entry, y));
+    let twice = graph.scale(Number::ONE.add(Number::ONE).neg(), both);
+    (graph.sum(&[first, twice, second]), determinant)
 }
 
 /// p − a for the velocities of a part.

@@ -78,7 +78,7 @@ fn pivots_may_be_of_two() {
         ),
         [-1.0, 1.0],
     );
-    // Two at once, coupled to others.
+    // More of them, with terms of both signs.
     check(
         quote!(
             fn f(q: [f64; 4], v: [f64; 4], m: f64) -> f64 {
