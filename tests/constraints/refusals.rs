@@ -113,3 +113,67 @@ fn steps_that_are_too_long() {
         assert!(outcome.is_err());
     }
 }
+
+/// A ladder between a wall and the floor: two coordinates stay zero.
+#[hamiltonian(constraint = [((q[0] - q[2]).powi(2) + (q[1] - q[3]).powi(2) - l * l) / 2.0, q[0], q[3]])]
+fn ladder(q: [f64; 4], p: [f64; 4], m: [f64; 2], l: f64, g: f64) -> f64 {
+    let kinetic = (p[0] * p[0] + p[1] * p[1]) / (2.0 * m[0]) + (p[2] * p[2] + p[3] * p[3]) / (2.0 * m[1]);
+    kinetic + g * (m[0] * q[1] + m[1] * q[3])
+}
+
+/// A run goes on from the states that another one gives.
+#[test]
+fn states_of_a_run_are_starts() -> Result<(), StepError> {
+    let system = Ladder { m: [1.3, 0.7], l: 1.0, g: 9.81 };
+    let mut state = State::new([0.0, 0.8, 0.6, 0.0], [0.0; 4]);
+    for _ in 0..30 {
+        let mut sim = system.integrator(Rattle, 0.01, state);
+        sim.advance(1)?;
+        let mut gradient = system.integrator(DiscreteGradient, 0.01, sim.state());
+        gradient.advance(1)?;
+        state = gradient.state_on_constraint()?;
+    }
+    let off = State { q: [1e-12, state.q[1], state.q[2], state.q[3]], ..state };
+    let outcome = system.integrator(Rattle, 0.01, off).step();
+    assert!(matches!(outcome, Err(StepError::OffConstraint { .. })), "{outcome:?}");
+    Ok(())
+}
+
+/// What is nearest to the centre of a sphere, and to nothing.
+#[test]
+fn no_state_is_nearest() {
+    let sphere = SphericalPendulum { m: 0.7, l: 1.3, g: 9.81 };
+    let centre = sphere.state_on_constraint(&State::new([0.0; 3], [0.0; 3]));
+    assert!(matches!(centre, Err(StepError::DependentConstraints { .. })), "{centre:?}");
+    let nowhere = sphere.state_on_constraint(&State::new([f64::NAN, 0.0, 1.0], [0.0; 3]));
+    assert!(matches!(nowhere, Err(StepError::NonFiniteState { .. })), "{nowhere:?}");
+}
+
+/// In steps so long that rounding of h ∂H/∂p is seen in positions, these stay on their constraint, or the step is refused.
+#[test]
+fn huge_steps_stay_on_the_constraint() -> Result<(), StepError> {
+    /// A charge on a sphere.
+    #[hamiltonian(constraint = [(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - 1.0) / 2.0])]
+    fn charge(q: [f64; 3], p: [f64; 3], b: f64) -> f64 {
+        let u = [p[0] + 0.5 * b * q[1], p[1] - 0.5 * b * q[0], p[2]];
+        0.5 * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]) + 9.81 * q[2]
+    }
+    let system = Charge { b: 2.0 };
+    let start = system.state_on_constraint(&State::new([0.6, 0.0, -0.8], [0.3, 1.0, 0.2]))?;
+    macro_rules! stays {
+        ($($method:expr),*) => { $(
+            for h in [1.0, 1e3, 1e5, 1e6, 1e8, 1e12] {
+                let mut sim = system.integrator($method, h, start);
+                for _ in 0..100 {
+                    if sim.step().is_err() {
+                        break;
+                    }
+                    let q = sim.state().q;
+                    assert!((q[0] * q[0] + q[1] * q[1] + q[2] * q[2] - 1.0).abs() < 1e-13, "{q:?} by {h}");
+                }
+            }
+        )* };
+    }
+    stays!(Rattle, DiscreteGradient, Suzuki4.of(DiscreteGradient));
+    Ok(())
+}

@@ -285,8 +285,15 @@ fn friction_that_feeds_is_refused() {
     assert_eq!(sim.state(), start);
 }
 
+/// A force of momenta that would have a potential if these were parameters.
+#[hamiltonian(force = [-c * p[1], 0.0])]
+fn dragged(q: [f64; 2], p: [f64; 2], c: f64) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 + q[0] * q[0]
+}
+
 #[test]
 fn reports_say_what_forces_do() {
+    assert!(!Dragged::<f64>::REPORT.contains("this force has a potential"), "{}", Dragged::<f64>::REPORT);
     assert!(Spring::<f64>::REPORT.contains("this force has a potential"), "{}", Spring::<f64>::REPORT);
     assert!(!Pushed::<f64>::REPORT.contains("this force has a potential"), "{}", Pushed::<f64>::REPORT);
     assert!(Pushed::<f64>::REPORT.contains("- F = [push·cos(t·rate)]"), "{}", Pushed::<f64>::REPORT);

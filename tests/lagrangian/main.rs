@@ -16,3 +16,4 @@ mod herglotz;
 mod decaying;
 mod space;
 mod statements;
+mod singular;

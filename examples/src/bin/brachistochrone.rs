@@ -1,7 +1,8 @@
 //! Along which path does a bead fall fastest? The time of a fall is an integral of a Lagrangian, in which x takes the place of time.
 //!
 //! L(y, y') = √((1 + y'²)/y) with the depth y below the start of the fall is not quadratic in y': its energy −√(1/y − p²) is found by the
-//! rule for roots. That the energy is constant is Beltrami's identity, y (1 + y'²) = const, and the path a cycloid.
+//! rule for roots. That the energy is constant is Beltrami's identity, y (1 + y'²) = const, and the path a cycloid. A chain that hangs is
+//! found in the same way: L = y√(1 + y'²), and Beltrami's constant is y/√(1 + y'²).
 
 use geoint_examples::plot::{Axis, Curve, Panel, figure, palette};
 use geoint_examples::{claim, table};
@@ -13,6 +14,12 @@ use std::error::Error;
 #[lagrangian(q = y, v = slope, t = _x)]
 fn fall(y: f64, slope: f64, _x: f64) -> f64 {
     ((1.0 + slope * slope) / y).sqrt()
+}
+
+/// The weight of a piece of a chain, at a height y.
+#[lagrangian(q = y, v = slope)]
+fn chain(y: f64, slope: f64) -> f64 {
+    y * (1.0 + slope * slope).sqrt()
 }
 
 /// From one angle of the wheel that rolls the cycloid to another.
@@ -41,6 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", table(["", "20 steps", "40", "80", "Beltrami, 20"], &rows));
     println!("error of y at the end; change of y (1 + y'²)\n");
 
+    println!("A chain from x = 0 to 2: error of y by 20 steps of Gauss<2> {:.1e}\n", hung()?.1);
     let [midpoint, gauss, discrete] =
         [midpoint, gauss, discrete].map(|paths| paths.map(|path| path.map(|p| (p.error, p.beltrami))));
     let order = |coarse: (f64, f64), fine: (f64, f64)| (coarse.0 / fine.0).log2();
@@ -51,46 +59,75 @@ fn main() -> Result<(), Box<dyn Error>> {
         discrete[0]?.1 < 1e-13 && midpoint[0]?.1 > 1e-4
     })?;
     println!();
-    draw(&path(Gauss::<3>, 20)?)
+    draw(&[path(ImplicitMidpoint, 20)?, path(Gauss::<3>, 20)?, path(DiscreteGradient, 20)?], &hung()?.0)
+}
+
+/// A chain from its lowest point, and how far its end is from the hyperbolic cosine.
+fn hung() -> Result<(Vec<(f64, f64)>, f64), StepError> {
+    let mut sim = Chain.integrator(Gauss::<2>, 0.1, Chain.at(1.0, 0.0));
+    let mut points = vec![(0.0, 1.0)];
+    for _ in 0..20 {
+        sim.step()?;
+        points.push((sim.state().t, sim.state().q));
+    }
+    Ok((points, (sim.state().q - 2.0_f64.cosh()).abs()))
 }
 
 /// A path by equal steps of x.
 struct Path {
     points: Vec<(f64, f64)>,
     error: f64,
+    /// Largest change of Beltrami's constant, and the change along x.
     beltrami: f64,
+    changes: Vec<(f64, f64)>,
 }
 
 fn path<M: Method<Fall, f64>>(method: M, steps: u64) -> Result<Path, StepError> {
     let [(x, y, slope), (end, depth, _)] = ANGLES.map(cycloid);
     let mut sim = Fall.integrator(method, (end - x) / steps as f64, Fall.at_time(x, y, slope));
-    let mut points = vec![(x, y)];
-    let mut beltrami = 0.0;
+    let (mut points, mut changes) = (vec![(x, y)], vec![]);
     for _ in 0..steps {
         sim.step()?;
         let State { t, q, .. } = sim.state();
         points.push((t, q));
-        beltrami = f64::max(beltrami, (q * (1.0 + sim.velocity().powi(2)) - 2.0).abs());
+        changes.push((t, (q * (1.0 + sim.velocity().powi(2)) - 2.0).abs()));
     }
-    Ok(Path { error: (sim.state().q - depth).abs(), points, beltrami })
+    let beltrami = changes.iter().fold(0.0, |largest, (_, change)| f64::max(largest, *change));
+    Ok(Path { error: (sim.state().q - depth).abs(), points, beltrami, changes })
 }
 
-fn draw(path: &Path) -> Result<(), Box<dyn Error>> {
+fn draw([midpoint, gauss, discrete]: &[Path; 3], hung: &[(f64, f64)]) -> Result<(), Box<dyn Error>> {
     let down = |points: &[(f64, f64)]| points.iter().map(|(x, y)| (*x, -*y)).collect::<Vec<_>>();
     let exact: Vec<(f64, f64)> =
         (0..=100).map(|i| cycloid(f64::from(i) * 3.2 / 100.0)).map(|(x, y, _)| (x, y)).collect();
-    let straight = [path.points[0], path.points[path.points.len() - 1]];
-    let curves = vec![
-        Curve::line("cycloid", palette::GREY, down(&exact)),
-        Curve::line("straight", palette::ORANGE, down(&straight)),
-        Curve::dots("Gauss<3>", palette::BLUE, down(&path.points)),
-    ];
-    let axes = [Axis::linear("x", 0.0..3.4), Axis::linear("−y", -2.2..0.2)];
-    let panel = Panel::new(
+    let straight = [gauss.points[0], gauss.points[gauss.points.len() - 1]];
+    let fall = Panel::new(
         "The fastest way down",
-        "Gauss<3> takes x for time: 20 steps; lengths in radii of the wheel of the cycloid",
-        axes,
-        curves,
+        "20 steps of Gauss, 3 stages, with x for time; lengths in radii of the wheel",
+        [Axis::linear("x", 0.0..3.4), Axis::linear("−y", -2.2..0.2)],
+        vec![
+            Curve::line("cycloid", palette::GREY, down(&exact)),
+            Curve::line("straight", palette::VERMILION, down(&straight)),
+            Curve::dots("Gauss", palette::BLUE, down(&gauss.points)),
+        ],
     );
-    figure("brachistochrone.svg", (520, 340), &[panel.named_above()])
+    let beltrami = Panel::new(
+        "Change of Beltrami's constant",
+        "the same 20 steps; differences of 0 are not drawn",
+        [Axis::linear("x", 0.0..3.4), Axis::decades("|y (1 + y'²) − 2|", -17.0..0.0)],
+        vec![
+            Curve::line("midpoint rule", palette::VERMILION, midpoint.changes.clone()),
+            Curve::line("Gauss, 3 stages", palette::BLUE, gauss.changes.clone()),
+            Curve::line("discrete gradient", palette::GREEN, discrete.changes.clone()).rounding(),
+        ],
+    );
+    let cosh = (0..=100).map(|i| f64::from(i) / 50.0).map(|x| (x, x.cosh())).collect();
+    let chain = Panel::new(
+        "Half of a hanging chain",
+        "20 steps of Gauss, 2 stages; lengths in its lowest height",
+        [Axis::linear("x", 0.0..2.2), Axis::linear("y", 0.5..4.0)],
+        vec![Curve::line("cosh x", palette::GREY, cosh), Curve::dots("Gauss", palette::BLUE, hung.to_vec())],
+    );
+    let panels = [fall.named_above(), beltrami.named_above(), chain.named_above()];
+    figure("brachistochrone.svg", (300, 300), &panels)
 }

@@ -3,11 +3,11 @@
 use crate::ir::{Graph, Id, Node, Symbol};
 
 /// The degree of every node of a graph.
-pub(super) struct Degrees(Vec<Option<u32>>);
+pub(crate) struct Degrees(Vec<Option<u32>>);
 
 impl Degrees {
     /// The degrees in the symbols that `counts` picks.
-    pub(super) fn of(graph: &Graph, counts: impl Fn(Symbol) -> bool) -> Degrees {
+    pub(crate) fn of(graph: &Graph, counts: impl Fn(Symbol) -> bool) -> Degrees {
         let mut degrees: Vec<Option<u32>> = Vec::with_capacity(graph.len());
         for id in graph.ids() {
             let of = |id: &Id| degrees[id.index()];
@@ -35,7 +35,7 @@ impl Degrees {
     }
 
     /// The degree; `None` if the node is not a polynomial.
-    pub(super) fn get(&self, id: Id) -> Option<u32> {
+    pub(crate) fn get(&self, id: Id) -> Option<u32> {
         self.0[id.index()]
     }
 }

@@ -75,8 +75,8 @@ impl Forces {
 
 /// −V of F = −∇V(q), if F reads positions alone and V is elementary.
 fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
-    let read = applied.iter().flat_map(|force| symbols(graph, *force)).collect::<Vec<_>>();
-    if read.iter().any(|symbol| matches!(symbol, Symbol::V(_) | Symbol::T)) {
+    let mut read = applied.iter().flat_map(|force| symbols(graph, *force));
+    if read.any(|symbol| !matches!(symbol, Symbol::Q(_) | Symbol::Parameter(_))) {
         return None;
     }
     let positions: Vec<Symbol> = (0..applied.len() as u32).map(Symbol::Q).collect();

@@ -16,8 +16,22 @@ pub(crate) struct Jump {
 
 /// The conditions of an energy, signs of numbers among them.
 pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
+    let mut conditions = conditions(graph, energy);
+    let dependence = Dependence::of(graph);
+    conditions.retain(|condition| dependence.reads(*condition).state());
+    let mut jump = |condition| {
+        let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
+        let height = graph.sub(yes, no);
+        let sides = [graph.integer(1), graph.integer(-1)];
+        Jump { side: graph.select(condition, sides[0], sides[1]), height: enclosable(graph, height) }
+    };
+    conditions.into_iter().map(&mut jump).collect()
+}
+
+/// The conditions that a node reads; x < 0 for the sign of x.
+pub(crate) fn conditions(graph: &mut Graph, node: Id) -> Vec<Id> {
     let mut conditions: Vec<Id> = vec![];
-    for id in graph.reachable(&[energy]) {
+    for id in graph.reachable(&[node]) {
         let condition = match *graph.node(id) {
             Node::Select(condition, ..) => condition,
             Node::Call(Function::Signum, ref args) => {
@@ -31,21 +45,13 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
             conditions.push(condition);
         }
     }
-    let dependence = Dependence::of(graph);
-    conditions.retain(|condition| dependence.reads(*condition).state());
-    let mut jump = |condition| {
-        let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
-        let height = graph.sub(yes, no);
-        let sides = [graph.integer(1), graph.integer(-1)];
-        Jump { side: graph.select(condition, sides[0], sides[1]), height: enclosable(graph, height) }
-    };
-    conditions.into_iter().map(&mut jump).collect()
+    conditions
 }
 
-/// The energy with a condition decided.
-fn decided(graph: &mut Graph, energy: Id, condition: Id, holds: bool) -> Id {
+/// A node with a condition decided.
+pub(crate) fn decided(graph: &mut Graph, node: Id, condition: Id, holds: bool) -> Id {
     let mut form = Substitution::new(|_: &mut Graph, _| None);
-    for id in graph.reachable(&[energy]) {
+    for id in graph.reachable(&[node]) {
         let replacement = match *graph.node(id) {
             Node::Select(own, first, second) if own == condition => {
                 form.apply(graph, if holds { first } else { second })
@@ -61,5 +67,5 @@ fn decided(graph: &mut Graph, energy: Id, condition: Id, holds: bool) -> Id {
         };
         form.insert(id, replacement);
     }
-    form.apply(graph, energy)
+    form.apply(graph, node)
 }

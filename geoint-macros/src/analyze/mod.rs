@@ -16,24 +16,22 @@ mod enclosable;
 mod poles;
 mod jumps;
 mod identity;
-mod squares;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
-use degree::Degrees;
+pub(crate) use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
     Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search, vanishes,
 };
-pub(crate) use jumps::{Jump, jumps};
+pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
-pub(crate) use squares::weights_of_squares;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]

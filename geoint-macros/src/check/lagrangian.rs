@@ -30,6 +30,9 @@ pub(crate) fn lagrangian(
         energy.arguments.iter().find(|(role, _)| *role == Role::Velocity).map(|(_, argument)| &argument.name);
     match &friction {
         Err(NoFriction::Odd) => errors.at(&energy.options.rayleigh, NOT_RAYLEIGH),
+        Err(NoFriction::Kink(slope)) => {
+            errors.at(&energy.options.rayleigh, format!("{KINKED}: {}", printer.excerpt(*slope)));
+        }
         Err(NoFriction::AtRest(rest)) => {
             errors.at(&energy.options.rayleigh, format!("{NO_REST}: {}", printer.excerpt(*rest)));
         }
@@ -44,6 +47,15 @@ pub(crate) fn lagrangian(
                 let message = format!(
                     "`{v}` is not read, so that `{q}` has no inertia, and ∂L/∂{q} = 0 is no differential equation: solve that for `{q}` and \
                      put it in, or give it a mass"
+                );
+                (message, None)
+            }
+            legendre::Flaw::Jumps(i, momentum) => {
+                let message = format!(
+                    "the momentum of `{}` jumps where velocities change, so that no velocity belongs to momenta in between; dry friction is no \
+                     term of L: for a small velocity e it is `rayleigh = c * (v * v + e * e).sqrt()`. ∂L/∂v: {}",
+                    named(v(i)),
+                    printer.excerpt(*momentum)
                 );
                 (message, None)
             }
@@ -184,6 +196,9 @@ const MASS_CHANGES: &str = "this entry of the mass matrix ∂²L/∂v² is not c
 
 const NOT_RAYLEIGH: &str = "Rayleigh's function has its least value at rest, but this is a polynomial of odd degree in the velocities, which \
                             feeds one direction where it brakes the other: write `c * v * v / 2.0`, or `c * v.abs().powi(3) / 3.0`";
+
+const KINKED: &str = "friction jumps at rest, so that no step ends there: for a small velocity e, dry friction is \
+                      `c * (v * v + e * e).sqrt()`. ∂R/∂v";
 
 const NO_REST: &str =
     "Rayleigh's function has its least value at rest, so that friction vanishes there, but there ∂R/∂v is";

@@ -32,7 +32,9 @@ pub(crate) fn constrained(
     let steps =
         [("Rattle", constraint::rattle(graph, &given)), ("DiscreteGradient", constraint::gradient(graph, &given))];
     let steps = steps.into_iter().map(|(method, equation)| (method, step(graph, equation))).collect();
-    let departure = [constraints.to_vec(), sizes(graph, constraints), rates.clone(), sizes(graph, &rates)].concat();
+    let (own, bound) = (sizes(graph, constraints), given.sizes(graph));
+    let reaches: Vec<Id> = own.iter().zip(&bound).map(|(own, bound)| graph.add(*own, *bound)).collect();
+    let departure = [constraints.to_vec(), reaches, rates.clone(), sizes(graph, &rates)].concat();
     let one = |roots: Vec<Id>| Kernel::new(Levels::One, roots);
     let velocity = [gradient.p.clone(), given.inverse_mass.concat()].concat();
     let kernels = ConstraintKernels {

@@ -9,7 +9,7 @@ use crate::analyze::{self, Damping, Forces};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
-use crate::legendre::{Kinetic, Legendre};
+use crate::legendre::{Definite, Kinetic, Legendre, definite};
 use crate::messages::{
     FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
 };
@@ -159,7 +159,9 @@ fn mass_kernels(graph: &mut Graph, legendre: &Legendre) -> MassKernels<Kernel> {
     let known = collected(graph, &[momenta.clone(), mass.concat()].concat());
     MassKernels {
         mass: Kernel::new(Levels::One, known),
-        weights: analyze::weights_of_squares(graph, *lagrangian).map(|weights| Kernel::new(Levels::One, weights)),
+        definite: definite(graph, *lagrangian, momenta.len() as u32).map(|Definite { not_negative, positive }| {
+            (not_negative.len(), Kernel::new(Levels::One, [not_negative, positive].concat()))
+        }),
         quadratic: is_quadratic(legendre),
     }
 }

@@ -7,7 +7,7 @@
 use super::forward::jacobian;
 use super::gradient::discrete_gradient;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Number, Symbol};
+use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// What is known of a system with constraints.
 pub(crate) struct Given<'a> {
@@ -68,6 +68,45 @@ impl<'a> Given<'a> {
             units.push(dot(graph, gradient, &direction));
         }
         units
+    }
+
+    /// What the rounding of coordinates that constraints bind to each other moves each constraint by, in units of ε: a coordinate that stays
+    /// zero has the rounding of those that it is solved for with. Lengths are those of the kinetic energy, which are of one unit.
+    pub(crate) fn sizes(&self, graph: &mut Graph) -> Vec<Id> {
+        let units = self.units(graph);
+        let bound = self.bound_together(graph);
+        let mut sizes = vec![];
+        for (unit, bound) in units.into_iter().zip(bound) {
+            let mut lengths = vec![];
+            for i in bound {
+                let q = graph.symbol(Symbol::Q(i as u32));
+                let square = graph.pow(q, Ratio::integer(2));
+                let length = graph.div(square, self.inverse_mass[i][i]);
+                lengths.push(graph.call(Function::Abs, &[length]));
+            }
+            let (length, unit) = (graph.sum(&lengths), graph.call(Function::Abs, &[unit]));
+            let square = graph.mul(length, unit);
+            sizes.push(graph.sqrt(square));
+        }
+        sizes
+    }
+
+    /// The coordinates with inertia that each constraint reads, or others that share one with it.
+    fn bound_together(&self, graph: &Graph) -> Vec<Vec<usize>> {
+        let n = self.degrees();
+        let own = |gradient: &Vec<Id>| (0..n).filter(|i| !graph.is_zero(gradient[*i])).collect::<Vec<_>>();
+        let mut all: Vec<Vec<usize>> = self.gradients.iter().map(own).collect();
+        for _ in 0..all.len() {
+            for k in 0..all.len() {
+                let shares = |other: &&Vec<usize>| other.iter().any(|i| all[k].contains(i));
+                let mut joined = all.iter().filter(shares).cloned().collect::<Vec<_>>().concat();
+                joined.sort_unstable();
+                joined.dedup();
+                all[k] = joined;
+            }
+        }
+        let heavy = |i: &usize| !graph.is_zero(self.inverse_mass[*i][*i]);
+        all.into_iter().map(|bound| bound.into_iter().filter(heavy).collect()).collect()
     }
 
     /// W x.

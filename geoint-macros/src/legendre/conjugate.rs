@@ -54,7 +54,7 @@ type Rule = fn(&mut Graph, (Id, Id), (&[Symbol], &[Id])) -> Option<(Id, &'static
 /// All rules.
 const RULES: [Rule; 3] = [root, power, elementary];
 
-/// A√S with S = S₀ + vᵀCv: −A√(S₀(1 − pᵀC⁻¹p/A²)).
+/// A√S with S = S₀ + vᵀCv: −A√(S₀(1 − pᵀC⁻¹p/A²)); −AS₀√((1 − pᵀC⁻¹p/A²)/S₀) where S₀ may be negative.
 fn root(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &[Id])) -> Option<(Id, &'static str)> {
     let Node::Power(base, exponent) = *graph.node(core) else { return None };
     if exponent != Ratio::HALF || !analyze::is_polynomial_in(graph, &[base], 2, is_velocity) {
@@ -89,10 +89,16 @@ fn root(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &[
     let ratio = graph.div(form, square);
     let one = graph.integer(1);
     let rest = graph.sub(one, ratio);
-    let inside = graph.mul(constant, rest);
+    if analyze::is_positive(graph, constant) {
+        let inside = graph.mul(constant, rest);
+        let root = graph.sqrt(inside);
+        let energy = graph.mul(scale, root);
+        return Some((graph.neg(energy), "A√(S + v·Cv) has the energy −A√(S(1 − p·C⁻¹p/A²))"));
+    }
+    let inside = graph.div(rest, constant);
     let root = graph.sqrt(inside);
-    let energy = graph.mul(scale, root);
-    Some((graph.neg(energy), "A√(S + v·Cv) has the energy −A√(S(1 − p·C⁻¹p/A²))"))
+    let energy = graph.product(&[scale, constant, root]);
+    Some((graph.neg(energy), "A√(S + v·Cv) has the energy −AS√((1 − p·C⁻¹p/A²)/S)"))
 }
 
 /// A|cv|ⁿ: (n − 1) A |p/(nAc)|^(n/(n − 1)).

@@ -1,10 +1,10 @@
 //! Rayleigh's dissipation function R(q, v, t): the force −∂R/∂v, which is damping −Cv with C = ∂²R/∂v² where R is a quadratic form.
 
 use super::mass::{is_velocity, masses};
-use super::{Legendre, at_rest};
+use super::{Legendre, at_rest, kinks};
 use crate::analyze;
 use crate::diff;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol};
 
 /// What a function is.
 #[derive(Debug)]
@@ -22,6 +22,8 @@ pub(crate) enum NoFriction {
     Odd,
     /// At rest ∂R/∂v is this, not zero.
     AtRest(Id),
+    /// This ∂R/∂v has no value at rest.
+    Kink(Id),
 }
 
 /// The force −∂R/∂v. Whether it takes energy at each velocity is found out at run time.
@@ -29,6 +31,9 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
     let Some(rayleigh) = rayleigh else { return Ok(None) };
     let slopes = diff::gradient(graph, rayleigh, degrees).v;
     for slope in &slopes {
+        if kinks::jumps(graph, *slope) || is_divided_at_rest(graph, *slope) {
+            return Err(NoFriction::Kink(*slope));
+        }
         let rest = at_rest(graph, *slope, |_| true);
         if !graph.is_zero(rest) && !analyze::identity(graph, rest).is_zero() {
             return Err(NoFriction::AtRest(rest));
@@ -42,6 +47,17 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
         Some(degree) if degree % 2 == 1 => Err(NoFriction::Odd),
         _ => Ok(Some(Friction::Slopes(slopes))),
     }
+}
+
+/// Whether a node is divided by what vanishes at rest, as v/|v| is.
+fn is_divided_at_rest(graph: &mut Graph, slope: Id) -> bool {
+    graph.reachable(&[slope]).into_iter().any(|id| {
+        let Node::Power(base, exponent) = *graph.node(id) else { return false };
+        exponent.numerator < 0 && analyze::reads(graph, base).v && {
+            let rest = at_rest(graph, base, |_| true);
+            graph.is_zero(rest)
+        }
+    })
 }
 
 /// γ with C = γM, where it reads no state and L has no terms that are linear in v: the force is −γp.

@@ -4,9 +4,11 @@
 //! term of a known conjugate with terms that are linear. What is made is one more energy: everything else follows from that.
 
 mod conjugate;
+mod definite;
 mod first_order;
 mod friction;
 mod invariant;
+mod kinks;
 mod mass;
 mod parts;
 mod quadratic;
@@ -15,6 +17,7 @@ use crate::analyze;
 use crate::diff;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Partial, Symbol};
+pub(crate) use definite::{Definite, definite};
 pub(crate) use first_order::{Canonical, FirstOrder, NotRegular, first_order};
 pub(crate) use friction::{Friction, NoFriction, friction, rate};
 use parts::Parts;
@@ -77,6 +80,8 @@ pub(crate) enum Kinetic {
 pub(crate) enum Flaw {
     /// This velocity is read nowhere.
     Unread(u32),
+    /// The momentum of this velocity jumps where velocities change.
+    Jumps(u32, Id),
     /// L is linear in all velocities: these are the momenta.
     Linear(Vec<Id>),
     /// L is linear in this velocity, and does not couple it to another one: this is its momentum.
@@ -96,6 +101,9 @@ pub(crate) fn transform(
 ) -> Result<Legendre, Flaw> {
     let symbols: Vec<Symbol> = (0..degrees).map(Symbol::V).collect();
     let diff::Gradient { q: forces, v: momenta, .. } = diff::gradient(graph, lagrangian, degrees);
+    if let Some(i) = (0..momenta.len()).find(|i| kinks::jumps(graph, momenta[*i])) {
+        return Err(Flaw::Jumps(i as u32, momenta[i]));
+    }
     let mass = mass::masses(graph, &momenta, &symbols);
     mass::regular(graph, &momenta, &mass)?;
     let simple = mass::simplified(graph, &mass);
@@ -104,7 +112,7 @@ pub(crate) fn transform(
 
     // What is divided by here must not vanish either.
     graph.take_partial();
-    let Parts { parts, kinetic, potential, long } = parts::parts(graph, lagrangian, (&simple, &shift))?;
+    let Parts { parts, kinetic, potential, long } = parts::parts(graph, lagrangian, (&momenta, &simple, &shift))?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();

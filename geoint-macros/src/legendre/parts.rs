@@ -18,13 +18,17 @@ pub(super) struct Parts {
     pub(super) long: Option<Id>,
 }
 
-pub(super) fn parts(graph: &mut Graph, lagrangian: Id, (entries, shift): (&[Vec<Id>], &[Id])) -> Result<Parts, Flaw> {
+pub(super) fn parts(
+    graph: &mut Graph,
+    lagrangian: Id,
+    (momenta, entries, shift): (&[Id], &[Vec<Id>], &[Id]),
+) -> Result<Parts, Flaw> {
     let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
     let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
     for velocities in mass::blocks(graph, entries) {
         let picked = |row: &[Id]| velocities.iter().map(|i| row[*i as usize]).collect::<Vec<Id>>();
         let block: Vec<Vec<Id>> = velocities.iter().map(|i| picked(&entries[*i as usize])).collect();
-        if block.iter().flatten().any(|entry| analyze::reads(graph, *entry).v) {
+        if !analyze::is_polynomial_in(graph, &picked(momenta), 1, mass::is_velocity) {
             others.push(velocities);
             continue;
         }
@@ -65,11 +69,13 @@ pub(super) fn parts(graph: &mut Graph, lagrangian: Id, (entries, shift): (&[Vec<
         };
         parts.push(Part { velocities, kinetic: found });
     }
-    // What has a conjugate goes with its velocities.
+    // What has a conjugate goes with its velocities; of what is linear in them there may be a rest.
     if conjugates {
+        let linear = |graph: &Graph, term: Id| analyze::is_polynomial_in(graph, &[term], 1, mass::is_velocity);
         let mut terms = conjugate::terms(graph, rest);
-        terms.retain(|term| !analyze::reads(graph, *term).v);
+        terms.retain(|term| linear(graph, *term));
         rest = graph.sum(&terms);
+        rest = at_rest(graph, rest, |_| true);
     }
     parts.sort_by_key(|part| part.velocities[0]);
     let (kinetic, potential) = (graph.sum(&kinetic), graph.neg(rest));

@@ -1,9 +1,10 @@
 //! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
 
-use crate::analyze::vanishes;
-use crate::ir::{Graph, Id, Ratio, Symbol};
+use super::invariant::simplified;
+use crate::analyze::{self, vanishes};
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
-/// A square, and what divides it.
+/// A square, or a form of two, and what divides it.
 pub(super) type Square = (Id, Id);
 
 /// Why there is no such sum.
@@ -14,7 +15,7 @@ pub(super) enum NoForm {
     NoPivot(Id),
 }
 
-/// yᵀM⁻¹y for a symmetric M, as a sum of squares.
+/// yᵀM⁻¹y for a symmetric M, as a sum of squares; of two rows it is one form where either pivot might vanish at a state at which M is regular.
 ///
 /// Zeros stay zeros, so that the pattern of M does: coordinates that couple to the fewest others come first.
 pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Result<Vec<Square>, NoForm> {
@@ -22,7 +23,13 @@ pub(super) fn inverse_form(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id]) -> Res
     let mut left: Vec<usize> = (0..y.len()).collect();
     let mut squares: Vec<(usize, Square)> = vec![];
     while !left.is_empty() {
-        let k = pivot(graph, &mass, &y, &left)?;
+        let k = match pivot(graph, &mass, &y, &left)? {
+            Pivot::One(k) => k,
+            Pivot::Two(pair, determinant) => {
+                squares.push((pair[0], of_two(graph, &mass, &y, (pair, determinant))));
+                break;
+            }
+        };
         left.retain(|i| *i != k);
         let d = mass[k][k];
         let coupled: Vec<usize> = left.iter().copied().filter(|i| !graph.is_zero(mass[*i][k])).collect();
@@ -60,16 +67,60 @@ pub(super) fn sum(graph: &mut Graph, squares: &[Square]) -> Id {
     graph.sum(&divided)
 }
 
-/// The next pivot: of those that are not zero everywhere the one whose coordinate couples to the fewest others.
-fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Result<usize, NoForm> {
+/// What is eliminated next.
+enum Pivot {
+    One(usize),
+    /// Both of two rows, with their determinant.
+    Two([usize; 2], Id),
+}
+
+/// The next pivot: the one whose coordinate couples to the fewest others, of those that are not zero everywhere; of two rows one that vanishes at
+/// no state, or both at once. (Larger matrices that move have no H, and there what is left of them is long.)
+fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Result<Pivot, NoForm> {
     let couples = |graph: &Graph, i: usize| left.iter().filter(|j| !graph.is_zero(mass[i][**j])).count();
     let mut order = left.to_vec();
     order.sort_by_key(|i| couples(graph, *i));
+    if let ([i, j], 2) = (&order[..], mass.len())
+        && !graph.is_zero(mass[*i][*j])
+    {
+        let (i, j) = (*i, *j);
+        if let Some(k) = order.iter().find(|i| vanishes_nowhere(graph, mass[**i][**i])) {
+            return Ok(Pivot::One(*k));
+        }
+        let product = graph.mul(mass[i][i], mass[j][j]);
+        let square = graph.pow(mass[i][j], Ratio::integer(2));
+        let determinant = graph.sub(product, square);
+        let determinant = simplified(graph, determinant);
+        // It vanishes where M is singular, and nowhere else.
+        if !vanishes(graph, determinant) {
+            return Ok(Pivot::Two([i, j], determinant));
+        }
+    }
     if let Some(k) = order.iter().find(|i| !vanishes(graph, mass[**i][**i])) {
-        return Ok(*k);
+        return Ok(Pivot::One(*k));
     }
     let mut entries = left.iter().flat_map(|i| left.iter().map(|j| mass[*i][*j]));
     Err(entries.find(|entry| !vanishes(graph, *entry)).map_or(NoForm::Singular(y[left[0]]), NoForm::NoPivot))
+}
+
+/// Whether a node is seen to be no zero at any state: of parameters alone, positive, or negative.
+fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
+    let reads = analyze::reads(graph, id);
+    if !reads.state() && !reads.t {
+        return !vanishes(graph, id);
+    }
+    let opposite = graph.neg(id);
+    analyze::is_positive(graph, id) || analyze::is_positive(graph, opposite)
+}
+
+/// The form of two coordinates with the mass matrix [a b; b c]: (c y₁² − 2b y₁y₂ + a y₂²)/(ac − b²).
+fn of_two(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], ([i, j], determinant): ([usize; 2], Id)) -> Square {
+    let both = graph.mul(y[i], y[j]);
+    let [first, second] = [y[i], y[j]].map(|y| graph.pow(y, Ratio::integer(2)));
+    let [first, both, second] =
+        [(mass[j][j], first), (mass[i][j], both), (mass[i][i], second)].map(|(entry, y)| graph.mul(entry, y));
+    let twice = graph.scale(Number::ONE.add(Number::ONE).neg(), both);
+    (graph.sum(&[first, twice, second]), determinant)
 }
 
 /// p − a for the velocities of a part.

@@ -48,7 +48,8 @@ fn structure_decides() {
         (quote!(k / x), &["±x"]),
         (quote!(k / (x * x)), &["±x"]),
         (quote!(k / (x - y)), &["±x - y"]),
-        (quote!(k / (t - x)), &["±t - x"]),
+        // Divided differences have the time of the middle alone.
+        (quote!(k / (t - x)), &["(±t - x)"]),
         (quote!(k / x.abs()), &["(±x)"]),
         (quote!(k / (x * x).sqrt()), &["(±x)"]),
         (quote!((x * x).ln() + (y - k).abs().ln()), &["(±x)", "(±y - k)"]),

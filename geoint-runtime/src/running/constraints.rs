@@ -15,9 +15,13 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     state: &StateOf<S, R>,
 ) -> Result<StateOf<S, R>, StepError> {
     let (t, z, s) = state.parts();
+    let not_finite = Err(StepError::NonFiniteState { t: signed(t) });
+    if !z.is_finite() {
+        return not_finite;
+    }
     match projected(system, t, &z) {
         Ok(z) if z.is_finite() => Ok(S::State::of(t, z, s)),
-        Ok(_) => Err(StepError::NonFiniteState { t: signed(t) }),
+        Ok(_) => not_finite,
         Err(refusal) => Err(StepError::refused(refusal, signed(t))),
     }
 }

@@ -84,6 +84,31 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &
     solve(matrix, rhs, sizes)
 }
 
+/// The determinant, by elimination with partial pivoting; destroys `matrix`.
+pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
+    let rows = A::entries::<A>(matrix);
+    let mut product = 1.0;
+    for k in 0..A::LEN {
+        for i in k + 1..A::LEN {
+            if rows[i].as_slice()[k].magnitude() > rows[k].as_slice()[k].magnitude() {
+                rows.swap(k, i);
+                product = -product;
+            }
+        }
+        let (upper, lower) = rows.split_at_mut(k + 1);
+        let pivot = upper[k].as_slice()[k];
+        product *= if pivot.any_below(0.0) { -pivot.magnitude() } else { pivot.magnitude() };
+        if product == 0.0 {
+            return product;
+        }
+        for row in lower {
+            let factor = -(row.as_slice()[k] / pivot);
+            row.add_scaled(factor, &upper[k]);
+        }
+    }
+    product
+}
+
 /// In two operations: the optimiser makes a dozen of `f64::is_finite`.
 #[inline(always)]
 fn is_finite(x: f64) -> bool {

@@ -19,6 +19,7 @@ const COMPARED: (u64, f64) = (200, 1e-11);
 fn main() {
     let tables = [
         ("from L / from H by hand", double_pendulums()),
+        ("constant mass, from L / from H", constant_masses()),
         ("velocities / H by LDLᵀ", chains()),
         ("velocities / by hand", by_hand()),
     ];
@@ -91,6 +92,20 @@ const HANGING: [f64; 6] = [0.3, 0.35, 0.4, 0.3, 0.2, 0.25];
 
 fn hanging<const N: usize>() -> State<[f64; N]> {
     State::new(core::array::from_fn(|i| HANGING[i]), [0.0; N])
+}
+
+/// A constant mass matrix: the energy that is made of L is the one that one would write.
+fn constant_masses() -> Vec<Pair> {
+    let (m, h, start) = ([1.3, 0.7], 0.05, State::new([0.1, -0.2], [0.15, 0.1]));
+    let (of_velocities, of_momenta) = (systems::CubicOfVelocities { m }, systems::CubicOfMomenta { m });
+    macro_rules! pairs {
+        ($($method:expr),*) => { vec![$(Pair {
+            name: format!("Hénon–Heiles, {}", stringify!($method)),
+            subject: run(of_velocities, $method, h, start),
+            unit: run(of_momenta, $method, h, start),
+        }),*] };
+    }
+    pairs![StormerVerlet, BlanesMoan4, Gauss::<2>, DiscreteGradient]
 }
 
 /// Chains of point masses, by velocities and by the energy that LDLᵀ makes.

@@ -22,6 +22,20 @@ pub(crate) fn pendulum_of_momenta(q: [f64; 2], p: [f64; 2], m: [f64; 2], l: [f64
     kinetic - total * g * l[0] * q[0].cos() - m[1] * g * l[1] * q[1].cos()
 }
 
+/// Hénon and Heiles' masses: a mass matrix that is constant.
+#[lagrangian]
+pub(crate) fn cubic_of_velocities(q: [f64; 2], v: [f64; 2], m: [f64; 2]) -> f64 {
+    let [x, y] = q;
+    0.5 * (m[0] * v[0] * v[0] + m[1] * v[1] * v[1]) - 0.5 * (x * x + y * y) - x * x * y + y.powi(3) / 3.0
+}
+
+/// The same with momenta.
+#[hamiltonian]
+pub(crate) fn cubic_of_momenta(q: [f64; 2], p: [f64; 2], m: [f64; 2]) -> f64 {
+    let [x, y] = q;
+    0.5 * (p[0] * p[0] / m[0] + p[1] * p[1] / m[1]) + 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+}
+
 /// Chains of point masses; q angles from below. The energy is that of the mass matrix M = LDLᵀ.
 macro_rules! chains {
     ($($n:literal: $velocities:ident, $momenta:ident;)*) => { $(

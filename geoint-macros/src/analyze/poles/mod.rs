@@ -52,8 +52,12 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
         for (vanishes, quick) in zeros.of(graph, term) {
             let whole = vanishes == term && condition.is_none();
             if !(one_sided && whole && zeros.is_concave(graph, term)) {
-                let noticed =
-                    whole && computed.contains(&node) && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
+                // Divided differences have one time: that of the middle of the step.
+                let timed = symbols(graph, term).contains(&Symbol::T);
+                let noticed = !timed
+                    && whole
+                    && computed.contains(&node)
+                    && quick.as_ref().is_some_and(|quick| quick.is_sign_of(term));
                 let pole = Pole { condition, noticed, quick, ..Pole::new(term, vanishes) };
                 match found.iter().position(|known| known.vanishes == vanishes) {
                     Some(known) => joined.push((known, pole)),

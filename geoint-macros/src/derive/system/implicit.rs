@@ -24,8 +24,8 @@ pub(crate) enum Implicit<K> {
 pub(crate) struct MassKernels<K> {
     /// ∂L/∂v and M.
     pub(crate) mass: K,
-    /// Functions of parameters: if none is negative, M has no negative direction at any state.
-    pub(crate) weights: Option<K>,
+    /// Functions of parameters, of which so many are not negative and the others positive where M is positive definite at every state.
+    pub(crate) definite: Option<(usize, K)>,
     /// Whether L is quadratic in v.
     pub(crate) quadratic: bool,
 }
@@ -202,7 +202,11 @@ impl<K> VelocityStages<K> {
 
 impl<K> MassKernels<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> MassKernels<L> {
-        MassKernels { mass: of(self.mass), weights: self.weights.map(&mut *of), quadratic: self.quadratic }
+        MassKernels {
+            mass: of(self.mass),
+            definite: self.definite.map(|(weights, values)| (weights, of(values))),
+            quadratic: self.quadratic,
+        }
     }
 }
 

@@ -69,13 +69,16 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
 
 /// `impl MassForm`.
 pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> TokenStream {
-    let MassKernels { mass, weights, quadratic } = kernels;
+    let MassKernels { mass, definite, quadratic } = kernels;
     let (name, array, action) = (self_type(context), context.array(), context.action());
     let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
-    let semidefinite = weights.as_ref().map(|weights| {
-        let holds = context.values(weights, |weights| quote!(true #(&& !#weights.any_below(0.0))*));
+    let definite = definite.as_ref().map(|(weights, values)| {
+        let holds = context.values(values, |values| {
+            let (weights, others) = values.split_at(*weights);
+            quote!(true #(&& !#weights.any_below(0.0))* #(&& #others.all_positive())*)
+        });
         quote! {
-            fn is_semidefinite(&self) -> bool {
+            fn is_definite(&self) -> bool {
                 #holds
             }
         }
@@ -85,7 +88,7 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> T
             type Proof = ();
             const QUADRATIC: bool = #quadratic;
 
-            #semidefinite
+            #definite
             #[inline(always)]
             fn mass(
                 &self,

@@ -2,6 +2,7 @@
 
 mod masses;
 mod messages;
+mod signs;
 
 use super::{Noise, lowered};
 use crate::ir::eval::eval;

@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::vector::moved;
 use crate::space::{Array, Compensated, Record, Summation, Tape};
-use crate::system::{ByConstraint, ConstrainedStep, on_one_side};
+use crate::system::{ByConstraint, ConstrainedStep, held, on_one_side};
 
 /// What a step hands on to the next one.
 #[derive(Clone, Debug)]
@@ -58,6 +58,7 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
         on_one_side(system, (t, &z), [&z[0], &between]).map_err(|what| Refusal::DependentConstraints { what })?;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &increments, &S::Phase::zero());
+        held(system, t + *h, [&z, &x.z])?;
         check_conditions(system, middle, &end, x)?;
         check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
     }

@@ -7,7 +7,7 @@ use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Summation};
-use crate::system::{ConstrainedStep, on_one_side, tangent};
+use crate::system::{ConstrainedStep, held, on_one_side, tangent};
 
 /// p½ = p₀ − h/2 (∂H/∂q + Gᵀλ)(q₀, p½), q₁ = q₀ + h/2 (∂H/∂p(q₀, p½) + ∂H/∂p(q₁, p½)) with g(q₁) = 0, and
 /// p₁ = p½ − h/2 (∂H/∂q + Gᵀμ)(q₁, p½) with G ∂H/∂p(q₁, p₁) = 0.
@@ -62,6 +62,7 @@ impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
         on_one_side(system, (t, &z), [&z[0], &q]).map_err(|what| Refusal::DependentConstraints { what })?;
         let before = start::<S, R, C>(x);
         x.add(&increments);
+        held(system, end, [&z, &x.z])?;
         check_end(poles, [t, end], &before, Step { system, t, x, probe })
     }
 }

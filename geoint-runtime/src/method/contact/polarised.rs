@@ -7,7 +7,7 @@ use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, product, scaled, sum};
 use crate::space::{Array, PerCoordinate, Record, Square, Summation, Tape};
-use crate::system::{ByPolarisation, ContactPolarised, ContactStage, Orientation, Poles, row_scale, velocity_near};
+use crate::system::{ByPolarisation, ContactPolarised, ContactStage, Poles, Regular, row_scale, velocity_near};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -15,15 +15,15 @@ pub struct Prepared<P, R> {
     parameters: P,
     poles: Poles,
     h: R,
-    /// The determinant of the mass matrix has one sign everywhere.
-    semidefinite: bool,
+    /// The mass matrix is positive definite everywhere.
+    is_definite: bool,
 }
 
 /// What a step hands on to the next one.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<D, A> {
+pub struct Memory<D, A: Array> {
     newton: Newton<D>,
-    orientation: Orientation,
+    regular: Regular<A>,
     /// The velocity at the end of the last step.
     v: A,
 }
@@ -31,7 +31,7 @@ pub struct Memory<D, A> {
 impl<D: Array, A: Array<Real = D::Real>> Record<D::Real> for Memory<D, A> {
     fn record(&mut self, tape: &mut impl Tape<D::Real>) {
         self.newton.record(tape);
-        self.orientation.record(tape);
+        self.regular.record(tape);
         self.v.as_mut_slice().iter_mut().for_each(|x| tape.scalar(x));
     }
 }
@@ -41,16 +41,11 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
     type Memory = Memory<S::Unknown, S::Array>;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
-        Prepared {
-            parameters: system.parameters(h),
-            poles: Poles::of(system),
-            h,
-            semidefinite: system.is_semidefinite(),
-        }
+        Prepared { parameters: system.parameters(h), poles: Poles::of(system), h, is_definite: system.is_definite() }
     }
 
     fn memory() -> Self::Memory {
-        Memory { newton: Newton::new(S::Array::LEN, 2), orientation: Orientation::unknown(), v: S::Array::zero() }
+        Memory { newton: Newton::new(S::Array::LEN, 2), regular: Regular::unknown(), v: S::Array::zero() }
     }
 
     #[inline(always)]
@@ -60,16 +55,15 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { parameters, poles, h, semidefinite }: &Self::Prepared,
-        Memory { newton, orientation, v: near }: &mut Self::Memory,
+        Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
+        Memory { newton, regular, v: near }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (z, s, middle) = (x.z, x.s, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &s);
         // With time frozen in the middle of the step.
-        let (v, positive) = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
-        let sign = orientation.sign::<R>(|| Some(positive))?;
-        orientation.agrees(Some(positive))?;
+        let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
+        let v = velocity_near(system, middle, &z, &s, *near).ok_or(Refusal::Singular)?;
         let begun = system.begin(parameters, middle, &z, &s, &v);
         let units = units(system, middle, &z, &s, (&v, sign));
         let equation = Equation { system, parameters, middle, h: *h, z, s, v, begun, units };
@@ -88,11 +82,7 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
         let before = start::<S, R, C>(x);
         x.add_everywhere(&PerCoordinate { z: [equation.shift(&d), impulse], s: ds });
         *near = sum(&v, &equation.apart(&d).0);
-        if !semidefinite {
-            let (end, positive) = velocity_near(system, middle, &x.z, &x.s, *near).ok_or(Refusal::Singular)?;
-            orientation.agrees(Some(positive))?;
-            *near = end;
-        }
+        regular.follow(system, *is_definite, [(t, &z, &s), (t + *h, &x.z, &x.s)], *near)?;
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }

@@ -114,11 +114,12 @@ impl<Y: CanonicalForm<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
             let at = At::new(self.system, &self.prepared.constants, self.t + self.prepared.h, sum(&self.z, &d));
             let mut delta = self.inverse.times(&difference(&difference(&at.value, &self.y), change));
             let mut matrix = scaled_rows(self.inverse, &at.derivatives[VALUE]);
-            linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
+            // At the start the matrix is 1: where its determinant is negative, Ω has vanished on the way.
+            let positive = linear::solve(&mut matrix, &mut delta, &Sizes::equal()).ok_or(Refusal::Singular)?;
             d = difference(&d, &delta);
             let correction = Sizes::new().relative(&delta, &self.z, &d);
             match corrections.judge::<R>(correction) {
-                Verdict::Solved | Verdict::Stuck => return Ok(d),
+                Verdict::Solved | Verdict::Stuck => return if positive { Ok(d) } else { Err(Refusal::Singular) },
                 Verdict::Continue if correction.is_finite() => {}
                 Verdict::Continue => break,
             }

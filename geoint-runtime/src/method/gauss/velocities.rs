@@ -10,27 +10,27 @@ use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Record, Square, Summation, Tape};
-use crate::system::{ByVelocities, Orientation, VelocityForm, acceleration, row_scale, velocity_near};
+use crate::system::{ByVelocities, Regular, VelocityForm, acceleration, row_scale, velocity_near};
 
 /// The coefficients of one step, and what is known of the system.
 #[derive(Clone, Copy, Debug)]
 pub struct PreparedVelocities<P, R, const S: usize> {
     pub(in crate::method) stages: Prepared<P, R, S>,
-    /// The determinant of the mass matrix has one sign everywhere.
-    pub(in crate::method) semidefinite: bool,
+    /// The mass matrix is positive definite everywhere.
+    pub(in crate::method) is_definite: bool,
 }
 
 /// What a step hands on to the next one.
 #[derive(Clone, Copy, Debug)]
-pub struct Memory<A, const S: usize> {
-    pub(in crate::method) newton: Newton<[A; S]>,
-    pub(in crate::method) orientation: Orientation,
+pub struct Memory<D, A: Array, const S: usize> {
+    pub(in crate::method) newton: Newton<[D; S]>,
+    pub(in crate::method) regular: Regular<A>,
 }
 
-impl<A: Array, const S: usize> Record<A::Real> for Memory<A, S> {
-    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+impl<D: Array, A: Array<Real = D::Real>, const S: usize> Record<D::Real> for Memory<D, A, S> {
+    fn record(&mut self, tape: &mut impl Tape<D::Real>) {
         self.newton.record(tape);
-        self.orientation.record(tape);
+        self.regular.record(tape);
     }
 }
 
@@ -39,17 +39,17 @@ where
     Gauss<S>: GaussTableau<S>,
 {
     type Prepared = PreparedVelocities<Y::Constants, R, S>;
-    type Memory = Memory<Y::Array, S>;
+    type Memory = Memory<Y::Array, Y::Array, S>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
         PreparedVelocities {
             stages: Prepared::new(system, VelocityForm::constants(system), h),
-            semidefinite: system.is_semidefinite(),
+            is_definite: system.is_definite(),
         }
     }
 
     fn memory() -> Self::Memory {
-        Memory { newton: Newton::new(Y::Array::LEN, 1), orientation: Orientation::unknown() }
+        Memory { newton: Newton::new(Y::Array::LEN, 1), regular: Regular::unknown() }
     }
 
     #[inline(always)]
@@ -59,13 +59,13 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
-        Memory { newton, orientation }: &mut Self::Memory,
+        PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
+        Memory { newton, regular }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z) = (Y::Array::zero(), x.z);
         probe.visit(t, &z, &());
-        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &(), none)?.1))?;
+        let sign = regular.begin(system, *is_definite, (t, &z, &()))?;
         let equation = StageVelocities { system, prepared, t, z, sign };
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
         let (v, _) = newton.solve(&equation, &mut seen).checked()?;
@@ -85,11 +85,7 @@ where
         let Seen { probe, .. } = seen;
         let before = start::<Y, R, C>(x);
         x.add(&[change, impulse]);
-        // The end has a velocity, and the mass matrix has not changed its orientation.
-        if !semidefinite {
-            let end = velocity_near(system, t + *h, &x.z, &(), v[S - 1]);
-            orientation.agrees(end.map(|(_, positive)| positive))?;
-        }
+        regular.follow(system, *is_definite, [(t, &z, &()), (t + *h, &x.z, &())], v[S - 1])?;
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }
@@ -188,7 +184,7 @@ impl<Y: VelocityForm<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<[
     /// The velocities as if v' were constant.
     fn explicit(&self) -> [Y::Array; S] {
         let none = Y::Array::zero();
-        let v = velocity_near(self.system, self.t, &self.z, &(), none).map_or(none, |(v, _)| v);
+        let v = velocity_near(self.system, self.t, &self.z, &(), none).unwrap_or(none);
         let rate = acceleration(self.system, self.t, &self.z[0], &v);
         self.prepared.nodes.map(|node| moved(&v, node, &rate))
     }

@@ -104,6 +104,23 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     Some(Unmet::Dependent(dependent))
 }
 
+/// Refuses a step at whose end a constraint is not zero: one so long that h ∂H/∂p rounds positions away.
+#[inline(always)]
+pub(crate) fn held<S: Constrained<R>, R: Real>(system: &S, t: R, [before, z]: [&S::Phase; 2]) -> Result<(), Refusal> {
+    let [[values, sizes], _] = system.departure(t, z);
+    let are_small = |of_start: &S::Multipliers| {
+        let rounding = ROUNDINGS * R::epsilon();
+        let sizes = sizes.as_slice().iter().zip(of_start.as_slice());
+        let mut reaches = sizes.map(|(end, start)| rounding * (end.magnitude() + start.magnitude()));
+        values.as_slice().iter().all(|value| reaches.next().is_some_and(|reach| value.magnitude() <= reach))
+    };
+    // The rounding of increments is that of positions at both ends.
+    if are_small(&S::Multipliers::zero()) || are_small(&system.departure(t, before)[0][1]) {
+        return Ok(());
+    }
+    Err(Refusal::Singular)
+}
+
 /// Whether the constraints are independent at two positions, and their gradients span nearly the same directions there: on the way from
 /// one to the other, where they depend on each other, the space that they span changes its orientation. The formula of a constraint that
 /// fails.
@@ -182,6 +199,7 @@ pub(crate) fn tangent<S: Constrained<R>, R: Real>(system: &S, t: R, mut z: S::Ph
 #[inline(never)]
 pub(crate) fn projected<S: Constrained<R>, R: Real>(system: &S, t: R, z: &S::Phase) -> Result<S::Phase, Refusal> {
     let (none, minus) = (S::Array::zero(), R::from_f64(-1.0));
+    on_one_side(system, (t, z), [&z[0], &z[0]]).map_err(|what| Refusal::DependentConstraints { what })?;
     let (_, inverse_mass) = velocity(system, t, z);
     let (_, start) = gradients(system, &z[0]);
     let directions = S::Multipliers::entries_of::<S::Array>(&start);

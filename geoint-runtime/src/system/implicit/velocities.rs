@@ -1,11 +1,11 @@
 //! Lagrangians whose steps are solved for velocities: v follows from p by an equation, and no energy as a function of p is emitted.
 
 use crate::scalar::Real;
+use crate::solving::linear;
 use crate::solving::rounding::{Corrections, MAX_ITERATIONS, Verdict};
 use crate::solving::size::Sizes;
-use crate::solving::{Refusal, linear};
 use crate::space::vector::dot;
-use crate::space::{Array, Record, Square, Tape};
+use crate::space::{Array, Square};
 use crate::system::{ByPolarisation, ByVelocities, Collocated, Graded, Lagrangian};
 
 /// The momenta of L(q, v, s, t), and how they depend on v: by the mass matrix M = ∂²L/∂v².
@@ -15,8 +15,8 @@ pub trait MassForm<R: Real = f64>: Lagrangian<R> {
     /// Whether L is quadratic in v, so that one linear equation gives v.
     const QUADRATIC: bool;
 
-    /// Whether M was proven to have no negative direction at any state, for these parameters: its determinant then has one sign.
-    fn is_semidefinite(&self) -> bool {
+    /// Whether M was proven to be positive definite at every state, for these parameters.
+    fn is_definite(&self) -> bool {
         false
     }
     /// p = ∂L/∂v, and M.
@@ -83,9 +83,6 @@ pub trait PolarisedForm<R: Real = f64>: VelocityForm<R> + Graded<R, Gradient = B
     );
 }
 
-/// A velocity, and whether the determinant of the mass matrix there is positive.
-pub(crate) type Moving<A> = (A, bool);
-
 /// v of a point by Newton's iteration for ∂L/∂v = p from `guess` on: one linear equation where L is quadratic. `None` where M is
 /// singular, or the iteration leads nowhere.
 #[inline]
@@ -95,7 +92,7 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
     [q, p]: &S::Phase,
     s: &S::Action,
     guess: S::Array,
-) -> Option<Moving<S::Array>> {
+) -> Option<S::Array> {
     let minus = R::from_f64(-1.0);
     let (mut v, none) = (guess, S::Array::zero());
     let mut corrections = Corrections::of_order(2);
@@ -103,14 +100,14 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
         let (mut delta, mut mass) = (none, S::Array::fill(none));
         system.mass(t, q, &v, s, (&mut delta, &mut mass));
         delta.add_scaled(minus, p);
-        let positive = solve_for_velocity(&mut mass, &mut delta)?;
+        solve_for_velocity(&mut mass, &mut delta)?;
         v.add_scaled(minus, &delta);
         if S::QUADRATIC {
-            return v.is_finite().then_some((v, positive));
+            return v.is_finite().then_some(v);
         }
         let correction = Sizes::new().relative(&delta, &none, &v);
         match corrections.judge::<R>(correction) {
-            Verdict::Solved | Verdict::Stuck => return Some((v, positive)),
+            Verdict::Solved | Verdict::Stuck => return Some(v),
             Verdict::Continue if correction.is_finite() => {}
             Verdict::Continue => return None,
         }
@@ -118,9 +115,9 @@ pub(crate) fn velocity_near<S: MassForm<R>, R: Real>(
     None
 }
 
-/// Solves M·x = p in place of p; whether the determinant is positive, or `None` where M is singular.
+/// Solves M·x = p in place of p; `None` where M is singular.
 #[inline(always)]
-fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<bool> {
+fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<()> {
     // Row i gets the unit of the velocity i, which is that of √(E/Mᵢᵢ).
     let mut sizes = A::zero();
     let rows = A::entries::<A>(mass).iter_mut();
@@ -133,7 +130,7 @@ fn solve_for_velocity<A: Array>(mass: &mut Square<A>, p: &mut A) -> Option<bool>
             *x *= scale;
         }
     }
-    linear::solve(mass, p, &Sizes::of_magnitudes(sizes))
+    linear::solve(mass, p, &Sizes::of_magnitudes(sizes)).map(drop)
 }
 
 /// |Mᵢᵢ|, or the largest magnitude of the row where that is zero.
@@ -147,44 +144,10 @@ pub(crate) fn row_scale<A: Array>(row: &A, i: usize) -> A::Real {
     A::Real::from_f64(if largest > 0.0 { largest } else { 1.0 })
 }
 
-/// Whether the determinant of the mass matrix is positive, which it stays on a run: it has no zero on the way.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Orientation(Option<bool>);
-
-impl<R> Record<R> for Orientation {
-    fn record(&mut self, tape: &mut impl Tape<R>) {
-        let (mut known, mut positive) = (self.0.is_some(), self.0 == Some(true));
-        tape.flag(&mut known);
-        tape.flag(&mut positive);
-        self.0 = known.then_some(positive);
-    }
-}
-
-impl Orientation {
-    pub(crate) fn unknown() -> Self {
-        Orientation(None)
-    }
-
-    /// That at the first point of a run; −1 if the determinant is negative.
-    #[inline(always)]
-    pub(crate) fn sign<R: Real>(&mut self, positive: impl FnOnce() -> Option<bool>) -> Result<R, Refusal> {
-        if self.0.is_none() {
-            self.0 = Some(positive().ok_or(Refusal::Singular)?);
-        }
-        Ok(R::from_f64(if self.0 == Some(false) { -1.0 } else { 1.0 }))
-    }
-
-    /// Refuses a point at which the determinant has the other sign.
-    #[inline(always)]
-    pub(crate) fn agrees(&self, positive: Option<bool>) -> Result<(), Refusal> {
-        if positive.is_some() && positive == self.0 { Ok(()) } else { Err(Refusal::Singular) }
-    }
-}
-
 /// v at a point; not a number where there is none.
 #[inline]
 pub fn velocity_of<S: MassForm<R>, R: Real>(system: &S, t: R, z: &S::Phase, s: &S::Action) -> S::Array {
-    velocity_near(system, t, z, s, S::Array::zero()).map_or_else(unknown, |(v, _)| v)
+    velocity_near(system, t, z, s, S::Array::zero()).unwrap_or_else(unknown)
 }
 
 fn unknown<A: Array>() -> A {
@@ -228,7 +191,7 @@ pub(crate) fn accelerated<A: Array>(mut rate: A, by_q: &Square<A>, v: &A, mut ma
         *f -= dot(row, v);
     }
     match solve_for_velocity(&mut mass, &mut rate) {
-        Some(_) => rate,
+        Some(()) => rate,
         None => A::zero(),
     }
 }

@@ -63,6 +63,15 @@ mod lagrangian_linear_in_velocities {
     }
 }
 
+mod lagrangian_momentum_that_jumps {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian]
+    fn dry(q: f64, v: f64, c: f64) -> f64 {
+        0.5 * v * v - c * v.abs() - 0.5 * q * q
+    }
+}
+
 mod lagrangian_of_momenta {
     use geoint_runtime::lagrangian;
 
@@ -83,6 +92,20 @@ mod lagrangian_rayleigh_cubic {
     #[lagrangian(rayleigh = c * v)]
     fn pulled(q: f64, v: f64, c: f64) -> f64 {
         0.5 * v * v - 0.5 * q * q
+    }
+}
+
+mod lagrangian_rayleigh_jumps_at_rest {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian(rayleigh = c * v.abs())]
+    fn dry(q: f64, v: f64, c: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q
+    }
+
+    #[lagrangian(rayleigh = c * (v[0] * v[0] + v[1] * v[1]).sqrt())]
+    fn dry_in_the_plane(q: [f64; 2], v: [f64; 2], c: f64) -> f64 {
+        0.5 * (v[0] * v[0] + v[1] * v[1]) - 0.5 * (q[0] * q[0] + q[1] * q[1])
     }
 }
 

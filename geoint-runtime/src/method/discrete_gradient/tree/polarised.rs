@@ -7,7 +7,7 @@ use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
-use crate::system::{ByPolarisation, Orientation, PolarisedForm, Poles, acceleration, row_scale, velocity_near};
+use crate::system::{ByPolarisation, PolarisedForm, Poles, Regular, acceleration, row_scale, velocity_near};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +15,8 @@ pub struct Prepared<P, R> {
     parameters: P,
     poles: Poles,
     h: R,
-    /// The determinant of the mass matrix has one sign everywhere.
-    semidefinite: bool,
+    /// The mass matrix is positive definite everywhere.
+    is_definite: bool,
 }
 
 /// What is known of a point.
@@ -32,7 +32,7 @@ struct Known<Z, A> {
 #[derive(Clone, Debug)]
 pub struct Memory<S: PolarisedForm<R>, R: Real> {
     newton: Newton<S::Array>,
-    orientation: Orientation,
+    regular: Regular<S::Array>,
     /// The end of the last step.
     last: Option<Known<S::Phase, S::Array>>,
     sums: Compensated<S::Phase>,
@@ -41,7 +41,7 @@ pub struct Memory<S: PolarisedForm<R>, R: Real> {
 impl<S: PolarisedForm<R>, R: Real> Record<R> for Memory<S, R> {
     fn record(&mut self, tape: &mut impl Tape<R>) {
         self.newton.record(tape);
-        self.orientation.record(tape);
+        self.regular.record(tape);
         let blank = || Known { z: S::Phase::zero(), v: S::Array::zero(), units: S::Array::zero() };
         tape.option(&mut self.last, blank);
         self.sums.record(tape);
@@ -61,18 +61,13 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
     type Memory = Memory<S, R>;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
-        Prepared {
-            parameters: system.parameters(h),
-            poles: Poles::of(system),
-            h,
-            semidefinite: system.is_semidefinite(),
-        }
+        Prepared { parameters: system.parameters(h), poles: Poles::of(system), h, is_definite: system.is_definite() }
     }
 
     fn memory() -> Self::Memory {
         Memory {
             newton: Newton::new(S::Array::LEN, 1),
-            orientation: Orientation::unknown(),
+            regular: Regular::unknown(),
             last: None,
             sums: Compensated::new(),
         }
@@ -85,19 +80,20 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { parameters, poles, h, semidefinite }: &Self::Prepared,
-        Memory { newton, orientation, last, sums }: &mut Self::Memory,
+        Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
+        Memory { newton, regular, last, sums }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (z, middle) = (x.z, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
+        let sign = regular.begin(system, *is_definite, (t, &z, &()))?;
         // A point that nobody has moved since.
         let known = match *last {
             Some(known) if known.z == z => known,
-            _ => known(system, t, z, orientation)?,
+            _ => known(system, t, z)?,
         };
         let Known { v, mut units, .. } = known;
-        units.as_mut_slice()[0] *= orientation.sign::<R>(|| None)?;
+        units.as_mut_slice()[0] *= sign;
         let begun = system.begin(parameters, middle, &z, &v);
         let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
         let none = S::Array::zero();
@@ -117,10 +113,9 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         x.add_with(sums, &increments, &S::Phase::zero());
         check_conditions(system, middle, &end, x)?;
         let mut v = sum(&v, &d);
-        if !semidefinite {
-            let (end, positive) = velocity_near(system, t + *h, &x.z, &(), v).ok_or(Refusal::Singular)?;
-            orientation.agrees(Some(positive))?;
-            v = end;
+        if !is_definite {
+            regular.follow(system, false, [(t, &z, &()), (t + *h, &x.z, &())], v)?;
+            v = velocity_near(system, t + *h, &x.z, &(), v).ok_or(Refusal::Singular)?;
         }
         *last = Some(Known { z: x.z, v, ..known });
         check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
@@ -130,16 +125,9 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
 /// v of a point, and units.
 #[cold]
 #[inline(never)]
-fn known<S: PolarisedForm<R>, R: Real>(
-    system: &S,
-    t: R,
-    z: S::Phase,
-    orientation: &mut Orientation,
-) -> Result<Known<S::Phase, S::Array>, Refusal> {
+fn known<S: PolarisedForm<R>, R: Real>(system: &S, t: R, z: S::Phase) -> Result<Known<S::Phase, S::Array>, Refusal> {
     let none = S::Array::zero();
-    let (v, positive) = velocity_near(system, t, &z, &(), none).ok_or(Refusal::Singular)?;
-    orientation.sign::<R>(|| Some(positive))?;
-    orientation.agrees(Some(positive))?;
+    let v = velocity_near(system, t, &z, &(), none).ok_or(Refusal::Singular)?;
     let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
     system.mass(t, &z[0], &v, &(), (&mut p, &mut mass));
     for (i, row) in S::Array::entries::<S::Array>(&mut mass).iter().enumerate() {

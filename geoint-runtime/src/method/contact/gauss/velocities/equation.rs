@@ -139,7 +139,7 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     /// The velocities as if v' and s' were constant.
     fn explicit(&self) -> [Y::Moved; S] {
         let StageVelocities { system, prepared, t, z, s, .. } = self;
-        let v = velocity_near(*system, *t, z, s, Y::Array::zero()).map_or(Y::Array::zero(), |(v, _)| v);
+        let v = velocity_near(*system, *t, z, s, Y::Array::zero()).unwrap_or_else(Y::Array::zero);
         let mut at = ContactStage::none();
         system.stage(&prepared.constants, *t, &z[0], &v, s, &mut at);
         let rate = at.acceleration(&v);

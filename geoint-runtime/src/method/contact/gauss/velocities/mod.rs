@@ -14,7 +14,7 @@ use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
-use crate::system::{ByVelocities, ContactStage, ContactVelocities, Orientation, velocity_near};
+use crate::system::{ByVelocities, ContactStage, ContactVelocities, Regular};
 use equation::{Seen, StageVelocities};
 
 /// One stage is the midpoint rule.
@@ -50,18 +50,18 @@ where
     Gauss<S>: GaussTableau<S>,
 {
     type Prepared = PreparedVelocities<Y::StageConstants, R, S>;
-    type Memory = Memory<Y::Moved, S>;
+    type Memory = Memory<Y::Moved, Y::Array, S>;
 
     fn prepare(system: &Y, h: R) -> Self::Prepared {
         PreparedVelocities {
             stages: Prepared::new(system, system.stage_constants(), h),
-            semidefinite: system.is_semidefinite(),
+            is_definite: system.is_definite(),
         }
     }
 
     fn memory() -> Self::Memory {
         // Each unknown of a stage is of a kind of its own.
-        Memory { newton: Newton::new(1, Y::Moved::LEN), orientation: Orientation::unknown() }
+        Memory { newton: Newton::new(1, Y::Moved::LEN), regular: Regular::unknown() }
     }
 
     #[inline(always)]
@@ -71,13 +71,13 @@ where
 
     #[inline(always)]
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
-        PreparedVelocities { stages: prepared, semidefinite }: &Self::Prepared,
-        Memory { newton, orientation }: &mut Self::Memory,
+        PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
+        Memory { newton, regular }: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z, s) = (Y::Array::zero(), x.z, x.s);
         probe.visit(t, &z, &s);
-        let sign = orientation.sign::<R>(|| Some(velocity_near(system, t, &z, &s, none)?.1))?;
+        let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
         let Prepared { poles, h, coupling, nodes, constants, .. } = prepared;
         let known = if varying::<Y, R>() {
             None
@@ -93,11 +93,8 @@ where
         let end = equation.end(&d, &last, &stages).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
         x.add_everywhere(&end);
-        // The end has a velocity, and the mass matrix has not changed its orientation.
-        if !semidefinite {
-            let end = velocity_near(system, t + *h, &x.z, &x.s, equation.apart(&d[S - 1]).0);
-            orientation.agrees(end.map(|(_, positive)| positive))?;
-        }
+        let near = equation.apart(&d[S - 1]).0;
+        regular.follow(system, *is_definite, [(t, &z, &s), (t + *h, &x.z, &x.s)], near)?;
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
 }

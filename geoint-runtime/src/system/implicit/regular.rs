@@ -1,0 +1,222 @@
+//! Does the mass matrix of a Lagrangian stay regular on the way of a run?
+
+use super::velocities::{MassForm, row_scale, velocity_near};
+use crate::scalar::Real;
+use crate::solving::{Refusal, linear};
+use crate::space::vector::{difference, moved};
+use crate::space::{Action, Array, Record, Tape};
+
+/// The way of a step is halved so often, where the determinant changes by more than a factor of two on a part of it.
+const HALVINGS: usize = 24;
+
+/// A determinant that is so many times smaller than at the ends of the way is near a zero, if it jumps.
+const JUMP: f64 = 256.0;
+
+/// Parts that are looked at before a way is given up: a determinant of 10⁻⁹ of those at the ends takes some sixty.
+const MOST: u32 = 500;
+
+/// Where the mass matrix has no inverse, or may have none on the way.
+const SINGULAR: Refusal =
+    Refusal::OutsideDomain { what: "the mass matrix ∂²L/∂v² is singular there, or on the way" };
+
+/// A point of a run: t, z and s.
+pub(crate) type Moment<'a, S, R> =
+    (R, &'a <S as crate::system::PhaseSpace<R>>::Phase, &'a <S as crate::system::PhaseSpace<R>>::Action);
+
+/// What is known of the mass matrix M at the last point of a run; nothing before the first step, or where M was proven to be regular.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Regular<A: Array> {
+    last: Option<Known<A>>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Known<A> {
+    /// 1/|Mᵢᵢ| at the first point of the run.
+    units: A,
+    /// The velocity, where M reads it.
+    v: A,
+    /// Of M with its rows in these units.
+    determinant: f64,
+}
+
+impl<A: Array> Record<A::Real> for Regular<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.option(&mut self.last, || Known { units: A::zero(), v: A::zero(), determinant: 0.0 });
+    }
+}
+
+impl<A: Array> Record<A::Real> for Known<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        tape.array(&mut self.units);
+        tape.array(&mut self.v);
+        tape.number(&mut self.determinant);
+    }
+}
+
+impl<A: Array> Regular<A> {
+    pub(crate) fn unknown() -> Self {
+        Regular { last: None }
+    }
+
+    /// The sign of the determinant, which it keeps on a run.
+    #[inline(always)]
+    pub(crate) fn begin<S: MassForm<A::Real, Array = A>>(
+        &mut self,
+        system: &S,
+        is_definite: bool,
+        start: Moment<'_, S, A::Real>,
+    ) -> Result<A::Real, Refusal> {
+        if is_definite {
+            return Ok(A::Real::from_f64(1.0));
+        }
+        if self.last.is_none() {
+            self.last = Some(known(system, start).ok_or(SINGULAR)?);
+        }
+        Ok(A::Real::from_f64(if self.last.is_some_and(|last| last.determinant < 0.0) { -1.0 } else { 1.0 }))
+    }
+
+    /// Refuses a step on whose straight way the determinant vanishes; `v` is near the velocity at the end.
+    ///
+    /// It is looked at in the middle of every part of the way on which it changes by more than a factor of two. That sees zeros which it
+    /// does not cross as well, but proves nothing of steps on which it swings.
+    #[inline(always)]
+    pub(crate) fn follow<S: MassForm<A::Real, Array = A>>(
+        &mut self,
+        system: &S,
+        is_definite: bool,
+        ends: [Moment<'_, S, A::Real>; 2],
+        v: A,
+    ) -> Result<(), Refusal> {
+        if is_definite {
+            return Ok(());
+        }
+        let next = self.last.as_ref().and_then(|last| last.after(system, ends, v));
+        self.last = Some(next.ok_or(SINGULAR)?);
+        Ok(())
+    }
+}
+
+/// The mass matrix at the first point of a run.
+#[cold]
+#[inline(never)]
+fn known<S: MassForm<R>, R: Real>(system: &S, start: Moment<'_, S, R>) -> Option<Known<S::Array>> {
+    let (t, z, s) = start;
+    let none = S::Array::zero();
+    let v = velocity_near(system, t, z, s, none)?;
+    let (mut p, mut mass, mut units) = (none, S::Array::fill(none), none);
+    system.mass(t, &z[0], &v, s, (&mut p, &mut mass));
+    for (i, row) in S::Array::entries_of::<S::Array>(&mass).iter().enumerate() {
+        units.as_mut_slice()[i] = R::from_f64(1.0) / row_scale(row, i);
+    }
+    let determinant = determinant(system, (t, &z[0], &v, s), &units);
+    (determinant != 0.0 && determinant.is_finite()).then_some(Known { units, v, determinant })
+}
+
+impl<A: Array> Known<A> {
+    /// What is known after a step, if the determinant has no zero on its way.
+    #[inline(never)]
+    fn after<S: MassForm<R, Array = A>, R: Real>(
+        &self,
+        system: &S,
+        [start, end]: [Moment<'_, S, R>; 2],
+        near: A,
+    ) -> Option<Self>
+    where
+        A: Array<Real = R>,
+    {
+        let ([(t, z, s), (late, after, action)], mut v) = ([start, end], self.v);
+        if !S::QUADRATIC {
+            v = velocity_near(system, late, after, action, near)?;
+        }
+        let (dq, dv) = (difference(&after[0], &z[0]), difference(&v, &self.v));
+        let at = |x: f64| {
+            let x = R::from_f64(x);
+            let (q, v, mut s) = (moved(&z[0], x, &dq), moved(&self.v, x, &dv), *s);
+            for (s, end) in s.numbers_mut().iter_mut().zip(action.numbers()) {
+                *s += x * (*end - *s);
+            }
+            determinant(system, (t + x * (late - t), &q, &v, &s), &self.units)
+        };
+        let last = determinant(system, (late, &after[0], &v, action), &self.units);
+        has_no_zero(at, [self.determinant, last]).then_some(Known { v, determinant: last, ..*self })
+    }
+}
+
+/// Whether a function with these values at 0 and 1 is seen to have no zero between.
+fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
+    let is_steady = |values: [f64; 3]| {
+        let sizes = values.map(f64::abs);
+        let largest = sizes.into_iter().fold(0.0, f64::max);
+        sizes.into_iter().all(|size| 2.0 * size >= largest)
+    };
+    // Where parts end that wait.
+    let mut ends = [(1.0, last); HALVINGS + 1];
+    let (mut waiting, mut start) = (1, (0.0, first));
+    for _ in 0..MOST {
+        let end = ends[waiting - 1];
+        let x = 0.5 * (start.0 + end.0);
+        let middle = f(x);
+        let values = [start.1, middle, end.1];
+        // What is not a number is on neither side.
+        let [positive, negative] = [values.iter().all(|f| *f > 0.0), values.iter().all(|f| *f < 0.0)];
+        if !positive && !negative {
+            return false;
+        }
+        // On a part so short only a jump is left, or a zero, next to which values are small.
+        let jumps = waiting > HALVINGS && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
+        if jumps || is_steady(values) {
+            start = end;
+            waiting -= 1;
+            if waiting == 0 {
+                return true;
+            }
+        } else if waiting <= HALVINGS {
+            ends[waiting] = (x, middle);
+            waiting += 1;
+        } else {
+            return false;
+        }
+    }
+    false
+}
+
+/// The determinant of M in these units of rows.
+fn determinant<S: MassForm<R>, R: Real>(
+    system: &S,
+    (t, q, v, s): (R, &S::Array, &S::Array, &S::Action),
+    units: &S::Array,
+) -> f64 {
+    let none = S::Array::zero();
+    let (mut p, mut mass) = (none, S::Array::fill(none));
+    system.mass(t, q, v, s, (&mut p, &mut mass));
+    let rows = S::Array::entries::<S::Array>(&mut mass).iter_mut();
+    for (row, unit) in rows.zip(units.as_slice()) {
+        row.as_mut_slice().iter_mut().for_each(|x| *x *= *unit);
+    }
+    linear::determinant::<S::Array>(&mut mass)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::has_no_zero;
+
+    #[test]
+    fn zeros_are_seen_whether_they_are_crossed_or_not() {
+        let seen = |f: &dyn Fn(f64) -> f64| !has_no_zero(f, [f(0.0), f(1.0)]);
+        for zero in [1e-3, 0.1, 0.25, 1.0 / 3.0, 0.5, 0.7, 0.999] {
+            for power in [1, 2, 3, 4, 6] {
+                assert!(seen(&|x| (x - zero).powi(power)), "{zero} {power}");
+                assert!(seen(&|x| -(x - zero).powi(power) * (2.0 + x)), "{zero} {power}");
+            }
+        }
+        assert!(seen(&|_| f64::NAN) && seen(&|x| (0.5 - x).sqrt()));
+    }
+
+    #[test]
+    fn what_is_far_from_zero_is_let_by() {
+        let seen = |f: &dyn Fn(f64) -> f64| !has_no_zero(f, [f(0.0), f(1.0)]);
+        assert!(!seen(&|_| -1e-200) && !seen(&|x| 1e-9 + x) && !seen(&|x| (x - 0.3).powi(2) + 1e-9));
+        assert!(!seen(&|x| if x < 0.3 { 1.0 } else { 8.0 }) && !seen(&|x| if x < 0.7 { -20.0 } else { -1.0 }));
+        assert!(!seen(&|x| (20.0 * x).exp()) && !seen(&|x| -(-30.0 * x).exp()));
+    }
+}
