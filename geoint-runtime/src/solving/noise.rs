@@ -53,6 +53,9 @@ const DEVIATIONS: f64 = 16.0;
 /// Distances grow by ε^(−1/8): where the differences of order 4 leave the rounding, they are smooth at the next distance.
 const DISTANCES_PER_EPSILON: i32 = 8;
 
+/// An unknown that is rounding itself has a residual of its own size.
+const LARGEST: f64 = 1024.0;
+
 /// Unknowns that are moved by more than this part of them are far away. Noise of less than so many ε of what the residual changes by is
 /// none of the point then.
 const NEAR: f64 = 1.0 / 16.0;
@@ -250,10 +253,14 @@ pub(crate) fn compiled<R: Real>() -> [*const (); 2] {
 }
 
 /// Whether a residual at `x` is nothing but rounding: its own, of which the standard deviation is `noise`, or that of the unknowns.
+///
+/// What is larger than the unknown by far is no solution, whatever it is: far away from all that a state has been, terms may be rounded to more
+/// than they move.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();
-        left <= DEVIATIONS * noise.as_slice()[i].magnitude() || is_rounding::<A::Real>(left / sizes.of(i))
+        let small = left <= LARGEST * sizes.of(i);
+        small && left <= DEVIATIONS * noise.as_slice()[i].magnitude() || is_rounding::<A::Real>(left / sizes.of(i))
     })
 }
 
