@@ -58,7 +58,7 @@ pub(crate) fn integrals(
                 None => continue,
                 Some([a, b]) => format!(
                     "`{name}` was not proven to be constant along the field{but}: its derivative is zero, but it may jump where \
-                     {} = {}; if the field does not lead there, say `keeps(assume({name} = …))`",
+                     {} = {}; if you know that it does not, say `keeps(assume({name} = …))`",
                     printer.excerpt(a),
                     printer.excerpt(b)
                 ),

@@ -202,3 +202,49 @@ fn a_field_of_nothing_stays() {
     stays(Projection(RK4, Integrals), start);
     stays(Gauss::<2>, start);
 }
+
+/// Energy and angular momentum of a planet.
+#[vector_field(keeps(
+    energy = (x[2] * x[2] + x[3] * x[3]) / 2.0 - k / x[0].hypot(x[1]),
+    spin = x[0] * x[3] - x[1] * x[2],
+))]
+fn planet(x: [f64; 4], k: f64) -> [f64; 4] {
+    let cube = x[0].hypot(x[1]).powi(3);
+    [x[2], x[3], -k * x[0] / cube, -k * x[1] / cube]
+}
+
+/// On a circle both gradients are parallel all along, and near it nearly so: what is not refused is kept.
+#[test]
+fn near_circles_steps_keep_all_or_are_refused() {
+    fn run<M: Method<Planet>>(method: M, h: f64, eccentricity: f64) -> u64 {
+        let system = Planet { k: 1.3 };
+        let speed = (1.3 * (1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+        let start = FlowState::new([1.0 - eccentricity, 0.0, 0.0, speed]);
+        let before = system.integrals(0.0, &start.x);
+        let mut sim = Integrator::new(system, method, h, start);
+        for step in 0..100 {
+            let last = sim.state();
+            if sim.step().is_err() {
+                assert_eq!(sim.state(), last);
+                return step;
+            }
+            let after = system.integrals(0.0, &sim.state().x);
+            let changed = after.iter().zip(before).any(|(a, b)| (a - b).abs() > 1e-12);
+            assert!(!changed, "{}, h = {h}, {eccentricity:e}: {after:?}", method.name());
+        }
+        100
+    }
+    let mut refused = 0;
+    for h in [0.5, 0.1, -0.02] {
+        for eccentricity in [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 0.1] {
+            let steps = [
+                run(DiscreteGradient, h, eccentricity),
+                run(FourthOrder(DiscreteGradient), h, eccentricity),
+                run(Projection(RK4, Integrals), h, eccentricity),
+            ];
+            refused += steps.iter().filter(|steps| **steps < 100).count();
+            assert!(eccentricity < 0.1 || steps == [100; 3], "h = {h}: {steps:?}");
+        }
+    }
+    assert!(refused > 0);
+}
