@@ -126,7 +126,7 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let mut deciding = Deciding { probe, end: z };
         let equation = Equation { system, parameters, t, h, z, compensation, begun };
-        let before = P::PATIENT.then(|| newton.clone());
+        let before = P::PATIENT.then_some(*newton);
         let mut found = newton.solve(&equation, &mut deciding);
         if let (Some(before), Err(_)) = (before, found.outcome) {
             // On an orbit on which gradients depend on each other all along, as a circle, no step keeps all in this way.
