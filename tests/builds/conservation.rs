@@ -91,6 +91,51 @@ fn steps_of_order_4_keep_momenta() {
     assert!((momentum(&sim.state()) - momentum(&start)).abs() < 1e-13);
 }
 
+/// On a circle the gradients of energy and angular momentum are parallel, and no step is orthogonal to both in all their neighbourhood: there
+/// the energy is kept alone. Of a given energy the circle has the largest angular momentum, so that a step which is off it by e loses e².
+#[test]
+fn steps_of_order_4_follow_circles() {
+    #[hamiltonian]
+    fn kepler(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+        (p[0] * p[0] + p[1] * p[1]) / (2.0 * m) - k / (q[0] * q[0] + q[1] * q[1]).sqrt()
+    }
+    let system = Kepler { m: 1.7, k: 1.7 };
+    let run = |eccentricity: f64, h: f64, steps: u64| {
+        let speed = ((1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+        let start = State::new([1.0 - eccentricity, 0.0], [0.0, 1.7 * speed]);
+        let spin = |state: &State<[f64; 2]>| state.q[0] * state.p[1] - state.q[1] * state.p[0];
+        let mut sim = system.integrator(FourthOrder(DiscreteGradient), h, start);
+        let mut largest = [0.0_f64; 3];
+        for _ in 0..steps {
+            sim.step().unwrap_or_else(|error| panic!("{eccentricity:e}, h = {h}: {error}"));
+            let state = sim.state();
+            let found = [
+                system.energy(&state) - system.energy(&start),
+                spin(&state) - spin(&start),
+                state.q[0].hypot(state.q[1]) - 1.0,
+            ];
+            largest = std::array::from_fn(|i| largest[i].max(found[i].abs()));
+        }
+        largest
+    };
+    for eccentricity in [0.0, 1e-12, 1e-8] {
+        let mut radii = [0.1, 0.2, 0.4].map(|h| {
+            let [energy, spin, radius] = run(eccentricity, h, 70);
+            assert!(energy < 4e-15, "{eccentricity:e}, h = {h}: {energy:e}");
+            assert!(spin < 4.0 * radius * radius + 4e-15, "{eccentricity:e}, h = {h}: {spin:e} {radius:e}");
+            radius - eccentricity
+        });
+        radii.reverse();
+        assert!(radii[0] < 1e-4 && radii[0] > 12.0 * radii[1], "{eccentricity:e}: {radii:?}");
+    }
+    // It does not become worse.
+    let [energy, spin, radius] = run(0.0, 0.4, 500);
+    assert!(energy < 1e-14 && spin < 4e-9 && radius < 6e-5, "{energy:e} {spin:e} {radius:e}");
+    // A little eccentricity is enough to keep both.
+    let [energy, spin, _] = run(1e-3, 0.1, 200);
+    assert!(energy < 4e-15 && spin < 4e-15, "{energy:e} {spin:e}");
+}
+
 /// Energy errors of a run, relative to the start, at every `stride`-th step.
 fn errors<P: Problem, M: Method<P::Over<f64>, f64>>(method: M, h: f64, stride: u64, samples: usize) -> Vec<(f64, f64)> {
     let (system, start) = (P::system::<f64>(), P::initial::<f64>(0.0));

@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 _ => curves.push(Curve::line(name.clone(), ink, points)),
             }
         }
-        let exact = if exact.is_empty() { String::new() } else { format!("; none by {}", exact.join(", ")) };
+        let exact = if exact.is_empty() { String::new() } else { format!("; it stays by {}", exact.join(", ")) };
         panels.push(Panel::new(
             format!("{}: the fourth integral", top.name),
             format!("h = {STEP}; unit weight, mass and length{exact}"),

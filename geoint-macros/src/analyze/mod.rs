@@ -26,7 +26,7 @@ pub(crate) use degree::Degrees;
 pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
-    Identity, Proof, Remainder, Value, Why, Witness, claims, identity, liouville, search, vanishes,
+    Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, liouville, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;

@@ -50,10 +50,19 @@ pub(crate) fn integrals(
 ) -> Result<()> {
     let mut errors = Diagnostics::default();
     let printer = Printer::new(graph, name);
-    for (i, (kept, verdict)) in energy.options.keeps.iter().zip(&found.kept).enumerate() {
+    for (i, (kept, (verdict, jump))) in energy.options.keeps.iter().zip(found.kept.iter().zip(&found.jumps)).enumerate()
+    {
         let (name, but) = (&kept.name, if kept.but.is_some() { " but for b·∇I" } else { "" });
         let message = match verdict {
-            Identity::Zero(_) => continue,
+            Identity::Zero(_) => match jump.filter(|_| !kept.assumed) {
+                None => continue,
+                Some([a, b]) => format!(
+                    "`{name}` was not proven to be constant along the field{but}: its derivative is zero, but it may jump where \
+                     {} = {}; if you know that it does not, say `keeps(assume({name} = …))`",
+                    printer.excerpt(a),
+                    printer.excerpt(b)
+                ),
+            },
             // What may hold in a part of phase space is up to the user.
             Identity::Open(_) if kept.assumed => continue,
             Identity::Wrong(wrong) if kept.assumed && !wrong.is_almost_everywhere(graph) => continue,

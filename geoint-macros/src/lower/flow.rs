@@ -135,6 +135,10 @@ impl Lowering {
             self.refuse(expr, "an entry of S has two indices: `|i, j| …`, asked for i < j");
             return vec![];
         }
+        if self.is_no_matrix(expr) {
+            self.refuse(expr, forms(n));
+            return vec![];
+        }
         let value = self.expr(expr);
         if let Value::Callable(callable, sees) = &value {
             let mut matrix = vec![vec![zero; n]; n];
@@ -157,12 +161,28 @@ impl Lowering {
             return vec![];
         }
         if extents.as_deref() != Some(&[n, n][..]) {
-            let message = format!(
-                "a structure is `so3`, `se3`, `canonical`, `nambu(C)`, a matrix of {n}×{n} numbers, or `|i, j| …` for i < j"
-            );
-            self.refuse(expr, message);
+            self.refuse(expr, forms(n));
             return vec![];
         }
         entries.chunks(n).map(<[Id]>::to_vec).collect()
     }
+
+    /// Whether that is another name than those of structures, or one of them with other arguments.
+    fn is_no_matrix(&self, expr: &Expr) -> bool {
+        let name = |expr: &Expr| match expr {
+            Expr::Path(path) => path.path.get_ident().map(ToString::to_string),
+            _ => None,
+        };
+        match expr {
+            Expr::Lit(_) => true,
+            Expr::Call(call) => name(&call.func).is_some_and(|name| StructureKind::NAMES.contains(&name.as_str())),
+            expr => name(expr).is_some_and(|name| self.scopes.get(&name).is_none()),
+        }
+    }
+}
+
+fn forms(n: usize) -> String {
+    format!(
+        "a structure is `so3`, `se3`, `canonical`, `nambu(C)`, a matrix of {n}×{n} numbers, or `|i, j| …` for i < j"
+    )
 }

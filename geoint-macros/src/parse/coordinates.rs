@@ -35,7 +35,8 @@ pub(super) fn coordinates(
         found(role).cloned()
     };
     if form == Form::Bodies {
-        return body(item, arguments, errors);
+        find(Role::AngularMomentum, "m", &|errors| errors.at(&item.sig.ident, ANGULAR_MOMENTUM))?;
+        return body(arguments, errors);
     }
     if form.is_flow() {
         return find(Role::Position, "x", &|errors| {
@@ -146,13 +147,9 @@ fn pair(q: Argument, (p, what): (&Argument, &str), errors: &mut Diagnostics) -> 
 }
 
 /// Attitudes as quaternions, one row a body, if angular momenta go with them; and as many rows for centres of mass.
-fn body(item: &ItemFn, arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
+fn body(arguments: &[(Role, Argument)], errors: &mut Diagnostics) -> Option<Argument> {
     let find = |role: Role| arguments.iter().find(|(r, _)| *r == role).map(|(_, argument)| argument);
-    let r = find(Role::Attitude)?;
-    let Some(m) = find(Role::AngularMomentum) else {
-        errors.at(&item.sig.ident, ANGULAR_MOMENTUM);
-        return None;
-    };
+    let (r, m) = (find(Role::Attitude)?, find(Role::AngularMomentum)?);
     if r.shape.leaf != Leaf::Quaternion {
         errors.at(&r.ty, ATTITUDE);
         return None;

@@ -2,6 +2,7 @@
 
 use crate::diagnostics::Diagnostics;
 use proc_macro2::Ident;
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Expr, Token, parenthesized};
 
@@ -37,6 +38,10 @@ pub(crate) struct Kept {
     pub(crate) but: Option<Expr>,
     /// Whether that is not to be proven.
     pub(crate) assumed: bool,
+}
+
+impl StructureKind {
+    pub(crate) const NAMES: [&str; 4] = ["so3", "se3", "canonical", "nambu"];
 }
 
 impl StructureForm {
@@ -103,15 +108,16 @@ fn entries(input: ParseStream<'_>, assumed: bool, kept: &mut Vec<Kept>) -> syn::
 }
 
 /// Functions of the generated struct that an integral cannot be called by.
-const TAKEN: [&str; 3] = ["integrator", "adaptive", "field"];
+const TAKEN: [&str; 4] = ["integrator", "adaptive", "taylor", "field"];
 
 /// Refuses names of integrals that are taken.
 pub(super) fn names(kept: &[Kept], errors: &mut Diagnostics) {
     for (i, Kept { name, .. }) in kept.iter().enumerate() {
-        if kept[..i].iter().any(|other| other.name == *name) {
+        let plain = name.unraw();
+        if kept[..i].iter().any(|other| other.name.unraw() == plain) {
             errors.at(name, format!("`{name}` is given twice"));
         }
-        if TAKEN.iter().any(|taken| name == taken) {
+        if TAKEN.iter().any(|taken| plain == taken) {
             errors.at(name, format!("`{name}` is a function of generated code; give the integral another name"));
         }
     }

@@ -81,6 +81,9 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
                     "an argument is a number or made of numbers, not an integer: write that as a `const` in the body"
                         .into(),
                 ),
+                None if scalar_within(path).is_some_and(|other| other != *float) => {
+                    refuse(ty, format!("all numbers of an energy have one type, here `{float}`"))
+                }
                 None => {
                     let may_be_alias = match path.path.segments.last() {
                         Some(last) => last.arguments.is_none() && !FAMILIAR.iter().any(|name| last.ident == name),
@@ -106,14 +109,17 @@ pub(super) fn shape(ty: &Type, float: &Ident) -> syn::Result<Shape> {
 
 /// Whether a type is a unit quaternion of nalgebra.
 fn is_quaternion(path: &syn::TypePath, float: &Ident) -> bool {
-    path.path.segments.last().is_some_and(|last| {
-        let PathArguments::AngleBracketed(arguments) = &last.arguments else { return false };
-        let scalar = match arguments.args.first() {
-            Some(GenericArgument::Type(ty)) => float_type(ty),
-            _ => None,
-        };
-        last.ident == "UnitQuaternion" && scalar.as_ref() == Some(float)
-    })
+    let is_named = path.path.segments.last().is_some_and(|last| last.ident == "UnitQuaternion");
+    is_named && scalar_within(path).as_ref() == Some(float)
+}
+
+/// The type of the numbers of a type of nalgebra.
+fn scalar_within(path: &syn::TypePath) -> Option<Ident> {
+    let PathArguments::AngleBracketed(arguments) = &path.path.segments.last()?.arguments else { return None };
+    match arguments.args.first()? {
+        GenericArgument::Type(ty) => float_type(ty),
+        _ => None,
+    }
 }
 
 /// The length of a vector of nalgebra.

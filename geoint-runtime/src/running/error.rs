@@ -211,7 +211,10 @@ impl fmt::Display for StepError {
                 write!(f, "the state at t = {t} has an entry that is not finite")
             }
             StepError::NotNormalised { t, length } => {
-                write!(f, "the state at t = {t} has a quaternion of length {length}; an attitude is one of length 1")
+                write!(
+                    f,
+                    "the state at t = {t} has a quaternion of length {length}; an attitude is one of length 1: `r.renormalize()`"
+                )
             }
             StepError::NonFinite { t } => {
                 write!(f, "the step from t = {t} leads to a state that is not finite; try a smaller step")

@@ -213,7 +213,7 @@ fn a_quaternion_of_another_length_is_refused() {
     assert!(refused(sim.step().unwrap_err()));
     assert_eq!(sim.state(), state);
     let text = sim.step().unwrap_err().to_string();
-    assert!(text.contains("length 1.118"), "{text}");
+    assert!(text.contains("length 1.118") && text.contains("`r.renormalize()`"), "{text}");
     // Rounding is no mistake, and stays what it is.
     let rounded =
         BodyState { r: UnitQuaternion::new_unchecked(Quaternion::new(1.0 + 1e-14, 0.0, 0.0, 0.0)), ..start() };

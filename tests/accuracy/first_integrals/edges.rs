@@ -164,3 +164,87 @@ fn edges_of_derivatives_are_named() {
     let mut sim = system.integrator(ImplicitMidpoint, 0.1, centre);
     assert!(sim.advance(10).is_ok() && sim.state().x == [0.0; 2]);
 }
+
+/// A moment of inertia of almost nothing: 10⁹ turns a step. Far from where the body is, terms are rounded to more than the state itself, and all
+/// is rounding there; that is no solution.
+#[test]
+fn what_is_rounding_alone_is_no_solution() {
+    let system = FreeBody { inertia: [1e-9, 1.0, 1.0] };
+    let start = FlowState::new([0.5, 0.8, -0.4]);
+    let length = |state: FlowState<[f64; 3]>| state.x.iter().map(|x| x * x).sum::<f64>();
+    for h in [1.0, 10.0, 1000.0] {
+        let mut sim = system.integrator(FourthOrder(DiscreteGradient), h, start);
+        for _ in 0..5 {
+            let before = sim.state();
+            match sim.step() {
+                Ok(()) => assert!((length(sim.state()) - length(start)).abs() < 1e-9, "h = {h}: {:?}", sim.state()),
+                Err(_) => assert_eq!(sim.state(), before),
+            }
+        }
+    }
+}
+
+/// All rests, and stays where it is; and so do functions of more coordinates than would be left to move.
+#[test]
+fn a_field_of_nothing_stays() {
+    #[vector_field(keeps(first = x[0], second = w * x[1]))]
+    fn nothing(x: [f64; 2], w: f64) -> [f64; 2] {
+        [0.0, 0.0]
+    }
+    let start = FlowState::new([0.3, -0.7]);
+    fn stays<M: Method<Nothing>>(method: M, start: FlowState<[f64; 2]>) {
+        let mut sim = Integrator::new(Nothing { w: 1.3 }, method, 0.1, start);
+        sim.advance(10).unwrap_or_else(|error| panic!("{}: {error}", method.name()));
+        assert_eq!(sim.state().x, start.x, "{}", method.name());
+    }
+    stays(DiscreteGradient, start);
+    stays(FourthOrder(DiscreteGradient), start);
+    stays(Projection(RK4, Integrals), start);
+    stays(Gauss::<2>, start);
+}
+
+/// Energy and angular momentum of a planet.
+#[vector_field(keeps(
+    energy = (x[2] * x[2] + x[3] * x[3]) / 2.0 - k / x[0].hypot(x[1]),
+    spin = x[0] * x[3] - x[1] * x[2],
+))]
+fn planet(x: [f64; 4], k: f64) -> [f64; 4] {
+    let cube = x[0].hypot(x[1]).powi(3);
+    [x[2], x[3], -k * x[0] / cube, -k * x[1] / cube]
+}
+
+/// On a circle both gradients are parallel all along, and near it nearly so: what is not refused is kept.
+#[test]
+fn near_circles_steps_keep_all_or_are_refused() {
+    fn run<M: Method<Planet>>(method: M, h: f64, eccentricity: f64) -> u64 {
+        let system = Planet { k: 1.3 };
+        let speed = (1.3 * (1.0 + eccentricity) / (1.0 - eccentricity)).sqrt();
+        let start = FlowState::new([1.0 - eccentricity, 0.0, 0.0, speed]);
+        let before = system.integrals(0.0, &start.x);
+        let mut sim = Integrator::new(system, method, h, start);
+        for step in 0..100 {
+            let last = sim.state();
+            if sim.step().is_err() {
+                assert_eq!(sim.state(), last);
+                return step;
+            }
+            let after = system.integrals(0.0, &sim.state().x);
+            let changed = after.iter().zip(before).any(|(a, b)| (a - b).abs() > 1e-12);
+            assert!(!changed, "{}, h = {h}, {eccentricity:e}: {after:?}", method.name());
+        }
+        100
+    }
+    let mut refused = 0;
+    for h in [0.5, 0.1, -0.02] {
+        for eccentricity in [0.0, 1e-12, 1e-9, 1e-6, 1e-4, 0.1] {
+            let steps = [
+                run(DiscreteGradient, h, eccentricity),
+                run(FourthOrder(DiscreteGradient), h, eccentricity),
+                run(Projection(RK4, Integrals), h, eccentricity),
+            ];
+            refused += steps.iter().filter(|steps| **steps < 100).count();
+            assert!(eccentricity < 0.1 || steps == [100; 3], "h = {h}: {steps:?}");
+        }
+    }
+    assert!(refused > 0);
+}

@@ -6,6 +6,7 @@
 //!
 //! `claims` asks this of fields, integrals and structure matrices; `search` and `liouville` find integrals and energies.
 pub(crate) mod claims;
+pub(crate) mod crossings;
 pub(crate) mod liouville;
 mod multiplied;
 mod residues;

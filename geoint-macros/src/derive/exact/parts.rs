@@ -6,7 +6,7 @@ use crate::derive::implicit;
 use crate::derive::proof::coordinates;
 use crate::derive::system::{FlowKernel, Missing, PieceKernel, PiecesOf};
 use crate::ir::{Graph, Id, Symbol};
-use crate::messages::{DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
+use crate::messages::{AT_REST, DAMPED_FLOW, NO_STRUCTURE, NOT_PLANAR, NOT_POISSON, NOT_SOLVED};
 use crate::schedule::{Kernel, Levels};
 use crate::split::{self, Clock, Motion, NoPart, Part};
 
@@ -85,9 +85,13 @@ pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, dam
             why,
             pair: found.map(|found: [Symbol; 2]| (found, pair)),
         };
-        let kernels = found.map(|parts| parts.into_iter().map(|part| kernel(graph, part)).collect());
+        let kernels = match found {
+            Ok(parts) if parts.is_empty() => Err(Missing { marker, term: *integral, why: AT_REST, pair: None }),
+            Ok(parts) => Ok(parts.into_iter().map(|part| kernel(graph, part)).collect()),
+            Err(none) => Err(missing(none)),
+        };
         let by_terms = name == BY_TERMS.name;
-        pieces_of(name, kernels.map_err(missing), by_terms && *poisson, !by_terms && autonomous)
+        pieces_of(name, kernels, by_terms && *poisson, !by_terms && autonomous)
     };
     found.into_iter().map(pieces).collect()
 }

@@ -2,7 +2,7 @@
 
 pub(super) mod liouville;
 
-use crate::analyze::{Identity, claims};
+use crate::analyze::{Identity, claims, crossings};
 use crate::derive::flow::{Flow, Named};
 use crate::diff;
 use crate::ir::{Graph, Id, Symbol};
@@ -13,6 +13,8 @@ use crate::lower::Skew;
 pub(crate) struct Integrals {
     /// Whether each is kept: (f − b)·∇I + ∂I/∂t = 0.
     pub(crate) kept: Vec<Identity>,
+    /// What is equal where each may jump on the way along the field, which its derivative does not show.
+    pub(crate) jumps: Vec<Option<[Id; 2]>>,
     /// The first of them, if any, that is a function of those before it.
     pub(crate) dependent: Option<usize>,
 }
@@ -24,9 +26,11 @@ pub(crate) fn integrals(graph: &mut Graph, flow: &Flow) -> Integrals {
         claims::is_kept(graph, &x, &flow.field, conserved.value, conserved.but.as_deref())
     };
     let kept = flow.kept.iter().map(&mut decide).collect();
+    let mut jump = |named: &Named| crossings::may_jump(graph, &x, &flow.field, named.conserved.value);
+    let jumps = flow.kept.iter().map(&mut jump).collect();
     let functions: Vec<Id> = flow.kept.iter().map(|named| named.conserved.value).collect();
     let dependent = claims::dependent(graph, &x, &functions);
-    Integrals { kept, dependent: dependent.and_then(|found| found.integrals.first().copied()) }
+    Integrals { kept, jumps, dependent: dependent.and_then(|found| found.integrals.first().copied()) }
 }
 
 /// x, in order.

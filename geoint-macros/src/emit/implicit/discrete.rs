@@ -131,6 +131,14 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
         .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
         .collect();
     let slopes = context.values(momenta, |values| write("slopes", &places, &values));
+    let loosen = (count > 0).then(|| {
+        quote! {
+            #[inline]
+            fn fourth_loosen(start: &mut Self::FourthStart) -> bool {
+                fourth_order::loosen(start)
+            }
+        }
+    });
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
@@ -162,6 +170,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 };
                 fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
+            #loosen
         }
     }
 }

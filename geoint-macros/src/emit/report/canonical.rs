@@ -219,6 +219,13 @@ fn conserved<F: Fn(crate::ir::Symbol) -> String>(
     if !lines.is_empty() {
         let fourth = if structure.conservative() { " and `FourthOrder(DiscreteGradient)` keep" } else { " keeps" };
         discrete.push(format!("`DiscreteGradient`{fourth} all of that, to rounding"));
+        if structure.conservative() && structure.autonomous && !structure.momenta.is_empty() {
+            discrete.push(
+                "on an orbit on which the gradient of a momentum depends on that of H all along, as on a circle, \
+                 `FourthOrder(DiscreteGradient)` keeps H alone"
+                    .into(),
+            );
+        }
     }
     if structure.switches {
         discrete.push(

@@ -7,7 +7,7 @@ use crate::analyze::Identity;
 use crate::check::wording::proven;
 use crate::derive::proof::{Integrals, Structure};
 use crate::derive::{Flow, Implicit, Liouville, MOST_UNKNOWNS, Named, Origin, Parted, System};
-use crate::ir::{Graph, Id, Symbol, print::Printer};
+use crate::ir::{Function, Graph, Id, Node, Symbol, print::Printer};
 use crate::legendre::FirstOrder;
 use crate::parse::Form;
 use crate::schedule::Plan;
@@ -166,7 +166,9 @@ fn kept<F: Fn(Symbol) -> String>(
     for (i, Named { name, conserved, origin }) in flow.kept.iter().enumerate() {
         let value = printer.excerpt(conserved.value);
         let word = match (origin, source) {
-            (Origin::Listed, Source::Field(field)) => how(&field.proofs.kept[i]),
+            (Origin::Listed, Source::Field(field)) => {
+                format!("{}{}", how(&field.proofs.kept[i]), turns(printer.graph(), conserved.value))
+            }
             (Origin::Found, Source::Structure(_)) => "kept, a Casimir: S times its gradient is 0".into(),
             (Origin::Found, _) => "kept, found: a projection onto others alone would lose it".into(),
             (Origin::Energy, Source::Field(_)) => "kept, the energy of the field".into(),
@@ -189,6 +191,12 @@ fn kept<F: Fn(Symbol) -> String>(
         writeln!(text, "- none was listed, and none was found")?;
     }
     Ok(())
+}
+
+/// What an angle does where it comes round.
+fn turns(graph: &Graph, function: Id) -> &'static str {
+    let is_angle = |id: Id| matches!(graph.node(id), Node::Call(Function::Atan2, _));
+    if graph.reachable(&[function]).into_iter().any(is_angle) { ", but for turns of `atan2` by 2π" } else { "" }
 }
 
 /// How it was proven that a function is kept.

@@ -27,6 +27,8 @@ pub struct Begun<A: Array> {
     t: A::Real,
     z: [A; 2],
     rate: [A; 2],
+    /// Whether momenta whose gradients nearly depend on that of the energy take no part.
+    loose: bool,
 }
 
 /// [`FourthOrderField::fourth_parameters`](crate::system::FourthOrderField::fourth_parameters) of a canonical system.
@@ -45,7 +47,13 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     let half = R::from_f64(0.5) * parameters.h;
     let mut unwatched = Unwatched;
     let rate = turned(&energy(system, parameters, t, &mut unwatched).gradient(t - half, z).g);
-    Begun { t, z: *z, rate }
+    Begun { t, z: *z, rate, loose: false }
+}
+
+/// [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
+pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
+    start.loose = true;
+    true
 }
 
 /// [`FourthOrderField::fourth_slope`](crate::system::FourthOrderField::fourth_slope): F − MG(GᵀMG)⁻¹GᵀF. The first column of G is the
@@ -58,7 +66,7 @@ pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
-    &Begun { t, z, rate }: &Begun<S::Array>,
+    &Begun { t, z, rate, loose }: &Begun<S::Array>,
     momenta: impl Fn(&S::Phase) -> [S::Phase; N],
     d: &S::Phase,
     (image, matrix): (&mut S::Phase, &mut Square<S::Phase>),
@@ -100,7 +108,7 @@ pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conse
             let Slope { g, derivative } = energy.tree(&z, d);
             (columns[0], of_g) = (g, derivative);
         }
-        let projector = Projector::new([of_p, of_q], columns);
+        let projector = Projector::new([of_p, of_q], columns, loose);
         // Across a condition F knows nothing of a jump, and where the metric vanishes there is no direction: the step is then that of
         // the tree discrete gradient.
         if AUTONOMOUS && (projector.is_without_first() || !system.same_sides(t, [&z, &end_of_step], [&(), &()])) {

@@ -6,13 +6,17 @@ use crate::slope::recip_above;
 use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
+/// A column of which less than this part is left nearly depends on those before it.
+const NEARLY: f64 = 1.0 / 64.0;
+
 /// Columns orthogonal in the metric, by Gram and Schmidt, that span what the given ones do.
 pub(super) struct Projector<A: Array, const N: usize> {
     metric: [A; 2],
     orthogonal: [[A; 2]; N],
     /// Each times the metric.
     weighted: [[A; 2]; N],
-    /// 1/(w·Mw) of each; zero for one that depends on those before it, or of which the metric sees nothing: it takes no part.
+    /// 1/(w·Mw) of each; zero for one that depends on those before it, to rounding or, `loose`, nearly, or of which the metric sees nothing: it
+    /// takes no part.
     reciprocals: [A::Real; N],
     /// column = orthogonal + Σ coefficient·(orthogonal before it).
     coefficients: [[A::Real; N]; N],
@@ -20,7 +24,7 @@ pub(super) struct Projector<A: Array, const N: usize> {
 
 impl<A: Array, const N: usize> Projector<A, N> {
     #[inline(always)]
-    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N]) -> Self {
+    pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], loose: bool) -> Self {
         let none = zero::<A::Real>();
         let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
         let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
@@ -36,7 +40,9 @@ impl<A: Array, const N: usize> Projector<A, N> {
             weighted[a] = product(&metric, &orthogonal[a]);
             let square = dot(&orthogonal[a], &weighted[a]);
             reciprocals[a] = if a > 0 {
-                recip_above(square, dot(&columns[a], &product(&metric, &columns[a])))
+                let whole = dot(&columns[a], &product(&metric, &columns[a]));
+                let dependent = loose && square.magnitude() < NEARLY * NEARLY * whole.magnitude();
+                if dependent { none } else { recip_above(square, whole) }
             } else if square == none {
                 none
             } else {

@@ -15,7 +15,9 @@ use crate::system::{Conservative, DiscreteField};
 /// are the columns of G, and F = (f(x₀) + 4 f(c) + f(x₁))/6. It is for every energy without damping, with the momenta that its report
 /// names, and every field with first integrals; see
 /// [`FourthOrderField`](crate::system::FourthOrderField). For canonical systems the projection has a metric, so that it does not
-/// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2.
+/// depend on units, and across a condition of the energy the step is that of [`DiscreteGradient`](super::DiscreteGradient), of order 2. On a
+/// circle, and on other orbits all along which the gradient of a momentum depends on that of the energy, no step keeps both in this way: there
+/// it keeps the energy, and loses of the momentum the square of what it is off the orbit by; which steps do so need not be the same on the way back.
 /// An oscillation that turns by more than half a turn in a step, hω > √12, would be projected along the surface of constant energy: the change
 /// of the energy by a correction λ, λ ∇H(x₁)·(1 − h ∂F)⁻¹MG, is in it as 1 − (hω)²/12. Such steps are refused where a part of the energy is in
 /// such oscillations.

@@ -125,8 +125,18 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         let begun = system.fourth_begin(parameters, t + half, &z);
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
         let mut deciding = Deciding { probe, end: z };
-        let Found { x: d, lost, outcome } =
-            newton.solve(&Equation { system, parameters, t, h, z, compensation, begun }, &mut deciding);
+        let equation = Equation { system, parameters, t, h, z, compensation, begun };
+        let before = P::PATIENT.then_some(*newton);
+        let mut found = newton.solve(&equation, &mut deciding);
+        if let (Some(before), Err(_)) = (before, found.outcome) {
+            // On an orbit on which gradients depend on each other all along, as a circle, no step keeps all in this way.
+            let mut loose = equation;
+            if S::fourth_loosen(&mut loose.begun) {
+                *newton = before;
+                found = newton.solve(&loose, &mut deciding);
+            }
+        }
+        let Found { x: d, lost, outcome } = found;
         outcome?;
         let Deciding { probe, end } = deciding;
         let before = start::<S, R, C>(x);

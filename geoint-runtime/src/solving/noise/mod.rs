@@ -19,6 +19,9 @@ use points::{Start, along, begin};
 /// few differences only.
 const DEVIATIONS: f64 = 16.0;
 
+/// An unknown that is rounding itself has a residual of its own size.
+const LARGEST: f64 = 1024.0;
+
 /// The standard deviation of the rounding of every entry of a residual near `x`.
 ///
 /// Zero where the residual is smooth at no distance: the digits of the unknowns do not resolve it, and nothing is known of its rounding.
@@ -92,10 +95,14 @@ fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> 
 }
 
 /// Whether a residual at `x` is nothing but rounding: its own, of which the standard deviation is `noise`, or that of the unknowns.
+///
+/// What is larger than the unknown by far is no solution, whatever it is: far away from all that a state has been, terms may be rounded to more
+/// than they move.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();
-        left <= DEVIATIONS * noise.as_slice()[i].magnitude() || is_rounding::<A::Real>(left / sizes.of(i))
+        let small = left <= LARGEST * sizes.of(i);
+        small && left <= DEVIATIONS * noise.as_slice()[i].magnitude() || is_rounding::<A::Real>(left / sizes.of(i))
     })
 }
 

@@ -90,6 +90,16 @@ mod body_momentum_alone {
     }
 }
 
+mod body_momentum_of_another_float {
+    use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(attitude = r)]
+    fn top(r: UnitQuaternion<f64>, m: Vector3<f32>) -> f64 {
+        r.w * r.w + f64::from(m.x)
+    }
+}
+
 mod body_momentum_of_another_type {
     use geoint_runtime::nalgebra::UnitQuaternion;
     use geoint_runtime::prelude::*;

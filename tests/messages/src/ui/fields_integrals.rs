@@ -38,6 +38,16 @@ mod flow_integral_on_a_level {
     }
 }
 
+mod flow_integral_that_jumps {
+    use geoint_runtime::prelude::*;
+
+    /// Its derivative is zero on both sides.
+    #[vector_field(keeps(radius = x[0] * x[0] + x[1] * x[1] + if x[0] > l { 1.0 } else { 0.0 }))]
+    fn turning(x: [f64; 2], l: f64) -> [f64; 2] {
+        [x[1], -x[0]]
+    }
+}
+
 mod flow_integral_that_reads_time {
     use geoint_runtime::prelude::*;
 

@@ -49,6 +49,26 @@ mod structure_of_another_length {
     }
 }
 
+mod structure_of_another_name {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(structure = so4)]
+    fn four(x: [f64; 6]) -> f64 {
+        x[0] * x[1] + x[2] * x[3]
+    }
+
+    #[hamiltonian(structure = "so3")]
+    fn three(x: [f64; 3]) -> f64 {
+        x[0] * x[1] + x[2]
+    }
+
+    /// A second function would be the energy.
+    #[hamiltonian(structure = nambu(x[0], x[1]))]
+    fn two_functions(x: [f64; 3]) -> f64 {
+        x[0] * x[1]
+    }
+}
+
 mod structure_of_one_index {
     use geoint_runtime::prelude::*;
 

@@ -21,6 +21,7 @@ const SENTENCES: &[(&str, &str)] = &[
     ("does not read", "geoint-macros/src/tests::coordinates_that_are_not_read_and_time"),
     ("all of that, to rounding", "tests/builds::discrete_gradient_keeps_energy_and_angular_momentum"),
     ("`FourthOrder(DiscreteGradient)` keep", "tests/builds::steps_of_order_4_keep_momenta"),
+    ("as on a circle", "tests/builds::steps_of_order_4_follow_circles"),
     ("is exact: ", "tests/accuracy::energy_is_kept_where_the_mean_is_exact"),
     ("the equation is linear, its matrix inverted once", "tests/stability::linear_systems_are_solved_at_once"),
     ("in the order of half a step", "tests/pieces::one_degree_of_freedom"),

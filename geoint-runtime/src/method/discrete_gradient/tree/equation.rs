@@ -116,6 +116,19 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
         image
     }
 
+    /// The increment of y at which f̄ is evaluated.
+    #[inline(always)]
+    fn evaluated<P: Probe<S, R>>(&self, watch: &mut Deciding<'_, P, S::Phase>, impulse: &S::Unknown) -> S::Unknown {
+        let mut change = self.coefficients.change(self.system, &self.changed, impulse);
+        watch.visit(self.t, &self.end(&change, impulse));
+        if S::DERIVATIVE != 1
+            && let Some(compensation) = &self.compensation.0
+        {
+            change.add_scaled(R::from_f64(2.0), compensation);
+        }
+        change
+    }
+
     /// The end of the step for these increments.
     #[inline(always)]
     fn end(&self, change: &S::Unknown, impulse: &S::Unknown) -> S::Phase {
@@ -196,15 +209,20 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
         impulse: &S::Unknown,
         matrix: &mut Square<S::Unknown>,
     ) -> S::Unknown {
-        let mut change = self.coefficients.change(self.system, &self.changed, impulse);
-        watch.visit(self.t, &self.end(&change, impulse));
-        if S::DERIVATIVE != 1
-            && let Some(compensation) = &self.compensation.0
-        {
-            change.add_scaled(R::from_f64(2.0), compensation);
-        }
+        let change = self.evaluated(watch, impulse);
         let mut image = S::Unknown::zero();
         self.coefficients.evaluate(self.system, &self.start, &change, &mut image, matrix);
         image
+    }
+
+    /// Without a matrix that nobody reads, of which the optimiser sees no more than that it is written: many unknowns would wait for it.
+    #[inline(always)]
+    fn image(&self, watch: &mut Deciding<'_, P, S::Phase>, impulse: &S::Unknown) -> S::Unknown {
+        let change =
+            self.evaluated(watch, &<Self as StepEquation<S::Unknown, Deciding<'_, P, S::Phase>>>::point(self, impulse));
+        let Coefficients { parameters, h, .. } = self.coefficients;
+        let (mut f, mut unused) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
+        self.system.slope(parameters, &self.start, &change, &mut f, &mut unused);
+        scaled(*h, &f)
     }
 }

@@ -1,0 +1,131 @@
+//! Where may a function jump on the way along a field? Its derivative does not show that.
+
+use super::{claims, sum_is_zero};
+use crate::analyze::dependence::symbols;
+use crate::diff;
+use crate::ir::substitute::Substitution;
+use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
+
+/// Conditions and signs that change where two numbers are equal.
+struct Edge {
+    equal: [Id; 2],
+    difference: Id,
+    /// Each with what it is where the difference is negative, and where it is positive.
+    decided: Vec<(Id, [Id; 2])>,
+}
+
+/// What is equal where a function may jump while a field is followed; nothing if it was proven not to.
+///
+/// It does not jump where both its sides are equal, nor where no solution leads from one to the other.
+pub(crate) fn may_jump(graph: &mut Graph, x: &[Symbol], field: &[Id], function: Id) -> Option<[Id; 2]> {
+    edges(graph, function).into_iter().find_map(|edge| {
+        let height = height(graph, function, &edge);
+        if vanishes_on(graph, edge.difference, height) {
+            return None;
+        }
+        let crossing = claims::derivative_along(graph, x, field, edge.difference, None);
+        let crossing = graph.sum(&crossing);
+        (!vanishes_on(graph, edge.difference, crossing)).then_some(edge.equal)
+    })
+}
+
+/// Of all conditions and signs that read the state or time.
+fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
+    let mut edges: Vec<Edge> = vec![];
+    for node in graph.reachable(&[function]) {
+        let ([a, b], sides) = match *graph.node(node) {
+            // One that holds on the edge alone has to make no difference there, either.
+            Node::Compare(_, a, b) => ([a, b], [false, true].map(|side| graph.truth(side))),
+            Node::Call(Function::Signum, ref args) => {
+                let x = args[0];
+                ([graph.zero(), x], [-1, 1].map(|side| graph.integer(side)))
+            }
+            _ => continue,
+        };
+        let difference = graph.sub(b, a);
+        if symbols(graph, difference).iter().all(|symbol| matches!(symbol, Symbol::Parameter(_))) {
+            continue;
+        }
+        let opposite = graph.neg(difference);
+        let mut equal = |a: Id, b: Id| {
+            let b = graph.neg(b);
+            sum_is_zero(graph, &[a, b]).is_zero()
+        };
+        if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, difference)) {
+            edge.decided.push((node, sides));
+        } else if let Some(edge) = edges.iter_mut().find(|edge| equal(edge.difference, opposite)) {
+            edge.decided.push((node, [sides[1], sides[0]]));
+        } else {
+            let equal = if graph.as_number(a).is_some() { [b, a] } else { [a, b] };
+            edges.push(Edge { equal, difference, decided: vec![(node, sides)] });
+        }
+    }
+    edges
+}
+
+/// The function on one side of an edge, less that on the other.
+fn height(graph: &mut Graph, function: Id, edge: &Edge) -> Id {
+    let [below, above] = [0, 1].map(|side| {
+        let mut decided = Substitution::new(|_: &mut Graph, _| None);
+        for (node, sides) in &edge.decided {
+            decided.insert(*node, sides[side]);
+        }
+        decided.apply(graph, function)
+    });
+    graph.sub(above, below)
+}
+
+/// Whether a node was proven to be zero where `edge` is: everywhere, or with one of the terms or symbols of the edge as a function of the others.
+fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
+    let is_zero = |graph: &mut Graph, node| sum_is_zero(graph, &[node]).is_zero();
+    if is_zero(graph, node) {
+        return true;
+    }
+    let terms = match graph.node(edge) {
+        Node::Linear(_, terms) => terms.clone(),
+        _ => vec![],
+    };
+    let by_term = terms.into_iter().any(|(coefficient, term)| {
+        let own = graph.scale(coefficient, term);
+        let rest = graph.sub(edge, own);
+        let coefficient = graph.number(coefficient.neg());
+        let value = graph.div(rest, coefficient);
+        let mut there = Substitution::new(|_: &mut Graph, _| None);
+        there.insert(term, value);
+        let there = there.apply(graph, node);
+        is_zero(graph, there)
+    });
+    let candidates: Vec<Symbol> = symbols(graph, edge).into_iter().collect();
+    by_term
+        || candidates.into_iter().any(|symbol| {
+            let Some(root) = solved(graph, edge, symbol) else { return false };
+            let there = at(graph, node, symbol, root);
+            is_zero(graph, there)
+        })
+}
+
+/// The symbol as a function of the others where c·symbol + d, or c·symbol² + d, is zero.
+fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Id> {
+    let zero = graph.zero();
+    let rest = at(graph, sum, symbol, zero);
+    let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
+    let reads = |graph: &Graph, node: Id| symbols(graph, node).contains(&symbol);
+    let (coefficient, exponent) = if reads(graph, slope) {
+        let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
+        let at_zero = at(graph, slope, symbol, zero);
+        if reads(graph, second) || !graph.is_zero(at_zero) {
+            return None;
+        }
+        (graph.scale(Number::HALF, second), Ratio { numerator: 1, denominator: 2 })
+    } else {
+        (slope, Ratio::integer(1))
+    };
+    let power = graph.div(rest, coefficient);
+    let power = graph.neg(power);
+    Some(graph.pow(power, exponent))
+}
+
+/// A node with a symbol replaced.
+fn at(graph: &mut Graph, node: Id, symbol: Symbol, value: Id) -> Id {
+    Substitution::new(move |_: &mut Graph, other| (other == symbol).then_some(value)).apply(graph, node)
+}
