@@ -6,8 +6,8 @@ use crate::solving::{Refusal, linear};
 use crate::space::vector::{difference, moved};
 use crate::space::{Action, Array, Record, Tape};
 
-/// The way of a step is halved so often, where the determinant changes by more than a factor of two on a part of it.
-const HALVINGS: usize = 24;
+/// The way of a step is halved so often at most, where the determinant changes by more than a factor of two on a part of it.
+const HALVINGS: u32 = 40;
 
 /// A determinant that is so many times smaller than at the ends of the way is near a zero, if it jumps.
 const JUMP: f64 = 256.0;
@@ -149,8 +149,9 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
         let largest = sizes.into_iter().fold(0.0, f64::max);
         sizes.into_iter().all(|size| 2.0 * size >= largest)
     };
+    let shortest = 1.0 / (1_u64 << HALVINGS) as f64;
     // Where parts end that wait.
-    let mut ends = [(1.0, last); HALVINGS + 1];
+    let mut ends = [(1.0, last); HALVINGS as usize + 1];
     let (mut waiting, mut start) = (1, (0.0, first));
     for _ in 0..MOST {
         let end = ends[waiting - 1];
@@ -163,14 +164,15 @@ fn has_no_zero(f: impl Fn(f64) -> f64, [first, last]: [f64; 2]) -> bool {
             return false;
         }
         // On a part so short only a jump is left, or a zero, next to which values are small.
-        let jumps = waiting > HALVINGS && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
+        let short = end.0 - start.0 <= shortest;
+        let jumps = short && values.iter().all(|f| JUMP * f.abs() > f64::max(first.abs(), last.abs()));
         if jumps || is_steady(values) {
             start = end;
             waiting -= 1;
             if waiting == 0 {
                 return true;
             }
-        } else if waiting <= HALVINGS {
+        } else if !short {
             ends[waiting] = (x, middle);
             waiting += 1;
         } else {
