@@ -63,7 +63,7 @@ fn double_pendulum(q: [f64; 2], v: [f64; 2], m: f64, g: f64, c: f64) -> f64 {
 }
 
 /// Long after friction has left nothing of any wave: only rounding moves what is at rest, and by another amount in each step.
-const SETTLED: f64 = 1500.0;
+const SETTLED: f64 = 900.0;
 
 /// Runs until nothing but rounding moves. The energy is then at its minimum, to rounding of terms of some size.
 macro_rules! rests {

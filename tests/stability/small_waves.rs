@@ -57,8 +57,8 @@ fn runs<S: Hamiltonian<R>, M: Method<S, R>, R: Real + PartialOrd>(name: &str, sy
     let n = <S::Array as geoint_runtime::space::Array>::LEN;
     let mut noise = Noise::new(3);
     let mut worst = 0.0_f64;
-    // Every third decade in a build that is not optimised.
-    for decade in (3..).step_by(if cfg!(debug_assertions) { 3 } else { 1 }) {
+    // Every fourth decade in a build that is not optimised.
+    for decade in (3..).step_by(if cfg!(debug_assertions) { 4 } else { 1 }) {
         let size = 10.0_f64.powi(-decade);
         if size < smallest {
             break;
