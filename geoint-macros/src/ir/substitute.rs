@@ -63,3 +63,8 @@ impl<F: Fn(&mut Graph, Symbol) -> Option<Id>> Substitution<F> {
         self.done[root]
     }
 }
+
+/// A node with a symbol replaced.
+pub(crate) fn replaced(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
+    Substitution::new(|_: &mut Graph, other| (other == symbol).then_some(value)).apply(graph, id)
+}

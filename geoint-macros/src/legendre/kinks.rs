@@ -3,7 +3,7 @@
 use super::mass::is_velocity;
 use crate::analyze::{self, conditions, decided, vanishes};
 use crate::diff;
-use crate::ir::substitute::Substitution;
+use crate::ir::substitute::replaced;
 use crate::ir::{Graph, Id, Node, Symbol};
 
 /// Whether a momentum jumps where a condition changes that is affine in a velocity.
@@ -30,5 +30,5 @@ fn height(graph: &mut Graph, node: Id, (condition, difference): (Id, Id), v: Sym
     let edge = graph.sub(own, away);
     let [yes, no] = [true, false].map(|holds| decided(graph, node, condition, holds));
     let height = graph.sub(yes, no);
-    Some(Substitution::new(|_: &mut Graph, symbol| (symbol == v).then_some(edge)).apply(graph, height))
+    Some(replaced(graph, height, v, edge))
 }

@@ -1,6 +1,5 @@
 //! An expression as a sum of powers of some of its symbols, with coefficients that are free of them.
 
-use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 use std::collections::BTreeMap;
 
@@ -183,11 +182,6 @@ pub(super) fn quotient(graph: &mut Graph, a: Id, b: Id) -> Id {
         divisor = graph.mul(divisor, factor);
     }
     graph.div(quotient, divisor)
-}
-
-/// A node with a symbol replaced.
-pub(super) fn replaced(graph: &mut Graph, id: Id, symbol: Symbol, value: Id) -> Id {
-    Substitution::new(|_, other| (other == symbol).then_some(value)).apply(graph, id)
 }
 
 /// The only momentum of a monomial, and its power.

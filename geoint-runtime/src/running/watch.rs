@@ -47,7 +47,7 @@ impl<'a, S: PhaseSpace<R>, R: Real> Watch<'a, S, Start<S, R>> {
 impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
     #[inline(always)]
     fn examine(&mut self, t: R, z: &S::Phase, s: &S::Action) {
-        if self.seen.found.is_none() && !self.paused {
+        if self.looks() {
             let (t0, z0, s0) = &self.start;
             let pole = || self.poles.between(self.system, false, ([*t0, t], [z0, z], [s0, s]));
             self.seen.found = self.system.outside_domain(t, z, s).or_else(pole).map(Found::OutsideDomain);
@@ -64,6 +64,11 @@ impl<S: PhaseSpace<R>, R: Real> Watch<'_, S, Start<S, R>> {
 }
 
 impl<S, X> Watch<'_, S, X> {
+    /// Whether what it sees now may explain the step.
+    fn looks(&self) -> bool {
+        self.seen.found.is_none() && !self.paused
+    }
+
     /// What it has seen.
     pub(crate) fn seen(&self) -> Seen {
         self.seen
@@ -111,7 +116,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Watch<'_, S, Start<S, R>> {
         // What is not defined at the start, as with parameters that are no numbers, has no flow that could end.
         let (t, z, s) = &self.start;
         let defined = || self.system.hamiltonian(*t, z, s).magnitude() < f64::INFINITY;
-        if self.seen.found.is_none() && !self.paused && !finite() && defined() {
+        if self.looks() && !finite() && defined() {
             self.seen.found = Some(Found::Pole(piece));
         }
     }

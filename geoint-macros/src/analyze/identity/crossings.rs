@@ -3,7 +3,7 @@
 use super::{claims, sum_is_zero};
 use crate::analyze::dependence::symbols;
 use crate::diff;
-use crate::ir::substitute::Substitution;
+use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
 /// Conditions and signs that change where two numbers are equal.
@@ -99,7 +99,7 @@ fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
     by_term
         || candidates.into_iter().any(|symbol| {
             let Some(root) = solved(graph, edge, symbol) else { return false };
-            let there = at(graph, node, symbol, root);
+            let there = replaced(graph, node, symbol, root);
             is_zero(graph, there)
         })
 }
@@ -107,12 +107,12 @@ fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
 /// The symbol as a function of the others where c·symbol + d, or c·symbol² + d, is zero.
 fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Id> {
     let zero = graph.zero();
-    let rest = at(graph, sum, symbol, zero);
+    let rest = replaced(graph, sum, symbol, zero);
     let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
     let reads = |graph: &Graph, node: Id| symbols(graph, node).contains(&symbol);
     let (coefficient, exponent) = if reads(graph, slope) {
         let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
-        let at_zero = at(graph, slope, symbol, zero);
+        let at_zero = replaced(graph, slope, symbol, zero);
         if reads(graph, second) || !graph.is_zero(at_zero) {
             return None;
         }
@@ -123,9 +123,4 @@ fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Id> {
     let power = graph.div(rest, coefficient);
     let power = graph.neg(power);
     Some(graph.pow(power, exponent))
-}
-
-/// A node with a symbol replaced.
-fn at(graph: &mut Graph, node: Id, symbol: Symbol, value: Id) -> Id {
-    Substitution::new(move |_: &mut Graph, other| (other == symbol).then_some(value)).apply(graph, node)
 }

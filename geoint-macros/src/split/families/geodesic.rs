@@ -1,12 +1,11 @@
 //! Pieces in which one coordinate moves along a geodesic.
 
 use super::super::flow::{Flow, Group};
-use super::super::polynomial::{
-    Polynomial, factors, is_free, is_momentum, parted, quotient, replaced, single_momentum,
-};
+use super::super::polynomial::{Polynomial, factors, is_free, is_momentum, parted, quotient, single_momentum};
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
 use crate::diff;
+use crate::ir::substitute::replaced;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
 
 /// c f(qᵢ) pᵢ²: with R² = 2f, R pᵢ is constant and qᵢ' = c R·(R pᵢ).

@@ -2,11 +2,12 @@
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{
-    Polynomial, degree, is_free, is_momentum, parted, quotient, replaced, single_momentum, times_powers,
+    Polynomial, degree, is_free, is_momentum, parted, quotient, single_momentum, times_powers,
 };
 use super::super::scalar::{self, Equation, positive_power};
 use super::super::time::Clock;
 use crate::diff;
+use crate::ir::substitute::replaced;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// T(p, t): q moves by ∂T/∂p, s by p·∂T/∂p − T.
