@@ -1,9 +1,9 @@
 //! Forces that no energy gives: F(q, v, t), and friction −∂R/∂v by a function R that is no quadratic form.
 
-use super::dependence::{Reads, symbols};
-use super::{identity, liouville, reads};
+use super::dependence::symbols;
+use super::{identity, liouville};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Symbol};
+use crate::ir::{Function, Graph, Id, Reads, Symbol};
 
 /// What is added to p' = −∂H/∂q, or to ∂L/∂q.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ impl Forces {
         let friction = friction.filter(|forces| some(graph, forces));
         let n = applied.as_ref().or(friction.as_ref())?.len();
         let all = || applied.iter().chain(&friction);
-        let read = all().flatten().fold(Reads::default(), |read, force| read.or(reads(graph, *force)));
+        let read = all().flatten().fold(Reads::default(), |read, force| read.or(graph.reads(*force)));
         let spared = (0..n).map(|i| all().all(|forces| graph.is_zero(forces[i]))).collect();
         let potential = applied.as_ref().and_then(|applied| potential(graph, applied));
         Some(Forces { applied, friction, reads: read, spared, potential })

@@ -17,13 +17,13 @@ mod poles;
 mod jumps;
 mod identity;
 
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Node, Reads, Symbol};
 use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
-pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
+pub(crate) use dependence::{acts_back, symbols};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
     Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, liouville, search, vanishes,
@@ -174,13 +174,13 @@ pub(crate) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 
 /// The same, where a sum with a common factor is taken apart if it reads what `apart` asks for.
 pub(crate) fn terms_where(graph: &mut Graph, root: Id, apart: impl Fn(Reads) -> bool) -> Vec<Id> {
-    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, apart);
+    let terms = terms::Sums::new(graph).terms(root, apart);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
 /// The same with sums taken apart that have a common factor free of q and p.
 pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
-    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| true);
+    let terms = terms::Sums::new(graph).terms(root, |_| true);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
@@ -209,7 +209,6 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         }
         Err(term) => Split::Coupled(term),
     };
-    let dependence = Dependence::of(graph);
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
     let symbols = dependence::symbols(graph, energy);
     let unread =
@@ -217,16 +216,16 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
     Structure {
         energy,
         split,
-        autonomous: !dependence.reads(energy).t,
+        autonomous: !graph.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
         switches: graph.reachable(&[energy]).into_iter().any(|id| match graph.node(id) {
-            Node::Select(condition, ..) => dependence.reads(*condition).state(),
+            Node::Select(condition, ..) => graph.reads(*condition).state(),
             _ => false,
         }),
         degree: degrees.get(energy),
-        momenta: conserved::momenta(graph, &dependence, &degrees, energy, coordinates),
-        mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
+        momenta: conserved::momenta(graph, &degrees, energy, coordinates),
+        mean_value: mean_value::mean_value(graph, &degrees, energy),
         damping: None,
         forces: None,
     }

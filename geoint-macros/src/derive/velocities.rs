@@ -67,7 +67,7 @@ pub(crate) fn velocities(
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: mass_kernels(graph, legendre),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
-            keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
+            keeps: damping.is_none() && others.is_none() && !graph.reads(*lagrangian).t,
             polarised,
             momenta: momenta_kept
                 .into_iter()

@@ -2,7 +2,7 @@
 
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::{Dependence, symbols};
+use crate::analyze::dependence::symbols;
 use crate::analyze::{degree_in, identity};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -27,8 +27,7 @@ pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordi
 /// Finds them, if there is an action that H reads.
 pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Option<Dissipated> {
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
-    let dependence = Dependence::of(graph);
-    let mut momenta = momenta::momenta(graph, &dependence, &degrees, energy, coordinates);
+    let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
     of(graph, energy, coordinates, momenta)
 }

@@ -58,5 +58,5 @@ fn read(graph: &Graph, id: Id) -> BTreeSet<u32> {
 
 /// Frozen in the middle of a step, unless nothing reads time.
 fn clock(graph: &Graph, rates: &[(Symbol, Id)]) -> Clock {
-    if rates.iter().any(|(_, rate)| crate::analyze::reads(graph, *rate).t) { Clock::Stage } else { Clock::Own }
+    if rates.iter().any(|(_, rate)| graph.reads(*rate).t) { Clock::Stage } else { Clock::Own }
 }
