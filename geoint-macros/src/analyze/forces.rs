@@ -1,6 +1,5 @@
 //! Forces that no energy gives: F(q, v, t), and friction −∂R/∂v by a function R that is no quadratic form.
 
-use super::dependence::symbols;
 use super::{identity, liouville};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Reads, Symbol};
@@ -75,7 +74,7 @@ impl Forces {
 
 /// −V of F = −∇V(q), if F reads positions alone and V is elementary.
 fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
-    let mut read = applied.iter().flat_map(|force| symbols(graph, *force));
+    let mut read = applied.iter().flat_map(|force| graph.symbols(*force));
     if read.any(|symbol| !matches!(symbol, Symbol::Q(_) | Symbol::Parameter(_))) {
         return None;
     }

@@ -1,7 +1,6 @@
 //! Is the mean of ∇H along the line between two states known in closed form?
 
 use super::degree::Degrees;
-use super::dependence::symbols;
 use super::leaves::leaves;
 use super::quadratic::{Expansion, Quadratic, UNIT};
 use super::terms::Sums;
@@ -47,7 +46,7 @@ pub(super) fn mean_value(graph: &Graph, degrees: &Degrees, energy: Id) -> MeanVa
 /// Whether a node reads the state through one affine function of it.
 fn is_ridge(graph: &Graph, degrees: &Degrees, root: Id) -> bool {
     let state = |symbol: &Symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_));
-    if symbols(graph, root).iter().filter(|symbol| state(symbol)).count() == 1 {
+    if graph.symbols(root).iter().filter(|symbol| state(symbol)).count() == 1 {
         return true;
     }
     let directions = || {

@@ -35,8 +35,7 @@ pub(crate) fn velocities(
             && others.is_none_or(|others| others.spared[i as usize])
     };
     momenta_kept.retain(|momentum| {
-        let read = analyze::symbols(graph, momentum.value);
-        read.into_iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(i)))
+        graph.symbols(momentum.value).iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
     });
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);

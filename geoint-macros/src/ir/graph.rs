@@ -9,7 +9,7 @@ use super::id::Id;
 use super::number::Number;
 use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
-use super::reads::Reads;
+use super::reads::{Reads, Set, Sets};
 use super::table::Table;
 use std::cell::RefCell;
 
@@ -67,8 +67,9 @@ pub(crate) struct Partial {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
-    /// What each node reads.
-    reads: Vec<Reads>,
+    /// The symbols that each node reads.
+    read: Vec<Set>,
+    sets: Sets,
     known: HashMap<Node, Id>,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
@@ -83,7 +84,12 @@ impl Graph {
 
     /// What a node reads of phase space.
     pub(crate) fn reads(&self, id: Id) -> Reads {
-        self.reads[id.index()]
+        self.sets.reads(self.read[id.index()])
+    }
+
+    /// The symbols that a node reads, in order.
+    pub(crate) fn symbols(&self, id: Id) -> &[Symbol] {
+        self.sets.symbols(self.read[id.index()])
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -148,15 +154,15 @@ impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Id {
         let next = Id::from_index(self.nodes.len());
         let id = *self.known.entry(node).or_insert_with_key(|node| {
-            let reads = match node {
-                Node::Symbol(symbol) => Reads::of(*symbol),
+            let read = match node {
+                Node::Symbol(symbol) => self.sets.single(*symbol),
                 _ => {
-                    let mut all = Reads::default();
-                    node.for_each_child(|child| all = all.or(self.reads[child.index()]));
+                    let mut all = Set::default();
+                    node.for_each_child(|child| all = self.sets.union(all, self.read[child.index()]));
                     all
                 }
             };
-            self.reads.push(reads);
+            self.read.push(read);
             self.nodes.push(node.clone());
             next
         });

@@ -1,6 +1,8 @@
-//! Which coordinates a node reads.
+//! Which symbols a node reads.
 
+use super::hash::HashMap;
 use super::op::Symbol;
+use std::rc::Rc;
 
 /// What a node reads of phase space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -24,7 +26,7 @@ impl Reads {
     }
 
     /// What reading a symbol is.
-    pub(super) fn of(symbol: Symbol) -> Reads {
+    fn of(symbol: Symbol) -> Reads {
         let none = Reads::default();
         match symbol {
             Symbol::Q(_) | Symbol::Dq(_) => Reads { q: true, ..none },
@@ -50,5 +52,64 @@ impl Reads {
             s: self.s || other.s,
             t: self.t || other.t,
         }
+    }
+}
+
+/// A set of symbols: its place among the sets.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub(super) struct Set(usize);
+
+/// Sets of symbols. Many nodes read the same ones: each set stands here once, and each union is found once.
+#[derive(Clone, Debug)]
+pub(super) struct Sets {
+    /// In order; the first one is empty.
+    sets: Vec<(Rc<[Symbol]>, Reads)>,
+    known: HashMap<Rc<[Symbol]>, Set>,
+    unions: HashMap<(Set, Set), Set>,
+}
+
+impl Default for Sets {
+    fn default() -> Self {
+        let mut sets = Sets { sets: vec![], known: HashMap::default(), unions: HashMap::default() };
+        sets.intern(vec![]);
+        sets
+    }
+}
+
+impl Sets {
+    pub(super) fn symbols(&self, set: Set) -> &[Symbol] {
+        &self.sets[set.0].0
+    }
+
+    pub(super) fn reads(&self, set: Set) -> Reads {
+        self.sets[set.0].1
+    }
+
+    pub(super) fn single(&mut self, symbol: Symbol) -> Set {
+        self.intern(vec![symbol])
+    }
+
+    pub(super) fn union(&mut self, a: Set, b: Set) -> Set {
+        if a == b || b == Set::default() {
+            return a;
+        }
+        if let Some(union) = self.unions.get(&(a, b)) {
+            return *union;
+        }
+        let mut symbols = [self.symbols(a), self.symbols(b)].concat();
+        symbols.sort();
+        symbols.dedup();
+        let union = self.intern(symbols);
+        self.unions.insert((a, b), union);
+        union
+    }
+
+    fn intern(&mut self, symbols: Vec<Symbol>) -> Set {
+        let symbols: Rc<[Symbol]> = symbols.into();
+        *self.known.entry(symbols).or_insert_with_key(|symbols| {
+            let reads = symbols.iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(*symbol)));
+            self.sets.push((Rc::clone(symbols), reads));
+            Set(self.sets.len() - 1)
+        })
     }
 }

@@ -58,11 +58,11 @@ fn jumps(graph: &mut Graph, id: Id) -> bool {
 
 /// The coordinates that a node reads.
 fn positions(graph: &Graph, id: Id) -> Vec<u32> {
-    let position = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => Some(i),
+    let position = |symbol: &Symbol| match symbol {
+        Symbol::Q(i) => Some(*i),
         _ => None,
     };
-    analyze::symbols(graph, id).into_iter().filter_map(position).collect()
+    graph.symbols(id).iter().filter_map(position).collect()
 }
 
 /// A node with something in place of some coordinates.

@@ -197,7 +197,7 @@ fn carried(graph: &mut Graph, written: &[Partial], velocities: &[Id], parts: &[P
     });
     let mut partial = vec![];
     for Partial { node, condition } in written {
-        let read = analyze::symbols(graph, *node);
+        let read = graph.symbols(*node);
         if !read.iter().any(|symbol| matches!(symbol, Symbol::V(i) if conjugate(*i))) {
             let condition = condition.map(|condition| there.apply(graph, condition));
             partial.push(Partial { node: there.apply(graph, *node), condition });

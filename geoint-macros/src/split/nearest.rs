@@ -3,7 +3,6 @@
 use super::families::FAMILIES;
 use super::flow::{Family, Space};
 use super::polynomial::{Monomial, Polynomial, degree as sum_of_powers, is_momentum};
-use crate::analyze;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Reads, Symbol};
 
 /// What families are told apart by.
@@ -70,7 +69,7 @@ fn shape(graph: &mut Graph, energy: Id) -> Shape {
         reads: graph.reads(energy),
         powers: all.and_then(|powers| Some((powers.terms().count(), largest(&powers, &Symbol::is_coordinate)?))),
         of_momenta: of_momenta.and_then(|powers| largest(&powers, &is_momentum)),
-        momenta: analyze::symbols(graph, energy).into_iter().filter(|symbol| is_momentum(*symbol)).count(),
+        momenta: graph.symbols(energy).iter().filter(|symbol| is_momentum(**symbol)).count(),
         divided_by: divided_by(graph, energy),
         of_one: matches!(graph.node(graph.coefficient(energy).1), Node::Call(..) | Node::Power(..)),
     }

@@ -2,7 +2,6 @@
 
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::symbols;
 use crate::analyze::{degree_in, identity};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -41,7 +40,7 @@ pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
 
 /// With what is seen from what H or L reads.
 fn of(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
-    let read = symbols(graph, root);
+    let read = graph.symbols(root);
     if !read.contains(&Symbol::S) {
         return None;
     }

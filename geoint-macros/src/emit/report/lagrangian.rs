@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::{contact, counted};
-use crate::analyze::{self, Damping, Dissipated, Forces};
+use crate::analyze::{Damping, Dissipated, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -181,7 +181,7 @@ fn steps<F: Fn(Symbol) -> String>(
     }
 
     writeln!(text, "\nConserved by the flow, at least")?;
-    let read = analyze::symbols(printer.graph(), legendre.lagrangian);
+    let read = printer.graph().symbols(legendre.lagrangian);
     let spared = |i: u32| {
         let row = damping.map(|damping| &damping.matrix[i as usize]);
         row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))

@@ -52,8 +52,8 @@ pub(crate) struct NoPart {
 
 /// Which coordinates a node reads.
 fn read(graph: &Graph, id: Id) -> BTreeSet<u32> {
-    let symbols = crate::analyze::symbols(graph, id).into_iter();
-    symbols.filter_map(|symbol| if let Symbol::Q(i) = symbol { Some(i) } else { None }).collect()
+    let place = |symbol: &Symbol| if let Symbol::Q(i) = symbol { Some(*i) } else { None };
+    graph.symbols(id).iter().filter_map(place).collect()
 }
 
 /// Frozen in the middle of a step, unless nothing reads time.
