@@ -29,9 +29,9 @@ impl<P: Problem> Visitor<P::Over<f64>, f64> for Steps<P> {
             sim.set_step_size(f64::NAN);
             assert!(sim.step().is_err());
             sim.set_step_size(1e200);
-            black_box(sim.advance(3).is_err());
+            black_box(sim.step().is_err());
 
-            let mut sim = P::system::<f64>().adaptive(method, 1e-3, P::initial(0.0)).first_step(1e3);
+            let mut sim = P::system::<f64>().adaptive(method, 1e-3, P::initial(0.0)).first_step(30.0);
             sim.step().unwrap();
             assert!(sim.rejections() > 0, "{name}");
             black_box(sim.until(0.3).filter(Result::is_ok).count());
