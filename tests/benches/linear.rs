@@ -1,6 +1,6 @@
 //! Our own elimination beside nalgebra's LU: what a Newton iteration pays for its linear system.
 //!
-//! `cargo bench -p geoint-tests --bench linear` prints the table of ratios. The systems are random, near the identity as
+//! `cargo bench -p geoint-benches --bench linear` prints the table of ratios. The systems are random, near the identity as
 //! 1 − h·J is, and not near it, so that pivots move.
 
 mod paired;

@@ -1,6 +1,6 @@
 //! What a step costs: each generated stepper beside an expert's hand-written one.
 //!
-//! `cargo bench -p geoint-tests --bench step` prints the table of ratios, then criterion's absolute figures, a step each.
+//! `cargo bench -p geoint-benches --bench step` prints the table of ratios, then criterion's absolute figures, a step each.
 //! `RATIOS=only` leaves the second part out.
 
 #[allow(dead_code, reason = "run time against error has all of it")]

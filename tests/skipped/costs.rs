@@ -1,5 +1,5 @@
 //! What it costs to build a crate of a user: the pendulum with its step written by hand, with one method, and with ten.
-//! `cargo test --profile bench -p geoint-tests --no-default-features --features std --test skipped costs -- --ignored --nocapture` prints the table.
+//! `cargo test --profile bench -p geoint-tests --test skipped costs -- --ignored --nocapture` prints the table.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

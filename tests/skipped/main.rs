@@ -275,7 +275,7 @@ fn what_is_not_needed_is_not_executed() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// `cargo test --profile bench -p geoint-tests --no-default-features --features std --test skipped table -- --ignored` writes the table with times to `target/geoint/skipped.md`.
+/// `cargo test --profile bench -p geoint-tests --test skipped table -- --ignored` writes the table with times to `target/geoint/skipped.md`.
 #[test]
 #[ignore = "times steps"]
 fn write_the_table() {

@@ -1,5 +1,5 @@
 //! Runs that are hard: very long, close to collisions, chaotic, stiff, in extreme units. A quick part in every `cargo test`, and a long one that
-//! writes `tests/stress/README.md`: `cargo test --profile bench -p geoint-tests --no-default-features --features std --test stress -- --ignored`.
+//! writes `tests/stress/README.md`: `cargo test --profile bench -p geoint-tests --test stress -- --ignored`.
 
 mod quick;
 mod rounding;

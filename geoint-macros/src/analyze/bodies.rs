@@ -77,7 +77,7 @@ pub(crate) fn bodies(graph: &mut Graph, energy: Id, (bodies, rows): (u32, u32)) 
     let inverse_mass =
         slopes.into_iter().map(|row| row.into_iter().map(|entry| at_rest(graph, entry)).collect()).collect();
     let streaming = moving.into_iter().map(|entry| at_rest(graph, entry)).collect();
-    let autonomous = !super::reads(graph, energy).t;
+    let autonomous = !graph.reads(energy).t;
     Ok(Bodies { energy, kinetic, potential, velocity, inertia, inverse_mass, streaming, autonomous })
 }
 

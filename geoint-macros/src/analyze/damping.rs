@@ -1,6 +1,6 @@
 //! Damping C of p' = −∂H/∂q − C ∂H/∂p: what is known of it before it has a value.
 
-use super::dependence::{Dependence, Reads};
+use crate::ir::Reads;
 use crate::ir::{Graph, Id, Number, Ratio};
 
 /// C, not all of whose entries are zero.
@@ -55,12 +55,11 @@ impl Damping {
 }
 
 pub(super) fn damping(graph: &Graph, matrix: Vec<Vec<Id>>) -> Option<Damping> {
-    let dependence = Dependence::of(graph);
     let entries = || (0..matrix.len()).flat_map(|i| (0..matrix.len()).map(move |j| (i, j)));
     if entries().all(|(i, j)| graph.is_zero(matrix[i][j])) {
         return None;
     }
-    let reads = entries().fold(Reads::default(), |reads, (i, j)| reads.or(dependence.reads(matrix[i][j])));
+    let reads = entries().fold(Reads::default(), |reads, (i, j)| reads.or(graph.reads(matrix[i][j])));
     let diagonal = entries().all(|(i, j)| i == j || graph.is_zero(matrix[i][j]));
     let flaw = flaw(graph, &matrix);
     let open = !diagonal && definiteness(graph, &matrix).is_none();

@@ -1,9 +1,8 @@
 //! Forces that no energy gives: F(q, v, t), and friction −∂R/∂v by a function R that is no quadratic form.
 
-use super::dependence::{Reads, symbols};
-use super::{identity, liouville, reads};
+use super::{identity, liouville};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Function, Graph, Id, Symbol};
+use crate::ir::{Function, Graph, Id, Reads, Symbol};
 
 /// What is added to p' = −∂H/∂q, or to ∂L/∂q.
 #[derive(Debug)]
@@ -28,7 +27,7 @@ impl Forces {
         let friction = friction.filter(|forces| some(graph, forces));
         let n = applied.as_ref().or(friction.as_ref())?.len();
         let all = || applied.iter().chain(&friction);
-        let read = all().flatten().fold(Reads::default(), |read, force| read.or(reads(graph, *force)));
+        let read = all().flatten().fold(Reads::default(), |read, force| read.or(graph.reads(*force)));
         let spared = (0..n).map(|i| all().all(|forces| graph.is_zero(forces[i]))).collect();
         let potential = applied.as_ref().and_then(|applied| potential(graph, applied));
         Some(Forces { applied, friction, reads: read, spared, potential })
@@ -75,7 +74,7 @@ impl Forces {
 
 /// −V of F = −∇V(q), if F reads positions alone and V is elementary.
 fn potential(graph: &mut Graph, applied: &[Id]) -> Option<Id> {
-    let mut read = applied.iter().flat_map(|force| symbols(graph, *force));
+    let mut read = applied.iter().flat_map(|force| graph.symbols(*force));
     if read.any(|symbol| !matches!(symbol, Symbol::Q(_) | Symbol::Parameter(_))) {
         return None;
     }

@@ -1,6 +1,5 @@
 //! Conditions of an energy: by how much it jumps where one of them changes.
 
-use super::dependence::Dependence;
 use super::enclosable::enclosable;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Relation};
@@ -17,8 +16,7 @@ pub(crate) struct Jump {
 /// The conditions of an energy, signs of numbers among them.
 pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     let mut conditions = conditions(graph, energy);
-    let dependence = Dependence::of(graph);
-    conditions.retain(|condition| dependence.reads(*condition).state());
+    conditions.retain(|condition| graph.reads(*condition).state());
     let mut jump = |condition| {
         let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
         let height = graph.sub(yes, no);

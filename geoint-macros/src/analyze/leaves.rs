@@ -5,7 +5,6 @@
 //! at the middle of the step, however it is written.
 
 use super::degree::Degrees;
-use super::dependence::Dependence;
 use super::terms::{Sums, Term};
 use crate::ir::{Function, Graph, Id, Node};
 use std::collections::HashSet;
@@ -21,16 +20,10 @@ pub(super) enum Leaf {
 
 /// All parts of degree `degree` at most that `root` is a function of, none inside another. `None` if a condition reads the
 /// state: between two branches there is no chain rule.
-pub(super) fn leaves(
-    graph: &Graph,
-    dependence: &Dependence,
-    degrees: &Degrees,
-    root: Id,
-    degree: u32,
-) -> Option<Vec<Leaf>> {
-    let reads_state = |id: Id| dependence.reads(id).state();
+pub(super) fn leaves(graph: &Graph, degrees: &Degrees, root: Id, degree: u32) -> Option<Vec<Leaf>> {
+    let reads_state = |id: Id| graph.reads(id).state();
     let at_most = |id: Id, degree: u32| degrees.get(id).is_some_and(|d| d <= degree);
-    let mut sums = Sums::new(graph, dependence);
+    let mut sums = Sums::new(graph);
     let (mut leaves, mut seen, mut open) = (vec![], HashSet::new(), vec![root]);
     while let Some(id) = open.pop() {
         if !seen.insert(id) {

@@ -1,7 +1,6 @@
 //! Is the mean of ∇H along the line between two states known in closed form?
 
 use super::degree::Degrees;
-use super::dependence::{Dependence, symbols};
 use super::leaves::leaves;
 use super::quadratic::{Expansion, Quadratic, UNIT};
 use super::terms::Sums;
@@ -25,13 +24,13 @@ fn points(degree: u32) -> u32 {
     degree.div_ceil(2)
 }
 
-pub(super) fn mean_value(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> MeanValue {
+pub(super) fn mean_value(graph: &Graph, degrees: &Degrees, energy: Id) -> MeanValue {
     let mut parts = 1;
-    for term in Sums::new(graph, dependence).terms(energy, |_| true) {
-        let Some(last) = term.factors.last().copied().filter(|last| dependence.reads(*last).state()) else { continue };
+    for term in Sums::new(graph).terms(energy, |_| true) {
+        let Some(last) = term.factors.last().copied().filter(|last| graph.reads(*last).state()) else { continue };
         let needed = match degrees.get(last) {
             Some(0..=2) => 1,
-            _ if is_ridge(graph, dependence, degrees, last) => 1,
+            _ if is_ridge(graph, degrees, last) => 1,
             Some(degree) => points(degree),
             None => return MeanValue::NotClosed(last),
         };
@@ -45,13 +44,13 @@ pub(super) fn mean_value(graph: &Graph, dependence: &Dependence, degrees: &Degre
 }
 
 /// Whether a node reads the state through one affine function of it.
-fn is_ridge(graph: &Graph, dependence: &Dependence, degrees: &Degrees, root: Id) -> bool {
+fn is_ridge(graph: &Graph, degrees: &Degrees, root: Id) -> bool {
     let state = |symbol: &Symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_));
-    if symbols(graph, root).iter().filter(|symbol| state(symbol)).count() == 1 {
+    if graph.symbols(root).iter().filter(|symbol| state(symbol)).count() == 1 {
         return true;
     }
     let directions = || {
-        let leaves = leaves(graph, dependence, degrees, root, 1)?;
+        let leaves = leaves(graph, degrees, root, 1)?;
         let mut expansion = Expansion::new(graph, degrees);
         leaves.iter().map(|leaf| direction(expansion.leaf(leaf)?)).collect::<Option<Vec<Quadratic>>>()
     };

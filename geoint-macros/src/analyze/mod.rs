@@ -2,7 +2,6 @@
 
 mod damping;
 mod degree;
-mod dependence;
 mod terms;
 mod separable;
 mod bodies;
@@ -17,13 +16,12 @@ mod poles;
 mod jumps;
 mod identity;
 
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Node, Reads, Symbol};
 use crate::parse::Shape;
 pub(crate) use bodies::{Bodies, bodies, momenta as momenta_of_body};
 pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_by_velocities, noether, translations};
 pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
-pub(crate) use dependence::{Dependence, Reads, acts_back, reads, symbols};
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
     Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, liouville, search, vanishes,
@@ -92,7 +90,7 @@ impl Structure {
             let spared = |i: u32| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
             self.cyclic.retain(|i| spared(*i));
             self.momenta.retain(|momentum| {
-                let symbols = dependence::symbols(graph, momentum.value);
+                let symbols = graph.symbols(momentum.value);
                 symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
             });
         }
@@ -105,7 +103,7 @@ impl Structure {
         if let Some(forces) = &self.forces {
             self.cyclic.retain(|i| forces.spared[*i as usize]);
             self.momenta.retain(|momentum| {
-                let symbols = dependence::symbols(graph, momentum.value);
+                let symbols = graph.symbols(momentum.value);
                 symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !forces.spared[*i as usize]))
             });
         }
@@ -174,13 +172,13 @@ pub(crate) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 
 /// The same, where a sum with a common factor is taken apart if it reads what `apart` asks for.
 pub(crate) fn terms_where(graph: &mut Graph, root: Id, apart: impl Fn(Reads) -> bool) -> Vec<Id> {
-    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, apart);
+    let terms = terms::Sums::new(graph).terms(root, apart);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
 /// The same with sums taken apart that have a common factor free of q and p.
 pub(crate) fn single_terms(graph: &mut Graph, root: Id) -> Vec<Id> {
-    let terms = terms::Sums::new(graph, &Dependence::of(graph)).terms(root, |_| true);
+    let terms = terms::Sums::new(graph).terms(root, |_| true);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
@@ -194,8 +192,7 @@ pub(crate) fn bound(graph: &mut Graph, energy: Id, constraints: &[Id], coordinat
     }
     let sum = graph.sum(&terms);
     let mut structure = structure(graph, sum, coordinates);
-    let free =
-        |value: Id| !dependence::symbols(graph, value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
+    let free = |value: Id| !graph.symbols(value).iter().any(|symbol| matches!(symbol, Symbol::Multiplier(_)));
     structure.momenta.retain(|momentum| free(momentum.value));
     structure
 }
@@ -209,25 +206,30 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         }
         Err(term) => Split::Coupled(term),
     };
-    let dependence = Dependence::of(graph);
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
-    let symbols = dependence::symbols(graph, energy);
+    let symbols = graph.symbols(energy);
     let unread =
         |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();
     Structure {
         energy,
         split,
-        autonomous: !dependence.reads(energy).t,
+        autonomous: !graph.reads(energy).t,
         cyclic: unread(Symbol::Q),
         resting: unread(Symbol::P),
         switches: graph.reachable(&[energy]).into_iter().any(|id| match graph.node(id) {
-            Node::Select(condition, ..) => dependence.reads(*condition).state(),
+            Node::Select(condition, ..) => graph.reads(*condition).state(),
             _ => false,
         }),
         degree: degrees.get(energy),
-        momenta: conserved::momenta(graph, &dependence, &degrees, energy, coordinates),
-        mean_value: mean_value::mean_value(graph, &dependence, &degrees, energy),
+        momenta: conserved::momenta(graph, &degrees, energy, coordinates),
+        mean_value: mean_value::mean_value(graph, &degrees, energy),
         damping: None,
         forces: None,
     }
+}
+
+/// Whether positions and momenta do not move without s, which decay at the rate ∂H/∂s and move by these derivatives else: by a condition a
+/// derivative reads s, too, where nothing is differentiated by it.
+pub(crate) fn acts_back(graph: &Graph, decay: Id, slopes: impl IntoIterator<Item = Id>) -> bool {
+    graph.reads(decay).state() || slopes.into_iter().any(|slope| graph.reads(slope).s)
 }

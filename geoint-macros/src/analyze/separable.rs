@@ -1,18 +1,17 @@
 //! H = T(p, t) + V(q, t)? The parts, or the term that couples.
 
 use super::degree::Degrees;
-use super::dependence::{Dependence, Reads};
 use super::terms::Sums;
+use crate::ir::Reads;
 use crate::ir::{Graph, Id, Symbol};
 
 /// The kinetic and the potential part, or a term that reads both q and p.
 pub(super) fn split(graph: &mut Graph, energy: Id) -> Result<(Id, Id), Id> {
     let terms = terms(graph, energy);
-    let dependence = Dependence::of(graph);
-    if let Some(coupled) = terms.iter().find(|id| couples(dependence.reads(**id))) {
+    if let Some(coupled) = terms.iter().find(|id| couples(graph.reads(**id))) {
         return Err(*coupled);
     }
-    let (kinetic, potential): (Vec<Id>, Vec<Id>) = terms.into_iter().partition(|id| dependence.reads(*id).p);
+    let (kinetic, potential): (Vec<Id>, Vec<Id>) = terms.into_iter().partition(|id| graph.reads(*id).p);
     Ok((graph.sum(&kinetic), graph.sum(&potential)))
 }
 
@@ -22,7 +21,7 @@ fn couples(reads: Reads) -> bool {
 
 /// The terms of a sum; one with a common factor is taken apart only where it couples.
 fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
-    let terms = Sums::new(graph, &Dependence::of(graph)).terms(root, couples);
+    let terms = Sums::new(graph).terms(root, couples);
     terms.into_iter().map(|term| term.build(graph)).collect()
 }
 
@@ -36,7 +35,6 @@ pub(crate) fn not_affine(graph: &mut Graph, energy: Id) -> Option<Id> {
 /// A term of the kinetic part that is not a polynomial of degree 2 at most in p with constant coefficients.
 pub(crate) fn not_quadratic(graph: &mut Graph, kinetic: Id) -> Option<Id> {
     let terms = terms(graph, kinetic);
-    let dependence = Dependence::of(graph);
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::P(_)));
-    terms.into_iter().find(|term| dependence.reads(*term).t || degrees.get(*term).is_none_or(|degree| degree > 2))
+    terms.into_iter().find(|term| graph.reads(*term).t || degrees.get(*term).is_none_or(|degree| degree > 2))
 }

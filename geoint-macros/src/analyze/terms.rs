@@ -1,6 +1,6 @@
 //! A sum as its terms.
 
-use super::dependence::{Dependence, Reads};
+use crate::ir::Reads;
 use crate::ir::{Graph, Id, Node, Number};
 
 /// scale · Π factors; all but the last are free of q and p.
@@ -20,14 +20,13 @@ impl Term {
 /// Takes sums apart.
 pub(super) struct Sums<'a> {
     graph: &'a Graph,
-    dependence: &'a Dependence,
     /// Sums of sums that share sums would have terms without end: when so many were taken apart the rest stays whole.
     left: usize,
 }
 
 impl<'a> Sums<'a> {
-    pub(super) fn new(graph: &'a Graph, dependence: &'a Dependence) -> Self {
-        Sums { graph, dependence, left: graph.len() }
+    pub(super) fn new(graph: &'a Graph) -> Self {
+        Sums { graph, left: graph.len() }
     }
 
     /// The terms of `root`, those of nested sums included, constants too. A sum with factors that are free of q and p is
@@ -48,7 +47,7 @@ impl<'a> Sums<'a> {
                 node => {
                     let (state, free) = self.factors(node);
                     match state[..] {
-                        [sum] if apart(self.dependence.reads(sum)) => open.push((scale, [factors, free].concat(), sum)),
+                        [sum] if apart(self.graph.reads(sum)) => open.push((scale, [factors, free].concat(), sum)),
                         _ => {
                             factors.push(id);
                             terms.push(Term { scale, factors });
@@ -63,7 +62,7 @@ impl<'a> Sums<'a> {
     /// The factors of a product that read q or p, and the others.
     fn factors(&self, node: &Node) -> (Vec<Id>, Vec<Id>) {
         match node {
-            Node::Product(ids) => ids.iter().partition(|id| self.dependence.reads(**id).state()),
+            Node::Product(ids) => ids.iter().partition(|id| self.graph.reads(**id).state()),
             _ => (vec![], vec![]),
         }
     }

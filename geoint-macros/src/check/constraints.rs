@@ -1,7 +1,7 @@
 //! Whether constraints are some: functions of positions alone, independent, and fewer than coordinates.
 
 use super::damping::flaw_of_damping;
-use crate::analyze::{self, Damping, claims};
+use crate::analyze::{Damping, claims};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
@@ -22,7 +22,7 @@ pub(crate) fn constraints(
     }
     for (constraint, place) in constraints {
         let printer = Printer::new(graph, &name);
-        let reads = analyze::reads(graph, *constraint);
+        let reads = graph.reads(*constraint);
         let why = match energy.form {
             Form::Lagrangian if reads.v => NOT_OF_VELOCITIES,
             _ if reads.p || reads.v => NOT_OF_MOMENTA,

@@ -2,7 +2,7 @@
 
 use super::blame::{blame, written};
 use super::damping::flaw_of_damping;
-use crate::analyze::{self, Damping, Forces};
+use crate::analyze::{Damping, Forces};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
@@ -131,11 +131,7 @@ fn in_the_way(graph: &Graph, requirement: Requirement, legendre: &Legendre) -> O
     legendre.parts.iter().find_map(|part| match &part.kinetic {
         Kinetic::Conjugate { term, .. } | Kinetic::Open(term) => Some((*term, NOT_QUADRATIC_IN_VELOCITIES)),
         Kinetic::Quadratic { mass, .. } if requirement == Requirement::ConstantMass => {
-            let changes = |entry: &Id| {
-                let reads = analyze::reads(graph, *entry);
-                reads.state() || reads.t
-            };
-            mass.iter().flatten().copied().find(changes).map(|entry| (entry, MASS_CHANGES))
+            mass.iter().flatten().copied().find(|entry| graph.reads(*entry).moves()).map(|entry| (entry, MASS_CHANGES))
         }
         Kinetic::Quadratic { .. } => None,
     })

@@ -72,7 +72,7 @@ pub(crate) fn of_action(
     let printer = Printer::new(graph, name);
     for (requirement, span) in &energy.options.requirements {
         let witness = match (requirement, mechanics) {
-            (Requirement::Conservative, _) => analyze::reads(graph, root).s.then_some((root, READS_ACTION)),
+            (Requirement::Conservative, _) => graph.reads(root).s.then_some((root, READS_ACTION)),
             (Requirement::Separable | Requirement::QuadraticKinetic, Err(term)) => Some((*term, NOT_MECHANICAL)),
             (Requirement::QuadraticKinetic, Ok(mechanics)) => {
                 mechanics.gradient_kick.as_ref().err().map(|term| (*term, NOT_NYSTROM))

@@ -82,7 +82,7 @@ impl Domain {
         }
         // A contact flow may begin where a function of time alone is singular: flows look after that themselves.
         if form == Form::Contact {
-            checks.retain(|check| analyze::reads(graph, check.argument).state());
+            checks.retain(|check| graph.reads(check.argument).state());
         }
         let mut matrix = vec![];
         if let Some(damping) = damping {
@@ -127,7 +127,7 @@ impl Edges {
                 checks.extend(edges_of(graph, id));
             }
         }
-        checks.retain(|check: &Check| analyze::reads(graph, check.argument).state());
+        checks.retain(|check: &Check| graph.reads(check.argument).state());
         let arguments = checks.iter().map(|check| check.argument).collect();
         Edges { checks, arguments: Kernel::new(Levels::One, arguments) }
     }
@@ -144,7 +144,7 @@ impl Check {
 fn is_examined(graph: &mut Graph, roots: &[Id], partial: &[Partial]) -> bool {
     let computed: HashSet<Id> = graph.reachable(roots).into_iter().collect();
     partial.iter().any(|Partial { node, condition }| {
-        analyze::reads(graph, *node).state()
+        graph.reads(*node).state()
             && !checks_of(graph, *node).is_empty()
             && (!computed.contains(node) || condition.is_some() || analyze::has_edge(graph, *node))
     })
@@ -166,7 +166,7 @@ pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[Partial]) -> bo
         }
     }
     partial.iter().all(|Partial { node, condition }| {
-        if !analyze::reads(graph, *node).state() || checks_of(graph, *node).is_empty() {
+        if !graph.reads(*node).state() || checks_of(graph, *node).is_empty() {
             return true;
         }
         // 1/√x² is a power of a power.

@@ -96,7 +96,7 @@ impl Flow {
         let field = flow::times(graph, &matrix, &gradient);
         let conserved = Conserved { value: energy, but: loss.clone() };
         let kept = Named { name: ENERGY.into(), conserved, origin: Origin::Energy };
-        let kept = if analyze::reads(graph, energy).t { vec![] } else { vec![kept] };
+        let kept = if graph.reads(energy).t { vec![] } else { vec![kept] };
         Flow {
             form: Form::Structured,
             field,
@@ -115,7 +115,7 @@ impl Flow {
         let x = proof::coordinates(self.field.len());
         let new =
             claims::dependent(graph, &x, &functions).map_or(self.kept.is_empty(), |found| found.integrals.is_empty());
-        if new && !analyze::reads(graph, energy).t {
+        if new && !graph.reads(energy).t {
             let taken = self.kept.iter().any(|named| named.name == ENERGY);
             let name = if taken { Printer::new(graph, &name).excerpt(energy) } else { ENERGY.into() };
             let origin = if taken { Origin::Found } else { Origin::Energy };
@@ -155,7 +155,7 @@ impl Flow {
         let mut found = search::kept_along(graph, &x, rows).unwrap_or_default();
         found.extend(written.map(|value| search::Kept { value, linear: false }));
         // What reads time is constant along the rows, and not along the flow.
-        found.retain(|kept| !analyze::reads(graph, kept.value).t);
+        found.retain(|kept| !graph.reads(kept.value).t);
         found.retain(|kept| claims::is_casimir(graph, &x, rows, kept.value).is_ok());
         for (kept, everywhere) in self.new_among(graph, found) {
             if everywhere {
@@ -266,7 +266,7 @@ fn integrals(graph: &mut Graph, kept: &[Named], n: u32) -> Option<Integrals> {
     }
     let values: Vec<Id> = kept.iter().map(|kept| kept.conserved.value).collect();
     let constant: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].conserved.but.is_none()).collect();
-    let steady: Vec<usize> = constant.iter().copied().filter(|i| !analyze::reads(graph, values[*i]).t).collect();
+    let steady: Vec<usize> = constant.iter().copied().filter(|i| !graph.reads(values[*i]).t).collect();
     let energy = steady.iter().position(|i| kept[*i].name == ENERGY).or((!steady.is_empty()).then_some(0));
     let slopes = steady.iter().flat_map(|i| diff::gradient(graph, values[*i], n).q).collect();
     let mut change = |i: &usize| {

@@ -169,9 +169,9 @@ impl Jumps {
     pub(super) fn of(graph: &mut Graph, energies: &[Id]) -> Option<Jumps> {
         let mut all: Vec<Jump> = energies.iter().flat_map(|energy| analyze::jumps(graph, *energy)).collect();
         // Points have no velocities: conditions on these are no matter of theirs, and any jump that reads them is one.
-        all.retain(|jump| !analyze::reads(graph, jump.side).v);
+        all.retain(|jump| !graph.reads(jump.side).v);
         let one = graph.integer(1);
-        let height = |jump: &Jump| if analyze::reads(graph, jump.height).v { one } else { jump.height };
+        let height = |jump: &Jump| if graph.reads(jump.height).v { one } else { jump.height };
         let routines = all.iter().map(|jump| vec![jump.side, height(jump)]).collect();
         (!all.is_empty()).then(|| Jumps {
             sides: Kernel::new(Levels::One, all.iter().map(|jump| jump.side).collect()),

@@ -35,8 +35,7 @@ pub(crate) fn velocities(
             && others.is_none_or(|others| others.spared[i as usize])
     };
     momenta_kept.retain(|momentum| {
-        let read = analyze::symbols(graph, momentum.value);
-        read.into_iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(i)))
+        graph.symbols(momentum.value).iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
     });
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
@@ -67,7 +66,7 @@ pub(crate) fn velocities(
             increments: (0..degrees).map(Symbol::Dv).collect(),
             mass: mass_kernels(graph, legendre),
             stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
-            keeps: damping.is_none() && others.is_none() && !analyze::reads(graph, *lagrangian).t,
+            keeps: damping.is_none() && others.is_none() && !graph.reads(*lagrangian).t,
             polarised,
             momenta: momenta_kept
                 .into_iter()

@@ -9,6 +9,7 @@ use super::id::Id;
 use super::number::Number;
 use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
+use super::reads::{Reads, Set, Sets};
 use super::table::Table;
 use std::cell::RefCell;
 
@@ -66,6 +67,9 @@ pub(crate) struct Partial {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
+    /// The symbols that each node reads.
+    read: Vec<Set>,
+    sets: Sets,
     known: HashMap<Node, Id>,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
@@ -76,6 +80,16 @@ pub(crate) struct Graph {
 impl Graph {
     pub(crate) fn node(&self, id: Id) -> &Node {
         &self.nodes[id.index()]
+    }
+
+    /// What a node reads of phase space.
+    pub(crate) fn reads(&self, id: Id) -> Reads {
+        self.sets.reads(self.read[id.index()])
+    }
+
+    /// The symbols that a node reads, in order.
+    pub(crate) fn symbols(&self, id: Id) -> &[Symbol] {
+        self.sets.symbols(self.read[id.index()])
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -91,21 +105,15 @@ impl Graph {
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
         let (traversal, seen) = self.traversal(&mut scratch);
-        let mut last = 0;
-        for root in roots {
-            seen[root.index()] = traversal;
-            last = last.max(root.index() + 1);
-        }
-        // From above: what a node is built of has smaller numbers. Cheaper than to sort.
-        let mut found = vec![];
-        while last > 0 {
-            last -= 1;
-            if seen[last] == traversal {
-                found.push(Id::from_index(last));
-                self.nodes[last].for_each_child(|child| seen[child.index()] = traversal);
+        let (mut found, mut open) = (vec![], roots.to_vec());
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut seen[id.index()], traversal) != traversal {
+                found.push(id);
+                self.node(id).for_each_child(|child| open.push(child));
             }
         }
-        found.reverse();
+        // What a node is built of has smaller numbers.
+        found.sort_unstable();
         found
     }
 
@@ -146,6 +154,15 @@ impl Graph {
     pub(super) fn intern(&mut self, node: Node) -> Id {
         let next = Id::from_index(self.nodes.len());
         let id = *self.known.entry(node).or_insert_with_key(|node| {
+            let read = match node {
+                Node::Symbol(symbol) => self.sets.single(*symbol),
+                _ => {
+                    let mut all = Set::default();
+                    node.for_each_child(|child| all = self.sets.union(all, self.read[child.index()]));
+                    all
+                }
+            };
+            self.read.push(read);
             self.nodes.push(node.clone());
             next
         });

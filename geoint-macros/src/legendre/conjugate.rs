@@ -23,7 +23,7 @@ pub(super) fn terms(graph: &mut Graph, root: Id) -> Vec<Id> {
 /// The conjugate of what L is in some velocities alone: one term that is not linear in them, and others that are.
 pub(super) fn of(graph: &mut Graph, lagrangian: Id, velocities: &[u32]) -> Option<Conjugate> {
     let mut moving = terms(graph, lagrangian);
-    moving.retain(|term| analyze::reads(graph, *term).v);
+    moving.retain(|term| graph.reads(*term).v);
     let (linear, curved): (Vec<Id>, Vec<Id>) =
         moving.into_iter().partition(|term| analyze::is_polynomial_in(graph, &[*term], 1, is_velocity));
     let [term] = curved[..] else { return None };
@@ -40,7 +40,7 @@ pub(super) fn of(graph: &mut Graph, lagrangian: Id, velocities: &[u32]) -> Optio
 fn apart(graph: &mut Graph, term: Id) -> Option<(Id, Id)> {
     let (number, rest) = graph.coefficient(term);
     let (core, scale): (Vec<Id>, Vec<Id>) = match graph.node(rest) {
-        Node::Product(factors) => factors.iter().partition(|factor| analyze::reads(graph, **factor).v),
+        Node::Product(factors) => factors.iter().partition(|factor| graph.reads(**factor).v),
         _ => (vec![rest], vec![]),
     };
     let [core] = core[..] else { return None };

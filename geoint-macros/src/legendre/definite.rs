@@ -72,7 +72,7 @@ fn is_weight(graph: &Graph, factor: Id, weights: &mut Vec<Id>) -> bool {
     {
         return true;
     }
-    let still = is_still(graph, factor);
+    let still = !graph.reads(factor).moves();
     if still && !weights.contains(&factor) {
         weights.push(factor);
     }
@@ -96,14 +96,14 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
                 }
                 let slope = graph.pow(slopes[*j], Ratio::integer(2));
                 let (still, mut moving): (Vec<Id>, Vec<Id>) =
-                    square.factors.iter().partition(|factor| is_still(graph, **factor));
+                    square.factors.iter().partition(|factor| !graph.reads(**factor).moves());
                 moving.push(slope);
                 terms.push((graph.product(&still), graph.product(&moving)));
             }
             let products: Vec<Id> = terms.iter().map(|(still, moving)| graph.mul(*still, *moving)).collect();
             let sum = graph.sum(&products);
             let sum = invariant::simplified(graph, sum);
-            let condition = if is_still(graph, sum) {
+            let condition = if !graph.reads(sum).moves() {
                 Some(sum)
             } else {
                 let one = terms.iter().find(|(_, moving)| analyze::is_positive(graph, *moving));
@@ -116,10 +116,4 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
         left.remove(place);
     }
     Some(positive)
-}
-
-/// Whether a node reads parameters alone.
-fn is_still(graph: &Graph, id: Id) -> bool {
-    let reads = analyze::reads(graph, id);
-    !reads.state() && !reads.t
 }

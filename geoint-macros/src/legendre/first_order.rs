@@ -66,7 +66,7 @@ pub(crate) fn first_order(
     written: &[Partial],
 ) -> Result<FirstOrder, NotRegular> {
     let momenta: Vec<Id> = momenta.iter().map(|momentum| at_rest(graph, *momentum, |_| true)).collect();
-    if let Some(i) = momenta.iter().position(|momentum| analyze::reads(graph, *momentum).t) {
+    if let Some(i) = momenta.iter().position(|momentum| graph.reads(*momentum).t) {
         return Err(NotRegular::Timed(i as u32));
     }
     let rest = at_rest(graph, lagrangian, |_| true);

@@ -53,7 +53,7 @@ pub(crate) fn friction(graph: &mut Graph, rayleigh: Option<Id>, degrees: u32) ->
 fn is_divided_at_rest(graph: &mut Graph, slope: Id) -> bool {
     graph.reachable(&[slope]).into_iter().any(|id| {
         let Node::Power(base, exponent) = *graph.node(id) else { return false };
-        exponent.numerator < 0 && analyze::reads(graph, base).v && {
+        exponent.numerator < 0 && graph.reads(base).v && {
             let rest = at_rest(graph, base, |_| true);
             graph.is_zero(rest)
         }
@@ -69,7 +69,7 @@ pub(crate) fn rate(graph: &mut Graph, damping: &[Vec<Id>], Legendre { mass, shif
     let (i, j) = (0..n).flat_map(|i| (0..n).map(move |j| (i, j))).find(|(i, j)| !graph.is_zero(mass[*i][*j]))?;
     let rate = graph.div(damping[i][j], mass[i][j]);
     let rate = super::invariant::simplified(graph, rate);
-    if graph.is_zero(rate) || analyze::reads(graph, rate).state() {
+    if graph.is_zero(rate) || graph.reads(rate).state() {
         return None;
     }
     let entries = || (0..n).flat_map(|i| (0..n).map(move |j| (i, j)));

@@ -11,7 +11,7 @@ use crate::ir::{Graph, Id, Symbol};
 /// A node that is equal to an entry wherever that is defined, and reads fewer coordinates if that is possible: zero; or without one of them;
 /// or by the difference, or sum, of two.
 pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
-    if !analyze::reads(graph, entry).q || !is_total(graph, entry) || jumps(graph, entry) {
+    if !graph.reads(entry).q || !is_total(graph, entry) || jumps(graph, entry) {
         return entry;
     }
     if vanishes(graph, entry) {
@@ -46,23 +46,23 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
 
 /// Whether a node is defined everywhere.
 fn is_total(graph: &Graph, id: Id) -> bool {
-    !graph.reachable(&[id]).into_iter().any(|id| graph.is_partial(id) && analyze::reads(graph, id).state())
+    !graph.reachable(&[id]).into_iter().any(|id| graph.is_partial(id) && graph.reads(id).state())
 }
 
 /// Whether a node may jump: a slope that vanishes everywhere then says nothing of its values.
 fn jumps(graph: &mut Graph, id: Id) -> bool {
     let mut conditions = analyze::conditions(graph, id);
-    conditions.retain(|condition| analyze::reads(graph, *condition).q);
+    conditions.retain(|condition| graph.reads(*condition).q);
     !conditions.is_empty()
 }
 
 /// The coordinates that a node reads.
 fn positions(graph: &Graph, id: Id) -> Vec<u32> {
-    let position = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => Some(i),
+    let position = |symbol: &Symbol| match symbol {
+        Symbol::Q(i) => Some(*i),
         _ => None,
     };
-    analyze::symbols(graph, id).into_iter().filter_map(position).collect()
+    graph.symbols(id).iter().filter_map(position).collect()
 }
 
 /// A node with something in place of some coordinates.

@@ -12,10 +12,10 @@ pub(super) fn jumps(graph: &mut Graph, momentum: Id) -> bool {
     conditions.into_iter().any(|condition| {
         let Node::Compare(_, a, b) = *graph.node(condition) else { return false };
         let difference = graph.sub(a, b);
-        let mut velocities = analyze::symbols(graph, difference);
-        velocities.retain(|symbol| is_velocity(*symbol));
-        velocities
+        let symbols = graph.symbols(difference).to_vec();
+        symbols
             .into_iter()
+            .filter(|symbol| is_velocity(*symbol))
             .any(|v| height(graph, momentum, (condition, difference), v).is_some_and(|h| !vanishes(graph, h)))
     })
 }

@@ -27,8 +27,7 @@ pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
     let mut simple = mass.to_vec();
     for i in 0..mass.len() {
         for j in 0..=i {
-            let entry =
-                if analyze::reads(graph, mass[i][j]).v { mass[i][j] } else { invariant::simplified(graph, mass[i][j]) };
+            let entry = if graph.reads(mass[i][j]).v { mass[i][j] } else { invariant::simplified(graph, mass[i][j]) };
             (simple[i][j], simple[j][i]) = (entry, entry);
         }
     }
@@ -37,7 +36,7 @@ pub(super) fn simplified(graph: &mut Graph, mass: &[Vec<Id>]) -> Vec<Vec<Id>> {
 
 /// Entries of the first matrix where they read no state, else of the second.
 pub(super) fn choose(graph: &Graph, simple: &[Vec<Id>], written: &[Vec<Id>]) -> Vec<Vec<Id>> {
-    let entry = |(simple, written): (&Id, &Id)| if analyze::reads(graph, *simple).state() { *written } else { *simple };
+    let entry = |(simple, written): (&Id, &Id)| if graph.reads(*simple).state() { *written } else { *simple };
     simple.iter().zip(written).map(|(simple, written)| simple.iter().zip(written).map(entry).collect()).collect()
 }
 

@@ -132,7 +132,7 @@ pub(crate) fn transform(
             let velocities = diff::gradient(graph, energy, degrees).p;
             let mut partial = carried(graph, written, &velocities, &parts);
             let known: Vec<Id> = partial.iter().map(|partial| partial.node).collect();
-            let new = divided.into_iter().filter(|node| !analyze::reads(graph, *node).v && !known.contains(node));
+            let new = divided.into_iter().filter(|node| !graph.reads(*node).v && !known.contains(node));
             partial.extend(new.map(|node| Partial { node, condition: None }));
             partial.dedup();
             (Route::Energy(energy, velocities), partial)
@@ -159,7 +159,7 @@ pub(crate) fn transform(
 /// f with ∂f/∂q = a, if a(q, t) is a gradient, and not zero.
 fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
     let zero = shift.iter().all(|a| graph.is_zero(*a));
-    if zero || shift.iter().any(|a| analyze::reads(graph, *a).s) {
+    if zero || shift.iter().any(|a| graph.reads(*a).s) {
         return None;
     }
     let positions: Vec<Symbol> = (0..shift.len() as u32).map(Symbol::Q).collect();
@@ -170,7 +170,7 @@ fn gauge(graph: &mut Graph, shift: &[Id]) -> Option<Id> {
 
 /// What of L, or of a force, is not defined everywhere and can be looked at without velocities.
 pub(crate) fn at_points(graph: &Graph, written: &[Partial]) -> Vec<Partial> {
-    let free = |id: &Id| !analyze::reads(graph, *id).v;
+    let free = |id: &Id| !graph.reads(*id).v;
     let mut partial = written.to_vec();
     partial.retain(|Partial { node, condition }| free(node) && condition.iter().all(free));
     partial
@@ -197,7 +197,7 @@ fn carried(graph: &mut Graph, written: &[Partial], velocities: &[Id], parts: &[P
     });
     let mut partial = vec![];
     for Partial { node, condition } in written {
-        let read = analyze::symbols(graph, *node);
+        let read = graph.symbols(*node);
         if !read.iter().any(|symbol| matches!(symbol, Symbol::V(i) if conjugate(*i))) {
             let condition = condition.map(|condition| there.apply(graph, condition));
             partial.push(Partial { node: there.apply(graph, *node), condition });

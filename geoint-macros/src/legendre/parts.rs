@@ -40,7 +40,7 @@ pub(super) fn parts(
             Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
         }
         if block.len() >= FULL {
-            long = long.or_else(|| block.iter().flatten().copied().find(|entry| moves(graph, *entry)));
+            long = long.or_else(|| block.iter().flatten().copied().find(|entry| graph.reads(*entry).moves()));
         }
         rest = at_rest(graph, rest, |i| velocities.contains(&i));
         parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
@@ -87,10 +87,4 @@ fn singular(graph: &mut Graph, velocities: Vec<u32>, combination: Id) -> Flaw {
     let momenta: Vec<Symbol> = velocities.iter().map(|i| Symbol::P(*i)).collect();
     let direction = diff::jacobian(graph, &[combination], &momenta).concat();
     Flaw::Singular(velocities, direction)
-}
-
-/// Whether a node reads the state or time.
-fn moves(graph: &Graph, id: Id) -> bool {
-    let reads = analyze::reads(graph, id);
-    reads.state() || reads.t
 }

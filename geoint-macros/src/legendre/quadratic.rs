@@ -105,8 +105,7 @@ fn pivot(graph: &mut Graph, mass: &[Vec<Id>], y: &[Id], left: &[usize]) -> Resul
 
 /// Whether a node is seen to be no zero at any state: of parameters alone, positive, or negative.
 fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
-    let reads = analyze::reads(graph, id);
-    if !reads.state() && !reads.t {
+    if !graph.reads(id).moves() {
         return !vanishes(graph, id);
     }
     let opposite = graph.neg(id);

@@ -3,8 +3,8 @@
 use super::families::piece;
 use super::flow::Space;
 use super::linear_motion::{is_quadratic, linear_motion, monomials};
-use crate::analyze::{self, Reads};
-use crate::ir::{Graph, Id, Node, Ratio};
+use crate::analyze;
+use crate::ir::{Graph, Id, Node, Ratio, Reads};
 
 /// With more terms than this those that read the same parts of phase space stay together: all subsets are tried.
 const MAX_ATOMS: usize = 7;
@@ -19,7 +19,7 @@ pub(super) fn atoms(graph: &mut Graph, energy: Id, space: Space) -> Vec<Id> {
     open.reverse();
     let mut classes = Classes(vec![]);
     while let Some(term) = open.pop() {
-        let reads = Reads { t: false, ..analyze::reads(graph, term) };
+        let reads = Reads { t: false, ..graph.reads(term) };
         if reads.kinds() > 1
             && piece(graph, term, space).is_none()
             && let Some(parts) = distributed(graph, term, space)
@@ -112,7 +112,7 @@ fn distributed(graph: &mut Graph, term: Id, space: Space) -> Option<Vec<Id>> {
         exponent.is_integer()
             && (1..=MAX_POWER).contains(&exponent.numerator)
             && matches!(graph.node(*base), Node::Linear(..))
-            && analyze::reads(graph, *base).kinds() > 1
+            && graph.reads(*base).kinds() > 1
     };
     let Some(sum) = factors.iter().position(is_coupling_sum) else {
         return if space.action { None } else { monomials(graph, term) };

@@ -26,11 +26,7 @@ pub(crate) fn steady(graph: &mut Graph, ends: Vec<(Symbol, Id)>) -> Vec<(Symbol,
         return ends;
     }
     let weights = diff::jacobian(graph, &all, &moving);
-    let is_varying = |graph: &Graph, id: Id| {
-        let reads = analyze::reads(graph, id);
-        reads.state() || reads.t
-    };
-    if weights.into_iter().flatten().any(|weight| is_varying(graph, weight)) {
+    if weights.into_iter().flatten().any(|weight| graph.reads(weight).moves()) {
         return ends;
     }
     let added = increments(graph, &ends);
@@ -108,7 +104,7 @@ fn excess(graph: &mut Graph, factor: Id) -> Option<Id> {
                 _ => None,
             },
             // cos w − 1 = −2 sin² w/2, of an angle that is prepared: of others it would be one more sine a step.
-            Function::Cos if !analyze::reads(graph, args[0]).state() => {
+            Function::Cos if !graph.reads(args[0]).state() => {
                 let half = graph.scale(Number::HALF, args[0]);
                 let sine = graph.call(Function::Sin, &[half]);
                 let square = graph.mul(sine, sine);

@@ -10,7 +10,7 @@ use crate::ir::{Graph, Id, Ratio, Symbol};
 /// known.
 pub(super) fn linear_motion(graph: &mut Graph, terms: &[Id], space: Space) -> Option<(Vec<Id>, Id)> {
     let mut taken: Vec<Id> = terms.iter().copied().filter(|term| is_quadratic(graph, *term)).collect();
-    if !taken.iter().any(|term| analyze::reads(graph, *term).kinds() > 1) {
+    if !taken.iter().any(|term| graph.reads(*term).kinds() > 1) {
         return None;
     }
     for _ in 0..2 {
@@ -18,7 +18,7 @@ pub(super) fn linear_motion(graph: &mut Graph, terms: &[Id], space: Space) -> Op
         if piece(graph, together, space).is_some() {
             return Some((taken, together));
         }
-        taken.retain(|term| analyze::reads(graph, *term).p);
+        taken.retain(|term| graph.reads(*term).p);
     }
     None
 }
@@ -28,7 +28,7 @@ pub(super) fn linear_motion(graph: &mut Graph, terms: &[Id], space: Space) -> Op
 pub(super) fn hidden_linear_motion(graph: &mut Graph, energy: Id, space: Space) -> Option<[Id; 2]> {
     let (mut hidden, mut terms) = (false, vec![]);
     for term in analyze::terms(graph, energy) {
-        let coupling = analyze::reads(graph, term).kinds() > 1 && !is_quadratic(graph, term);
+        let coupling = graph.reads(term).kinds() > 1 && !is_quadratic(graph, term);
         match coupling.then(|| monomials(graph, term)).flatten() {
             Some(parts) if parts.iter().any(|part| is_quadratic(graph, *part)) => {
                 hidden = true;
@@ -38,7 +38,7 @@ pub(super) fn hidden_linear_motion(graph: &mut Graph, energy: Id, space: Space) 
         }
     }
     // What moves nothing is in no piece.
-    terms.retain(|term| analyze::reads(graph, *term).state());
+    terms.retain(|term| graph.reads(*term).state());
     let (taken, together) = linear_motion(graph, &terms, space).filter(|_| hidden)?;
     terms.retain(|term| !taken.contains(term));
     let (linear, bent): (Vec<Id>, Vec<Id>) = terms.iter().partition(|term| is_of_degree(graph, **term, 1));

@@ -28,14 +28,14 @@ pub(crate) struct Mechanics {
 pub(crate) fn mechanics(graph: &mut Graph, energy: Id, degrees: u32) -> Result<Mechanics, Id> {
     let (mut kinetic, mut damping, mut potential) = (graph.zero(), graph.zero(), graph.zero());
     for term in analyze::terms_where(graph, energy, |reads| reads.kinds() > 1 || reads.s) {
-        let reads = analyze::reads(graph, term);
+        let reads = graph.reads(term);
         let part = match (reads.q, reads.p, reads.s) {
             (_, false, false) => &mut potential,
             (false, true, false) => &mut kinetic,
             (false, false, true) => {
                 let s = graph.symbol(Symbol::S);
                 let g = graph.div(term, s);
-                if analyze::reads(graph, g).state() {
+                if graph.reads(g).state() {
                     return Err(term);
                 }
                 damping = graph.add(damping, g);

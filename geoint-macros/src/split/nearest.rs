@@ -3,8 +3,7 @@
 use super::families::FAMILIES;
 use super::flow::{Family, Space};
 use super::polynomial::{Monomial, Polynomial, degree as sum_of_powers, is_momentum};
-use crate::analyze::{self, Reads};
-use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
+use crate::ir::{Function, Graph, Id, Node, Ratio, Reads, Symbol};
 
 /// What families are told apart by.
 struct Shape {
@@ -67,10 +66,10 @@ fn shape(graph: &mut Graph, energy: Id) -> Shape {
     let all = Polynomial::of(graph, energy, &Symbol::is_coordinate);
     let of_momenta = Polynomial::of(graph, energy, &is_momentum);
     Shape {
-        reads: analyze::reads(graph, energy),
+        reads: graph.reads(energy),
         powers: all.and_then(|powers| Some((powers.terms().count(), largest(&powers, &Symbol::is_coordinate)?))),
         of_momenta: of_momenta.and_then(|powers| largest(&powers, &is_momentum)),
-        momenta: analyze::symbols(graph, energy).into_iter().filter(|symbol| is_momentum(*symbol)).count(),
+        momenta: graph.symbols(energy).iter().filter(|symbol| is_momentum(**symbol)).count(),
         divided_by: divided_by(graph, energy),
         of_one: matches!(graph.node(graph.coefficient(energy).1), Node::Call(..) | Node::Power(..)),
     }
@@ -80,7 +79,7 @@ fn divided_by(graph: &Graph, energy: Id) -> Option<i128> {
     let mut largest = None;
     for id in graph.reachable(&[energy]) {
         let Node::Power(base, exponent) = graph.node(id) else { continue };
-        if exponent.numerator < 0 && analyze::reads(graph, *base).q {
+        if exponent.numerator < 0 && graph.reads(*base).q {
             let is_length = matches!(graph.node(*base), Node::Call(Function::Hypot | Function::Abs, _));
             largest = largest.max(Some(if is_length { 2 } else { exponent.denominator }));
         }

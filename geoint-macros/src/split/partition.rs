@@ -6,7 +6,7 @@ use super::flow::{Piece, Space};
 use super::linear_motion::hidden_linear_motion;
 use super::nystrom::{in_order_of_nystrom, is_nystrom};
 use super::powers::powers_of_forms;
-use crate::analyze::{self, Split, Structure};
+use crate::analyze::{Split, Structure};
 use crate::ir::{Graph, Id};
 use crate::lower::Place;
 use crate::schedule::Kernel;
@@ -139,7 +139,7 @@ enum Middle {
 fn ordered(graph: &mut Graph, found: Vec<Piece>, middle: Middle) -> Vec<Piece> {
     let mut pieces: Vec<((usize, usize), Piece)> = vec![];
     for piece in found {
-        let reads = analyze::reads(graph, piece.energy);
+        let reads = graph.reads(piece.energy);
         let rank = match middle {
             Middle::Kick => usize::from(reads.q && reads.kinds() == 1),
             Middle::Mixed => reads.kinds() + usize::from(reads.p),

@@ -31,7 +31,7 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
     let mut alone = [graph.zero(), graph.zero()];
     let mut known = vec![];
     for atom in atoms {
-        let reads = analyze::reads(graph, *atom);
+        let reads = graph.reads(*atom);
         if reads.kinds() == 1 {
             let side = &mut alone[usize::from(reads.p)];
             *side = graph.add(*side, *atom);
@@ -90,7 +90,7 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
             let term = graph.mul(coefficient, power);
             energy = graph.add(energy, term);
         }
-        let reads = analyze::reads(graph, energy);
+        let reads = graph.reads(energy);
         match reads.kinds() {
             0 => {}
             1 => {

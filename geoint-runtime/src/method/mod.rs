@@ -102,14 +102,15 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Everything that depends on the method, the parameters and h. It stays as it is while steps are taken.
     type Prepared: Clone;
     /// What steps hand on to the next one: increments from which implicit methods extrapolate their initial guess, and
-    /// compensations of sums. `()` for most explicit methods. Saved runs record it.
+    /// compensations of sums. `()` for most explicit methods. Saved runs record it. After a refused step it begins anew: no run may rely on
+    /// it for more than digits.
     type Memory: Clone + Record<R>;
     /// Whether steps may be longer or shorter than h, by what they add to `x.ahead`.
     const SCALES_STEPS: bool = false;
     /// The highest order that compositions of this method have, whatever their table is.
     const COMPOSES_TO: u32 = u32::MAX;
 
-    /// Whether memory saves work and nothing else: after a refused step it begins anew, and is not copied before each one.
+    /// Whether memory saves work and nothing else, as a force with which the next step begins: `advance(1)` is then the single step.
     const FORGETFUL: bool = false;
 
     /// What the method promises.

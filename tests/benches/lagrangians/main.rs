@@ -1,7 +1,7 @@
 //! What a Lagrangian costs: beside the energy that one derives by hand, beside the energy that LDLᵀ makes of it, and beside its steps
 //! written by hand.
 //!
-//! `cargo bench -p geoint-tests --bench lagrangians` prints the ratios; an argument selects rows by name.
+//! `cargo bench -p geoint-benches --bench lagrangians` prints the ratios; an argument selects rows by name.
 
 mod chain;
 #[path = "../paired.rs"]

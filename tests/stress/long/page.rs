@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 const INTRODUCTION: &str = "# Stress
 
 ```text
-cargo test --profile bench -p geoint-tests --no-default-features --features std --test stress -- --ignored           # all, and this page
-STRESS=chaos cargo test --profile bench -p geoint-tests --no-default-features --features std --test stress -- --ignored --nocapture   # sections with this in their title, anew
+cargo test --profile bench -p geoint-tests --test stress -- --ignored           # all, and this page
+STRESS=chaos cargo test --profile bench -p geoint-tests --test stress -- --ignored --nocapture   # sections with this in their title, anew
 ```
 
 Runs that are hard. A run ends at its time, or is refused, with the last good state kept; a row whose numbers are not as its section says fails.

@@ -2,7 +2,6 @@
 
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::{Dependence, symbols};
 use crate::analyze::{degree_in, identity};
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
@@ -27,8 +26,7 @@ pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordi
 /// Finds them, if there is an action that H reads.
 pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Option<Dissipated> {
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
-    let dependence = Dependence::of(graph);
-    let mut momenta = momenta::momenta(graph, &dependence, &degrees, energy, coordinates);
+    let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
     of(graph, energy, coordinates, momenta)
 }
@@ -42,7 +40,7 @@ pub(crate) fn decay(graph: &mut Graph, lagrangian: Id) -> Id {
 
 /// With what is seen from what H or L reads.
 fn of(graph: &Graph, root: Id, coordinates: &Shape, momenta: Vec<Momentum>) -> Option<Dissipated> {
-    let read = symbols(graph, root);
+    let read = graph.symbols(root);
     if !read.contains(&Symbol::S) {
         return None;
     }

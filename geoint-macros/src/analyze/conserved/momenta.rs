@@ -7,10 +7,10 @@
 use super::generators::{Generator, Summand, generators, name};
 use super::weights::{Term, Weight, clear, times, weights};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::{Dependence, Reads};
 use crate::analyze::equations::{Equations, Row, add_multiple};
 use crate::analyze::leaves::leaves;
 use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
+use crate::ir::Reads;
 use crate::ir::{Graph, Id, Ratio};
 use crate::parse::Shape;
 use std::borrow::Cow;
@@ -32,27 +32,26 @@ struct Unknown {
 /// All that were found, but for single coordinates: those are kept because H does not read the conjugate one.
 pub(in crate::analyze) fn momenta(
     graph: &mut Graph,
-    dependence: &Dependence,
     degrees: &Degrees,
     energy: Id,
     coordinates: &Shape,
 ) -> Vec<Momentum> {
-    of_generators(graph, (dependence, degrees), energy, coordinates, &generators(coordinates))
+    of_generators(graph, degrees, energy, coordinates, &generators(coordinates))
 }
 
 /// Those that are combinations of some generators.
 pub(super) fn of_generators(
     graph: &mut Graph,
-    (dependence, degrees): (&Dependence, &Degrees),
+    degrees: &Degrees,
     energy: Id,
     coordinates: &Shape,
     generators: &[Generator],
 ) -> Vec<Momentum> {
-    let found = forms(graph, dependence, degrees, energy).and_then(|forms| {
+    let found = forms(graph, degrees, energy).and_then(|forms| {
         let brackets = brackets(&moves(generators, coordinates.len()), &forms)?;
         // Weights that depend on time, on velocities, or on an action, would change.
         let steady = |atom: &Atom| match atom {
-            Atom::Node(id) => dependence.reads(*id) == Reads::default(),
+            Atom::Node(id) => graph.reads(*id) == Reads::default(),
             _ => true,
         };
         let mut unknowns: Vec<Unknown> =
@@ -114,8 +113,8 @@ fn weight_node(graph: &mut Graph, weight: &Weight) -> Id {
 }
 
 /// The parts that the tree ends at.
-fn forms(graph: &Graph, dependence: &Dependence, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
-    let leaves = leaves(graph, dependence, degrees, energy, 2)?;
+fn forms(graph: &Graph, degrees: &Degrees, energy: Id) -> Option<Vec<Quadratic>> {
+    let leaves = leaves(graph, degrees, energy, 2)?;
     let mut expansion = Expansion::new(graph, degrees);
     leaves.iter().map(|leaf| expansion.leaf(leaf)).collect()
 }

@@ -5,7 +5,6 @@
 use super::generators::generators;
 use super::momenta::{self, Momentum};
 use crate::analyze::degree::Degrees;
-use crate::analyze::dependence::Dependence;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Symbol};
 use crate::parse::Shape;
@@ -20,8 +19,7 @@ pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) ->
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_rigid());
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
-    let dependence = Dependence::of(graph);
-    momenta::of_generators(graph, (&dependence, &degrees), energy, coordinates, &generators)
+    momenta::of_generators(graph, &degrees, energy, coordinates, &generators)
 }
 
 /// Sums of momenta that tree slopes of an expression by positions keep, whatever else it reads.
@@ -29,6 +27,5 @@ pub(crate) fn translations(graph: &mut Graph, root: Id, coordinates: &Shape) -> 
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_translation());
     let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_)));
-    let dependence = Dependence::of(graph);
-    momenta::of_generators(graph, (&dependence, &degrees), root, coordinates, &generators)
+    momenta::of_generators(graph, &degrees, root, coordinates, &generators)
 }

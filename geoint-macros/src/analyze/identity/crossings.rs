@@ -1,7 +1,6 @@
 //! Where may a function jump on the way along a field? Its derivative does not show that.
 
 use super::{claims, sum_is_zero};
-use crate::analyze::dependence::symbols;
 use crate::diff;
 use crate::ir::substitute::{Substitution, replaced};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -43,7 +42,7 @@ fn edges(graph: &mut Graph, function: Id) -> Vec<Edge> {
             _ => continue,
         };
         let difference = graph.sub(b, a);
-        if symbols(graph, difference).iter().all(|symbol| matches!(symbol, Symbol::Parameter(_))) {
+        if graph.symbols(difference).iter().all(|symbol| matches!(symbol, Symbol::Parameter(_))) {
             continue;
         }
         let opposite = graph.neg(difference);
@@ -95,7 +94,7 @@ fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
         let there = there.apply(graph, node);
         is_zero(graph, there)
     });
-    let candidates: Vec<Symbol> = symbols(graph, edge).into_iter().collect();
+    let candidates = graph.symbols(edge).to_vec();
     by_term
         || candidates.into_iter().any(|symbol| {
             let Some(root) = solved(graph, edge, symbol) else { return false };
@@ -109,7 +108,7 @@ fn solved(graph: &mut Graph, sum: Id, symbol: Symbol) -> Option<Id> {
     let zero = graph.zero();
     let rest = replaced(graph, sum, symbol, zero);
     let slope = diff::jacobian(graph, &[sum], &[symbol])[0][0];
-    let reads = |graph: &Graph, node: Id| symbols(graph, node).contains(&symbol);
+    let reads = |graph: &Graph, node: Id| graph.symbols(node).contains(&symbol);
     let (coefficient, exponent) = if reads(graph, slope) {
         let second = diff::jacobian(graph, &[slope], &[symbol])[0][0];
         let at_zero = replaced(graph, slope, symbol, zero);

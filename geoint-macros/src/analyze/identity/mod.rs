@@ -17,6 +17,7 @@ mod witness;
 use crate::ir::{Graph, Id, Node, Symbol};
 pub(crate) use residues::Bound;
 use rounding::Shown;
+use std::collections::BTreeSet;
 pub(crate) use witness::{Value, Witness};
 
 /// What is known of a node.
@@ -130,10 +131,7 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
 
 /// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
 pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
-    let differs = |graph: &Graph| {
-        let symbols = symbols(graph, &[root]);
-        matches!(rounding::shown(graph, &[root], &symbols), Shown::Differs(..))
-    };
+    let differs = |graph: &Graph| matches!(rounding::shown(graph, &[root], graph.symbols(root)), Shown::Differs(..));
     let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, PRODUCTS) {
         multiplied::Verdict::Zero => true,
         _ => matches!(residues::residues(graph, root), residues::Verdict::Zero(_)),
@@ -173,11 +171,6 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
 
 /// The symbols that are read, in order.
 fn symbols(graph: &Graph, terms: &[Id]) -> Vec<Symbol> {
-    let symbol = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) => Some(*symbol),
-        _ => None,
-    };
-    let mut symbols: Vec<Symbol> = graph.reachable(terms).into_iter().filter_map(symbol).collect();
-    symbols.sort();
-    symbols
+    let symbols: BTreeSet<Symbol> = terms.iter().flat_map(|term| graph.symbols(*term)).copied().collect();
+    symbols.into_iter().collect()
 }

@@ -1,7 +1,6 @@
 //! The zeros of a node, from its form: where they are those of smaller nodes, and how they are excluded on a straight line.
 
 use super::super::degree::Degrees;
-use super::super::dependence::Dependence;
 use super::sign::{Sign, signs};
 use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
 use std::collections::{BTreeSet, HashSet};
@@ -55,8 +54,6 @@ impl Signs {
 /// Finds zeros.
 pub(super) struct Zeros {
     signs: Vec<Sign>,
-    /// What nodes read.
-    dependence: Dependence,
     /// In coordinates and time.
     degrees: Degrees,
 }
@@ -75,7 +72,7 @@ type Forms = Option<(BTreeSet<Id>, Signs)>;
 impl Zeros {
     pub(super) fn new(graph: &Graph) -> Self {
         let degrees = Degrees::of(graph, |symbol| symbol.is_coordinate() || symbol == Symbol::T);
-        Zeros { signs: signs(graph), dependence: Dependence::of(graph), degrees }
+        Zeros { signs: signs(graph), degrees }
     }
 
     /// Nodes of which one vanishes where `root` does, those left out that do not move.
@@ -83,7 +80,7 @@ impl Zeros {
         use Function::{Abs, Asin, Asinh, Atan, Cbrt, Cos, ExpM1, Sin, Sinh, Tanh};
         let (mut open, mut seen, mut zeros) = (vec![root], HashSet::new(), vec![]);
         while let Some(id) = open.pop() {
-            if self.sign(id) == Sign::Positive || self.is_constant(id) || !seen.insert(id) {
+            if self.sign(id) == Sign::Positive || !graph.reads(id).moves() || !seen.insert(id) {
                 continue;
             }
             match graph.node(id) {
@@ -162,14 +159,14 @@ impl Zeros {
                     return None;
                 }
                 let (constant, moving): (Vec<Id>, Vec<Id>) =
-                    terms.iter().map(|(_, term)| term).partition(|id| self.is_constant(**id));
+                    terms.iter().map(|(_, term)| term).partition(|id| !graph.reads(**id).moves());
                 let (forms, mut signs) =
                     moving.iter().all(|id| self.is_square(graph, *id)).then(|| together(&moving))??;
                 signs.not_negative.extend(constant.iter().filter(|id| self.sign(**id) == Sign::Unknown));
                 Some((forms, signs))
             }
             Node::Product(factors) => {
-                let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| self.is_constant(**id));
+                let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| !graph.reads(**id).moves());
                 let [moving] = moving[..] else { return None };
                 let (forms, mut signs) = together(&[moving])?;
                 signs.positive.extend(constant);
@@ -184,7 +181,7 @@ impl Zeros {
     /// Whether a node is nowhere negative if its constant factors are not.
     fn is_square(&self, graph: &Graph, id: Id) -> bool {
         match graph.node(id) {
-            Node::Product(factors) => factors.iter().all(|id| self.is_constant(*id) || self.is_square(graph, *id)),
+            Node::Product(factors) => factors.iter().all(|id| !graph.reads(*id).moves() || self.is_square(graph, *id)),
             _ => self.sign(id) != Sign::Unknown,
         }
     }
@@ -199,7 +196,7 @@ impl Zeros {
 
     /// Whether a node may be negative between two points at which it is not.
     pub(super) fn has_gap(&self, graph: &Graph, id: Id) -> bool {
-        self.sign(id) == Sign::Unknown && !self.is_constant(id) && !self.is_concave(graph, id)
+        self.sign(id) == Sign::Unknown && graph.reads(id).moves() && !self.is_concave(graph, id)
     }
 
     /// Whether a node is concave by its form: between two points it is not below the smaller of its values there.
@@ -218,7 +215,7 @@ impl Zeros {
                 terms.iter().all(|(c, term)| self.bends(graph, *term, concave != c.is_negative()))
             }
             Node::Product(factors) => {
-                let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| self.is_constant(**id));
+                let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| !graph.reads(**id).moves());
                 let signed = constant.iter().all(|id| self.sign(*id) != Sign::Unknown);
                 signed && matches!(moving[..], [moving] if self.bends(graph, moving, concave))
             }
@@ -234,10 +231,5 @@ impl Zeros {
             }
             _ => false,
         }
-    }
-
-    fn is_constant(&self, id: Id) -> bool {
-        let reads = self.dependence.reads(id);
-        !reads.state() && !reads.t
     }
 }

@@ -1,6 +1,6 @@
 //! Kicks and drifts in kernels, and the energy that steps of them keep up to h⁴.
 
-use crate::analyze::{Parts, Structure, reads};
+use crate::analyze::{Parts, Structure};
 use crate::derive::domain;
 use crate::derive::system::{FlowKernel, GradientKick, KickDrift, Missing, Modified};
 use crate::diff::{self, Gradient, modified};
@@ -33,7 +33,7 @@ pub(in crate::derive) fn kick_drift(
         }
         Some(term) => Err(Missing { marker: "QuadraticIn", term, why: NOT_QUADRATIC, pair: None }),
     };
-    let repeats = ![parts.kinetic, parts.potential].iter().any(|part| reads(graph, *part).t);
+    let repeats = ![parts.kinetic, parts.potential].iter().any(|part| graph.reads(*part).t);
     let shows = repeats && domain::shows(graph, &impulse.q, partial);
     KickDrift { kick, drift, exact_in_time: false, repeats, shows, gradient_kick, undamped: None }
 }

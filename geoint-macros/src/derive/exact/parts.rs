@@ -1,6 +1,6 @@
 //! The pieces of x' = S(x) ∇H: by the terms of H, and by planes.
 
-use crate::analyze::{self, claims, search};
+use crate::analyze::{claims, search};
 use crate::derive::flow::Flow;
 use crate::derive::implicit;
 use crate::derive::proof::coordinates;
@@ -72,7 +72,7 @@ pub(crate) fn parts(graph: &mut Graph, flow: &Flow, parted: Option<&Parted>, dam
     if damped {
         return none(*integral, DAMPED_FLOW);
     }
-    let autonomous = !analyze::reads(graph, *integral).t;
+    let autonomous = !graph.reads(*integral).t;
     let by_terms = split::parts(graph, *integral, matrix);
     let by_planes = split::planes(graph, *integral, matrix);
     let [gradients, increments] = split::solved_planes(graph, *integral, matrix);

@@ -1,7 +1,7 @@
 //! H = A + B in kernels: the flow of A, kicks by B, and the way into the coordinates in which both move, and out of them.
 
 use super::kick_drift::{impulse, increments};
-use crate::analyze::{is_polynomial_in, reads};
+use crate::analyze::is_polynomial_in;
 use crate::derive::system::{FlowKernel, Inner, Missing, Perturbed};
 use crate::diff;
 use crate::ir::substitute::Substitution;
@@ -60,7 +60,7 @@ pub(in crate::derive) fn kernels(
                 None => increments(graph, Symbol::P, &impulse),
             }
         },
-        repeats: parts.jump.is_none() && !reads(graph, parts.kick).t,
+        repeats: parts.jump.is_none() && !graph.reads(parts.kick).t,
         gradient_kick,
         inner: parts.inner.as_ref().map(|inner| Inner {
             name: inner.name,
@@ -86,10 +86,7 @@ fn after_kick(graph: &mut Graph, changed: &[(Symbol, Id)], degrees: u32) -> Opti
         return None;
     }
     let weights = diff::jacobian(graph, &all, &momenta);
-    let moves = |id: &Id| {
-        let reads = reads(graph, *id);
-        reads.state() || reads.t
-    };
+    let moves = |id: &Id| graph.reads(*id).moves();
     // With more than one momentum in an end the additional products cost what is not waited for.
     let coupled = weights.iter().any(|row| row.iter().filter(|weight| !graph.is_zero(**weight)).count() > 1);
     if coupled || weights.iter().flatten().any(moves) {

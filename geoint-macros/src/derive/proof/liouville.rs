@@ -2,7 +2,7 @@
 
 use super::coordinates;
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
-use crate::analyze::{Identity, Proof, claims, is_positive, search, symbols};
+use crate::analyze::{Identity, Proof, claims, is_positive, search};
 use crate::derive::domain::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
@@ -94,7 +94,7 @@ fn of_separable_orbits(graph: &mut Graph, x: &[Symbol], field: &[Id]) -> Option<
         let rest = graph.coefficient(component).1;
         let mut product = graph.integer(1);
         for (base, exponent) in graph.factors(rest) {
-            let read = symbols(graph, base);
+            let read = graph.symbols(base);
             match (read.contains(&own), read.contains(&other)) {
                 (true, true) => return None,
                 (true, false) => {

@@ -15,7 +15,6 @@ mod rules;
 pub(crate) use lanes::{LANES, Lanes, Operand, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
-use crate::analyze::Reads;
 use crate::ir::{Graph, HashMap, Id, Node, Symbol};
 use std::collections::VecDeque;
 
@@ -29,7 +28,7 @@ pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Jet {
     let mut builder = Builder {
         graph,
         uses,
-        known: Known::default(),
+        depths: Depths::default(),
         jet: Jet::default(),
         sources: HashMap::default(),
         values: HashMap::default(),
@@ -43,38 +42,27 @@ pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Jet {
     builder.jet
 }
 
-/// What is known of nodes.
+/// How many multiplications of series the coefficient of each node waits for.
 #[derive(Default)]
-struct Known {
-    reads: Vec<Reads>,
-    /// How many multiplications of series a coefficient waits for.
-    depth: Vec<u32>,
-}
+struct Depths(Vec<u32>);
 
-impl Known {
-    /// Includes nodes that are new.
-    fn update(&mut self, graph: &Graph) {
-        for id in graph.ids().skip(self.reads.len()) {
+impl Depths {
+    fn of(&mut self, graph: &Graph, id: Id) -> u32 {
+        for id in graph.ids().skip(self.0.len()) {
             let node = graph.node(id);
-            let (mut reads, mut depth) = (Reads::default(), 0);
-            if let Node::Symbol(symbol) = node {
-                reads = Reads::of(*symbol);
-            }
-            node.for_each_child(|child| {
-                reads = reads.or(self.reads[child.index()]);
-                depth = depth.max(self.depth[child.index()]);
-            });
+            let mut depth = 0;
+            node.for_each_child(|child| depth = depth.max(self.0[child.index()]));
             let multiplies = matches!(node, Node::Product(_) | Node::Power(..) | Node::Call(..));
-            self.reads.push(reads);
-            self.depth.push(depth + u32::from(multiplies));
+            self.0.push(depth + u32::from(multiplies));
         }
+        self.0[id.index()]
     }
 }
 
 struct Builder<'a> {
     graph: &'a mut Graph,
     uses: HashMap<Id, usize>,
-    known: Known,
+    depths: Depths,
     jet: Jet,
     sources: HashMap<Id, Source>,
     values: HashMap<Id, Value>,
@@ -83,20 +71,13 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
-    fn reads(&mut self, id: Id) -> Reads {
-        self.known.update(self.graph);
-        self.known.reads[id.index()]
-    }
-
     fn depth(&mut self, id: Id) -> u32 {
-        self.known.update(self.graph);
-        self.known.depth[id.index()]
+        self.depths.of(self.graph, id)
     }
 
     /// Whether a node is a number in a step.
-    fn is_constant(&mut self, id: Id) -> bool {
-        let reads = self.reads(id);
-        !(reads.state() || reads.t)
+    fn is_constant(&self, id: Id) -> bool {
+        !self.graph.reads(id).moves()
     }
 
     /// A value at the start.

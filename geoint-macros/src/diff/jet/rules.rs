@@ -40,7 +40,7 @@ impl Builder<'_> {
 
     /// The derivative by time of a function a + b·t.
     pub(super) fn slope(&mut self, id: Id) -> Option<Id> {
-        let reads = self.reads(id);
+        let reads = self.graph.reads(id);
         if reads.state() {
             return None;
         }
@@ -48,9 +48,7 @@ impl Builder<'_> {
             Node::Symbol(Symbol::T) => Some(self.graph.integer(1)),
             Node::Linear(_, terms) => {
                 let mut sum = self.graph.zero();
-                for (c, term) in
-                    terms.into_iter().filter(|(_, term)| self.known.reads[term.index()].t).collect::<Vec<_>>()
-                {
+                for (c, term) in terms.into_iter().filter(|(_, term)| self.graph.reads(*term).t).collect::<Vec<_>>() {
                     let slope = self.slope(term)?;
                     let slope = self.graph.scale(c, slope);
                     sum = self.graph.add(sum, slope);

@@ -2,7 +2,6 @@
 //! anyway. Two operations in place of a call.
 
 use super::super::slope::Slopes;
-use crate::analyze;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 
@@ -17,7 +16,7 @@ pub(super) fn by_slopes(graph: &mut Graph, roots: &[Id], given: &[Id], increment
     for id in graph.reachable(given) {
         let circular = matches!(graph.node(id), Node::Call(Function::Sin | Function::Cos, _));
         // Time at the end is not that of the slopes.
-        if !circular || analyze::reads(graph, id).t || slopes.is_constant(graph, id) {
+        if !circular || graph.reads(id).t || slopes.is_constant(graph, id) {
             continue;
         }
         let end = slopes.end(graph, id);

@@ -2,8 +2,7 @@
 
 use super::super::sweep::{self, Entries};
 use super::ends::{Slopes, coordinate_increment};
-use crate::ir::{Graph, Id, Node, Ratio, Symbol};
-use std::collections::BTreeSet;
+use crate::ir::{Graph, Id, Ratio};
 
 impl Slopes {
     /// The slopes of `if condition { first } else { second }`. Each branch is swept on its own, and stays a branch.
@@ -24,7 +23,7 @@ impl Slopes {
     fn secant(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let gradient = sweep::gradient(graph, id);
         let (mut along, mut squares, mut means) = (vec![], vec![], vec![]);
-        for symbol in coordinates(graph, id) {
+        for symbol in graph.symbols(id).to_vec() {
             let Some(increment) = coordinate_increment(graph, symbol) else { continue };
             let slope = gradient.get(&symbol).copied().unwrap_or_else(|| graph.zero());
             let mean = self.mean(graph, slope);
@@ -43,15 +42,6 @@ impl Slopes {
         };
         means.into_iter().map(entry).collect()
     }
-}
-
-/// The coordinates that a node reads, its conditions too.
-fn coordinates(graph: &Graph, id: Id) -> BTreeSet<Symbol> {
-    let symbol = |id: Id| match graph.node(id) {
-        Node::Symbol(symbol) if symbol.is_coordinate() => Some(*symbol),
-        _ => None,
-    };
-    graph.reachable(&[id]).into_iter().filter_map(symbol).collect()
 }
 
 /// Whether two conditions agree.

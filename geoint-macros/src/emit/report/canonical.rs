@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::{counted, pieces};
-use crate::analyze::{self, MeanValue, Split, Structure};
+use crate::analyze::{MeanValue, Split, Structure};
 use crate::derive::{FieldKernels, Implicit, MOST_UNKNOWNS, Perturbed, System};
 use crate::diff::Gradient;
 use crate::ir::{Graph, Id, print::Printer};
@@ -60,7 +60,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
     }
     let velocities = &gradient.p;
     let moves = structure.resting.len() < velocities.len();
-    if moves && !velocities.iter().any(|velocity| analyze::reads(printer.graph(), *velocity).p) {
+    if moves && !velocities.iter().any(|velocity| printer.graph().reads(*velocity).p) {
         writeln!(text, "- H is linear in {p}: {q} follows the field ∂H/∂{p} by itself, whatever {p} is")?;
     }
     match structure.degree {

@@ -35,7 +35,7 @@ fn structure<F: Fn(Symbol) -> String>(
     let graph = printer.graph();
     writeln!(text, "H = {}", printer.formula(energy))?;
     writeln!(text, "\nStructure")?;
-    let explicit = if analyze::reads(graph, energy).t { " + ∂H/∂t" } else { "" };
+    let explicit = if graph.reads(energy).t { " + ∂H/∂t" } else { "" };
     match graph.is_zero(gradient.s) {
         true => {
             writeln!(text, "- ∂H/∂s = 0: nothing is lost, H' = {}", if explicit.is_empty() { "0" } else { "∂H/∂t" })?
@@ -78,7 +78,7 @@ pub(super) fn decaying<F: Fn(Symbol) -> String>(
     (by, rate): (&str, Id),
     Dissipated { cyclic, momenta, energy }: &Dissipated,
 ) -> Written {
-    let reads = analyze::reads(printer.graph(), rate);
+    let reads = printer.graph().reads(rate);
     let rate = printer.excerpt(rate);
     let factor = match (reads.state(), reads.t) {
         (false, false) => format!("e^(−({rate})·t)"),

@@ -2,7 +2,7 @@
 
 use super::super::damping::coefficients;
 use super::super::kernel::Context;
-use crate::analyze::{self, Forces};
+use crate::analyze::Forces;
 use crate::ir::{Graph, Id, print::Printer};
 use std::fmt::{Result as Written, Write};
 
@@ -25,7 +25,7 @@ fn sections(
     let friction = drag.or(forces.and_then(|forces| forces.friction.as_deref()));
     let (plus, minus) = (applied.map(|_| " + F"), friction.map(|_| " − ∂R/∂v"));
     let (work, taken) = (applied.map(|_| " + v·F"), friction.map(|_| " − v·∂R/∂v"));
-    let explicit = analyze::reads(graph, energy).t.then_some(" + ∂H/∂t");
+    let explicit = graph.reads(energy).t.then_some(" + ∂H/∂t");
     let all = |parts: &[Option<&str>]| parts.iter().flatten().copied().collect::<String>();
     writeln!(text, "H = {}", printer.formula(energy))?;
     writeln!(text, "\nForces beside the energy, with v = ∂H/∂p")?;

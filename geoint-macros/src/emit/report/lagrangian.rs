@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::{contact, counted};
-use crate::analyze::{self, Damping, Dissipated, Forces};
+use crate::analyze::{Damping, Dissipated, Forces};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -52,10 +52,10 @@ fn sections<F: Fn(Symbol) -> String>(
         writeln!(
             text,
             "- what is linear in velocities is d/dt f{} with f = {}: it adds ∂f/∂{} to momenta, and {}",
-            if analyze::reads(graph, gauge).t { " − ∂f/∂t" } else { "" },
+            if graph.reads(gauge).t { " − ∂f/∂t" } else { "" },
             printer.excerpt(gauge),
             context.name_of(Role::Position),
-            match analyze::reads(graph, gauge).t {
+            match graph.reads(gauge).t {
                 true => "a potential ∂f/∂t to the energy",
                 false => "changes no motion: without it the energy has fewer terms that couple positions and momenta",
             }
@@ -64,7 +64,7 @@ fn sections<F: Fn(Symbol) -> String>(
     if legendre.concave {
         writeln!(text, "- the mass matrix is negative definite: −L has the same equations")?;
     }
-    if legendre.momenta.iter().any(|momentum| analyze::reads(graph, *momentum).s) {
+    if legendre.momenta.iter().any(|momentum| graph.reads(*momentum).s) {
         let forced = context.energy.options.force.is_some() || context.energy.options.rayleigh.is_some();
         let others = if forced { "" } else { ", contact Gauss methods do" };
         writeln!(text, "- momenta read the action: kick and drift do not exist{others}")?;
@@ -99,10 +99,7 @@ fn part<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, pa
         }
         Kinetic::Quadratic { mass, shift } => {
             let entries = || (0..mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
-            let constant = entries().all(|(i, j)| {
-                let reads = analyze::reads(graph, mass[i][j]);
-                !reads.state() && !reads.t
-            });
+            let constant = entries().all(|(i, j)| !graph.reads(mass[i][j]).moves());
             let kind = if constant { "constant" } else { "not constant" };
             let how = match mass.len() {
                 1 => "",
@@ -174,7 +171,7 @@ fn steps<F: Fn(Symbol) -> String>(
         printer.excerpt(long)
     )?;
     writeln!(text, "- kick and drift do not exist")?;
-    let autonomous = !analyze::reads(printer.graph(), legendre.lagrangian).t;
+    let autonomous = !printer.graph().reads(legendre.lagrangian).t;
     writeln!(text, "- L {} on time", if autonomous { "does not depend" } else { "depends" })?;
     if let Some(damping) = damping {
         damping::section(text, printer, damping, autonomous)?;
@@ -184,7 +181,7 @@ fn steps<F: Fn(Symbol) -> String>(
     }
 
     writeln!(text, "\nConserved by the flow, at least")?;
-    let read = analyze::symbols(printer.graph(), legendre.lagrangian);
+    let read = printer.graph().symbols(legendre.lagrangian);
     let spared = |i: u32| {
         let row = damping.map(|damping| &damping.matrix[i as usize]);
         row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))

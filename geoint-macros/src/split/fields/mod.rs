@@ -52,11 +52,11 @@ pub(crate) struct NoPart {
 
 /// Which coordinates a node reads.
 fn read(graph: &Graph, id: Id) -> BTreeSet<u32> {
-    let symbols = crate::analyze::symbols(graph, id).into_iter();
-    symbols.filter_map(|symbol| if let Symbol::Q(i) = symbol { Some(i) } else { None }).collect()
+    let place = |symbol: &Symbol| if let Symbol::Q(i) = symbol { Some(*i) } else { None };
+    graph.symbols(id).iter().filter_map(place).collect()
 }
 
 /// Frozen in the middle of a step, unless nothing reads time.
 fn clock(graph: &Graph, rates: &[(Symbol, Id)]) -> Clock {
-    if rates.iter().any(|(_, rate)| crate::analyze::reads(graph, *rate).t) { Clock::Stage } else { Clock::Own }
+    if rates.iter().any(|(_, rate)| graph.reads(*rate).t) { Clock::Stage } else { Clock::Own }
 }

@@ -190,7 +190,7 @@ impl System<'_> {
 fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
     let (c, rest) = graph.coefficient(term);
     let factors = graph.factors(rest);
-    let reads_state = |id: Id| analyze::reads(graph, id).state();
+    let reads_state = |id: Id| graph.reads(id).state();
     let sum = factors.iter().position(|(base, exponent)| {
         exponent.is_integer()
             && (1..=4).contains(&exponent.numerator)

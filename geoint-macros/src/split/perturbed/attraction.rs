@@ -51,7 +51,7 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
     let powers = Polynomial::of(graph, kinetic, &is_momentum).ok_or(no(kinetic))?;
     for (monomial, coefficient) in powers.clone().into_terms() {
         let square = monomial.len() == 1 && monomial.values().all(|power| *power == Ratio::integer(2));
-        if !square || analyze::reads(graph, coefficient).t {
+        if !square || graph.reads(coefficient).t {
             return Err(no(times_powers(graph, coefficient, &monomial)));
         }
     }

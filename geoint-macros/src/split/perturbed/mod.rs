@@ -134,7 +134,7 @@ fn coupled(graph: &mut Graph, energy: Id, term: Id, degrees: u32) -> Division {
     let space = Space { degrees, action: false };
     let (bound, _) = linear_motion(graph, &terms, space).ok_or(NoPart { term, why: NO_EXACT_PART })?;
     let (exact, rest): (Vec<Id>, Vec<Id>) =
-        terms.into_iter().partition(|term| bound.contains(term) || analyze::reads(graph, *term).p);
+        terms.into_iter().partition(|term| bound.contains(term) || graph.reads(*term).p);
     let [exact, rest] = [exact, rest].map(|terms| graph.sum(&terms));
     if graph.is_zero(rest) {
         return Err(NoPart { term, why: NO_EXACT_PART });
@@ -144,7 +144,7 @@ fn coupled(graph: &mut Graph, energy: Id, term: Id, degrees: u32) -> Division {
 
 /// A with its flow and B, if they have flows.
 fn of_parts(graph: &mut Graph, exact: Id, rest: Id, degrees: u32) -> Division {
-    let reads = analyze::reads(graph, rest);
+    let reads = graph.reads(rest);
     if reads.p || reads.s {
         return Err(NoPart { term: rest, why: NOT_A_KICK });
     }
@@ -170,7 +170,7 @@ fn velocity(graph: &mut Graph, exact: Id, degrees: u32) -> Result<Vec<Id>, Id> {
     for (monomial, coefficient) in powers.into_terms() {
         let whole = monomial.values().all(|power| power.is_integer() && power.numerator > 0);
         let degree: i128 = monomial.values().map(|power| power.numerator).sum();
-        let reads = analyze::reads(graph, coefficient);
+        let reads = graph.reads(coefficient);
         if !whole || degree > 2 || degree == 2 && (reads.q || reads.t) {
             return Err(times_powers(graph, coefficient, &monomial));
         }

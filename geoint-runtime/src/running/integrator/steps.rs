@@ -60,7 +60,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
                 singly = steps;
                 continue;
             } else {
-                self.step_watched(None)?;
+                self.step_anew(None)?;
             }
             left -= steps;
             singly = singly.saturating_sub(1);
@@ -104,8 +104,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// One step that does not end beyond `limit`; else `false`.
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        // In place: one copy, for steps that are refused, in place of two.
-        let (t, memory, start) = (self.time(), self.kept(), self.x);
+        // In place: one copy of the state, for steps that are refused, in place of two, and none of what the method remembers, which may be much.
+        let (t, start) = (self.time(), self.x);
+        let memory = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
         if M::INNER {
             let mut x = start;
             self.enter(&mut x);
@@ -120,20 +121,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
             self.pass(1);
             return Ok(true);
         }
-        (self.x, self.memory) = (start, memory.unwrap_or_else(M::memory));
-        if good { Ok(false) } else { self.step_watched(limit) }
+        self.x = start;
+        match memory {
+            Some(memory) if good => {
+                self.memory = memory;
+                Ok(false)
+            }
+            _ => self.step_anew(limit),
+        }
     }
 
-    /// What a refused step must give back of the memory.
-    #[inline(always)]
-    fn kept(&self) -> Option<M::Memory> {
-        (!M::FORGETFUL).then(|| self.memory.clone())
-    }
-
-    /// The same step watched, to say why it is refused, if it is.
+    /// A step that was refused, without what the method remembers of those before it, and watched, to say why it is refused, if it is again.
     #[cold]
-    fn step_watched(&mut self, limit: Option<R>) -> Result<bool, StepError> {
-        let (mut memory, mut x) = (self.memory.clone(), self.x);
+    fn step_anew(&mut self, limit: Option<R>) -> Result<bool, StepError> {
+        self.memory = M::memory();
+        let (mut memory, mut x) = (M::memory(), self.x);
         let mut watch = Watch::new(&self.system, self.time(), &self.seen());
         self.enter(&mut x);
         let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };

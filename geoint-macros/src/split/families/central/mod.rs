@@ -51,7 +51,8 @@ impl Central {
         if !is_free(graph, group.energy, &|symbol| symbol == Symbol::S || reads_time(symbol)) {
             return None;
         }
-        let divides = |id: Id| matches!(graph.node(id), Node::Power(base, r) if r.numerator < 0 && analyze::reads(graph, *base).q);
+        let divides =
+            |id: Id| matches!(graph.node(id), Node::Power(base, r) if r.numerator < 0 && graph.reads(*base).q);
         if !graph.reachable(&[group.energy]).into_iter().any(divides) {
             return None;
         }

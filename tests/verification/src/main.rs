@@ -1,11 +1,11 @@
 //! Measures what is claimed, and writes it to `VERIFICATION.md`: methods, functions of the language, examples, reports.
 //!
-//! `cargo run --release -p geoint-tests --bin verification` fails if a claim does not hold, or if something that can be claimed has no
+//! `cargo run --release -p geoint-verification` fails if a claim does not hold, or if something that can be claimed has no
 //! row. What it writes may differ from the page in the repository in digits; if words differ, the page is to be committed anew.
 //!
 //! Without optimisation measuring would take an hour, and every `cargo test` would build a thousand instances of methods. There the measured
 //! tables are those of the page in the repository, and what fails is a row that is missing, a test that is gone, or words that differ: seconds,
-//! for every run of the tests (`tests/rows.rs`).
+//! for every run of the tests (`rows.rs`).
 
 mod examples;
 #[cfg(not(debug_assertions))]

@@ -19,7 +19,7 @@ const FILE: &str = "VERIFICATION.md";
 
 const OPENING: &str = "# Verification\n\n\
     What is claimed, and what is measured of it. This page is written by\n\n\
-    ```sh\ncargo run --release -p geoint-tests --bin verification\n```\n\n\
+    ```sh\ncargo run --release -p geoint-verification\n```\n\n\
     which fails if a claim does not hold, or if a method, a function of the language, a family of flows, an example or a sentence of a \
     report has no row here. `.ci/verification` writes it anew: digits may move, words may not.\n";
 
