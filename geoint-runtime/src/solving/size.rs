@@ -144,6 +144,8 @@ impl<A: Array> Sizes<A> {
     }
 
     /// Whether every entry of a residual is small beside the entry of `origin + x`.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
         (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
