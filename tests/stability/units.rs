@@ -23,6 +23,9 @@ const UNITS: [Units; 5] = [
     Units { q: -100, p: 100, t: 40 },
 ];
 
+/// 10¹⁰⁰: energies are 10²⁰⁰, their squares are no numbers.
+const FAR: [Units; 2] = [Units { q: -330, p: -330, t: 0 }, Units { q: 330, p: 330, t: 0 }];
+
 /// 2ᵏ.
 pub(super) fn power(k: i32) -> f64 {
     2.0_f64.powi(k)
@@ -31,6 +34,8 @@ pub(super) fn power(k: i32) -> f64 {
 /// A system that can be written in other units.
 trait Measured {
     type System: Hamiltonian<f64>;
+    /// Further units, in which the energy and its derivatives are numbers that have all their digits.
+    const FURTHER: &'static [Units] = &[];
 
     /// The units in which it is written if some are asked for: a constant of the energy may fix one of them.
     fn possible(units: Units) -> Units {
@@ -71,6 +76,7 @@ impl Measured for Kepler {
 
 impl Measured for HenonHeiles {
     type System = HenonHeiles;
+    const FURTHER: &'static [Units] = &FAR;
     // The stiffness is 1.
     fn possible(units: Units) -> Units {
         Units { t: units.p - units.q, ..units }
@@ -117,7 +123,7 @@ impl<P: Measured> Visitor<P::System, f64> for InUnits<P> {
             (plain::<P, _>(units, &sim.state()), (sim.energy() - energy).abs() / energy.abs(), sim.steps(), outcome)
         };
         let (expected, _, steps, outcome) = run(PLAIN);
-        for units in UNITS.map(P::possible) {
+        for units in UNITS.iter().chain(P::FURTHER).map(|units| P::possible(*units)) {
             let seen = run(units);
             if (&seen.0, seen.2, seen.3) != (&expected, steps, outcome) {
                 self.0.push(format!("{name} in {units:?}: {seen:?}, plain {expected:?}"));

@@ -106,6 +106,8 @@ const SIXTH: Ratio = Ratio { numerator: 1, denominator: 6 };
 
 /// A column of G, with what its product with the velocity is to be, and the derivatives of both.
 struct Column {
+    /// Of the entries of the slope. It is scaled with the rate, so that no square overflows or vanishes; the derivatives are not.
+    size: Id,
     slope: Vec<Id>,
     rate: Id,
     jacobian: Vec<Vec<Id>>,
@@ -131,7 +133,10 @@ impl Column {
         }
         let slopes = jacobian(graph, &slope, unknowns);
         let rates = jacobian(graph, &[rate], unknowns).remove(0);
-        Column { slope, rate, jacobian: slopes, rate_jacobian: rates }
+        let sizes: Vec<Id> = slope.iter().map(|entry| graph.call(Function::Abs, &[*entry])).collect();
+        let size = graph.sum(&sizes);
+        let slope = slope.into_iter().map(|entry| scaled(graph, entry, size)).collect();
+        Column { size, slope, rate: scaled(graph, rate, size), jacobian: slopes, rate_jacobian: rates }
     }
 }
 
@@ -203,10 +208,11 @@ impl Projector {
             let mut change = of(slopes);
             let mut products = vec![];
             for (column, lambda) in self.columns.iter().zip(&lambda) {
-                let moved = of(&column.jacobian);
-                change = minus(graph, &change, *lambda, &moved);
+                let (moved, weight) = (of(&column.jacobian), scaled(graph, *lambda, column.size));
+                change = minus(graph, &change, weight, &moved);
                 let power = dot(graph, v, &moved);
-                products.push(graph.sub(column.rate_jacobian[j], power));
+                let excess = graph.sub(column.rate_jacobian[j], power);
+                products.push(scaled(graph, excess, column.size));
             }
             let (column, _) = self.apply(graph, &change, &products);
             for (i, entry) in column.into_iter().enumerate() {
@@ -215,6 +221,11 @@ impl Projector {
         }
         derivative
     }
+}
+
+/// A number in the units of a column of this size. No product: that would be taken apart where it is squared.
+fn scaled(graph: &mut Graph, number: Id, size: Id) -> Id {
+    if graph.is_zero(number) { number } else { graph.call(Function::Scaled, &[number, size]) }
 }
 
 fn dot(graph: &mut Graph, a: &[Id], b: &[Id]) -> Id {

@@ -151,6 +151,7 @@ fn function_partials(g: &mut Graph, value: Id, function: Function, args: &[Id]) 
             let square = square(g, value);
             vec![g.neg(square), g.zero()]
         }
+        Function::Scaled => vec![g.call(Function::Scaled, &[one, y]), g.zero()],
         // Conditions, not terms.
         Function::NotNegative => vec![one],
         Function::Bounded | Function::AtMost | Function::Provided => vec![one, g.zero()],

@@ -5,6 +5,7 @@
 macro_rules! of_steps {
     () => {
         $crate::ir::Function::RecipAbove
+            | $crate::ir::Function::Scaled
             | $crate::ir::Function::Root
             | $crate::ir::Function::Sinc
             | $crate::ir::Function::SincDerivative

@@ -170,6 +170,7 @@ functions! {
     RecipPositive recip_positive(x) Neither Everywhere;
     // Of projections.
     RecipAbove recip_above(x, y) Neither Everywhere;
+    Scaled scaled(x, y) Neither Everywhere;
     // Of damping.
     NotNegative not_negative(x) Neither Everywhere;
     Bounded bounded(x, y) Neither Everywhere;

@@ -55,6 +55,34 @@ pub fn abs_derivative<R: Real>(a: R, b: R) -> R {
     (a.abs() - a * b.signum()) / size / size
 }
 
+/// A power of two by which numbers of this size are multiplied before they are squared: 1 where their squares, and what is left of those when all but
+/// rounding is subtracted, have all their digits.
+#[inline(always)]
+pub fn before_squares<R: Real>(size: R) -> R {
+    let (square, rounding) = (size.magnitude() * size.magnitude(), R::epsilon() / 64.0);
+    let least = R::smallest() / (rounding * rounding);
+    if square > least && square < 1.0 / least { R::from_f64(1.0) } else { power_of_two(size) }
+}
+
+/// A power of two near 1/|x|. 1 if x is zero or not finite.
+#[cold]
+#[inline(never)]
+fn power_of_two<R: Real>(x: R) -> R {
+    const MANTISSA: u32 = f64::MANTISSA_DIGITS - 1;
+    let size = x.magnitude();
+    if !(size > 0.0 && size < f64::INFINITY) {
+        return R::from_f64(1.0);
+    }
+    let power = f64::from_bits((2 * f64::MAX_EXP as u64 - 2 - (size.to_bits() >> MANTISSA)) << MANTISSA);
+    R::from_f64(power.clamp(R::smallest(), 1.0 / R::smallest()))
+}
+
+/// x, [scaled](before_squares) as numbers of the size of y are.
+#[inline(always)]
+pub fn scaled<R: Real>(x: R, y: R) -> R {
+    before_squares(y) * x
+}
+
 /// 1/x of the square x of what is left of a vector whose square was y: zero where that is rounding alone, or so small that it has lost
 /// digits. NaN if it is infinite.
 #[inline(always)]

@@ -28,7 +28,10 @@ pub use flows::{decay_mean, grown, phi_1, phi_1_derivative, stumpff_c0, stumpff_
 pub use free_body::{five_rotations, free_rotation, symmetric_rotation};
 pub use hyperbolic::{sinhc, sinhc_derivative, tanh, tanh_derivative};
 pub use kepler::{kepler, kepler_f, kepler_f_rate, kepler_g, kepler_g_rate};
-pub use kinks::{abs, abs_derivative, at_most, bounded, not_negative, provided, recip_above, recip_positive, root};
+pub use kinks::{
+    abs, abs_derivative, at_most, before_squares, bounded, not_negative, provided, recip_above, recip_positive, root,
+    scaled,
+};
 pub use linear::{cosine_at, cosine_slope, sine_at, sine_slope};
 
 use crate::scalar::Real;

@@ -6,7 +6,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::solving::size::Sizes;
+use crate::solving::size::{Sizes, may_be_rounding};
 use crate::space::{Array, Square};
 
 /// Reached only where there is no convergence.
@@ -146,10 +146,11 @@ pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
 ///
 /// W. Oettli & W. Prager, Numer. Math. 6 (1964) 405.
 pub(crate) fn is_of_last_digits<A: Array>(sizes: &Sizes<A>, residual: &A, matrix: &Square<A>) -> bool {
-    A::entries_of::<A>(matrix).iter().zip(residual.as_slice()).all(|(row, left)| {
+    A::entries_of::<A>(matrix).iter().zip(residual.as_slice()).enumerate().all(|(i, (row, left))| {
         let terms =
             row.as_slice().iter().zip(sizes.as_slice()).map(|(slope, size)| slope.magnitude() * size.magnitude());
-        left.magnitude() <= LAST_DIGITS * A::Real::epsilon() * terms.sum::<f64>()
+        let left = left.magnitude();
+        left <= LAST_DIGITS * A::Real::epsilon() * terms.sum::<f64>() && may_be_rounding(left, sizes.of(i))
     })
 }
 

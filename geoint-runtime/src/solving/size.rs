@@ -1,10 +1,24 @@
 //! How large is a coordinate? The one measure for everything that compares coordinates of different units.
 
 use crate::scalar::Real;
+use crate::slope::before_squares;
 use crate::space::{Array, Record, Square, Tape};
 
 /// What is left of a size after every point that is included: half after some fifty.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
+
+/// A residual of more than so many times the unknown is no rounding, whatever the digits of its terms are: far from all that a state has been, and
+/// in a step of many turns, they may be larger than the state.
+const LARGEST: f64 = 1024.0;
+
+/// Where a residual is larger than this part of the unknown the equation says nothing of it, however small the correction is.
+const RESOLVED: f64 = 1.0 / 16.0;
+
+/// Whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
+#[inline(always)]
+pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
+    residual <= LARGEST * size
+}
 
 /// The largest magnitude of every entry that was met lately: of a coordinate, its increment, or the terms that are added up on the
 /// way to it. What was met long ago fades.
@@ -94,6 +108,11 @@ impl<A: Array> Sizes<A> {
     /// Takes a gradient to units of the sizes, and divides it by the sum of its magnitudes then, which is returned: by so much, times
     /// ε, rounding of the coordinates changes the function. A gradient of zero stays.
     pub(crate) fn normalise(&self, gradient: &mut A) -> A::Real {
+        // So that products with small sizes do not vanish.
+        let scale = before_squares(A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum()));
+        for x in gradient.as_mut_slice() {
+            *x *= scale;
+        }
         self.multiply(gradient);
         let terms = A::Real::from_f64(gradient.as_slice().iter().map(|x| x.magnitude()).sum());
         if terms.magnitude() > 0.0 {
@@ -101,7 +120,7 @@ impl<A: Array> Sizes<A> {
                 *x /= terms;
             }
         }
-        terms
+        terms / scale
     }
 
     /// The sum of the squares of all entries in units of their sizes.
@@ -122,6 +141,13 @@ impl<A: Array> Sizes<A> {
             exceed &= change * change <= bound * (size * size);
         }
         exceed
+    }
+
+    /// Whether every entry of a residual is small beside the entry of `origin + x`.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
+        (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
 
     /// The largest entry of `delta`, each relative to the size of the entry of `origin + x` that it corrects. At most 1 where an

@@ -232,7 +232,6 @@ pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f6
 }
 
 /// What takes the length of every quaternion to 1.
-#[cold]
 pub(crate) fn normalisation<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> S::Phase {
     let one = R::from_f64(1.0);
     let (mut z, mut dz) = (*z, S::Phase::zero());

@@ -199,6 +199,38 @@ fn compensated_sums_have_less_rounding() {
     assert!(compensated < 5e-15 && compensated < plain, "{plain:.1e} {compensated:.1e}");
 }
 
+/// Where a run ends another one may begin, whatever the method: also one that adds increments to quaternions, as if they were no attitudes.
+#[test]
+fn ends_of_runs_are_starts() {
+    fn check<M: Method<HeavyBody<f64>>>(method: M, h: f64)
+    where
+        HeavyBody<f64>: Run<f64, State = BodyState<UnitQuaternion<f64>>>,
+    {
+        let name = method.name();
+        let mut sim = Integrator::new(heavy(), method, h, start());
+        let mut longest = 0.0_f64;
+        for _ in 0..1500 {
+            sim.step().unwrap();
+            let state = sim.state();
+            longest = longest.max((state.r.coords.norm() - 1.0).abs());
+            Integrator::new(heavy(), method, h, state).step().unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+        assert!(longest < 1e-13, "{name}: {longest:.1e}");
+        let mut adaptive = Adaptive::new(heavy(), method, 1e-6, start());
+        for _ in 0..100 {
+            adaptive.step().unwrap();
+            let state = adaptive.state();
+            Adaptive::new(heavy(), method, 1e-6, state).step().unwrap_or_else(|error| panic!("{name}: {error}"));
+        }
+    }
+    check(ExplicitEuler, 0.01);
+    check(RK4, 0.1);
+    check(DOP853, 0.2);
+    check(StormerVerlet, 0.1);
+    check(FiveRotations, 0.1);
+    check(BlanesMoanSrkn14a, 0.1);
+}
+
 #[test]
 fn a_quaternion_of_another_length_is_refused() {
     let state = BodyState { r: UnitQuaternion::new_unchecked(Quaternion::new(1.0, 0.0, 0.5, 0.0)), ..start() };

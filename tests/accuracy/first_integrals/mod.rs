@@ -12,6 +12,7 @@ mod recovered;
 mod splittings;
 mod systems;
 mod time;
+mod units;
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Array;

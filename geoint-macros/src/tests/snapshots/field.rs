@@ -33,8 +33,8 @@ Integrals
 Operations (a sine with its cosine counts as two)
 - x': sums and products 3
 - stage of a Newton iteration of collocation: sums and products 2
-- Newton iteration of `DiscreteGradient`: sums and products 47, functions 1
-- Newton iteration of `FourthOrder`: sums and products 66, functions 1
+- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8
+- Newton iteration of `FourthOrder`: sums and products 67, functions 8
 
 Implicit steps
 - unknowns 2: Newton's iteration with elimination
@@ -100,7 +100,7 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 47, functions 1\n- Newton iteration of `FourthOrder`: sums and products 66, functions 1\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- the energy is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equations of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8\n- Newton iteration of `FourthOrder`: sums and products 67, functions 8\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- the energy is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equations of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
         /// The energy of a state.
         pub fn energy(&self, state: &FlowState<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)
@@ -934,124 +934,7 @@ const _: () = {
                 prepared_1,
                 start_3,
                 prepared_0,
-                k9,
                 prepared_2,
-                prepared_3,
-                v0,
-                v1,
-                v2,
-                v3,
-                v4,
-                v5,
-                v6,
-                v7,
-                v8,
-                v9,
-                v10,
-                v11,
-                v12,
-                v13,
-                v14,
-                v15,
-                v16,
-                v17,
-                v18,
-                v19,
-                v20,
-                v21,
-                v22,
-                v23,
-                v24,
-                v25,
-                v26,
-                v27,
-                v28,
-                v29,
-                v30,
-                v31,
-                v32,
-                v33,
-                v34,
-            );
-            k0 = R::from_f64(0.5);
-            dq1 = d[1];
-            start_0 = start[0];
-            start_1 = start[1];
-            dq0 = d[0];
-            start_2 = start[2];
-            prepared_1 = prepared[1];
-            start_3 = start[3];
-            prepared_0 = prepared[0];
-            k9 = R::from_f64(2.0);
-            prepared_2 = prepared[2];
-            prepared_3 = prepared[3];
-            v0 = k0.multiply_add(dq1, start_0);
-            v1 = start_1 + dq0;
-            v2 = v1 * v1;
-            v3 = start_2 + dq1;
-            v4 = v3 * v3;
-            v5 = v2 + v4;
-            v6 = slope::recip_above(v5, v5);
-            v7 = prepared_1 * v0;
-            v8 = k0.multiply_add(dq0, start_3);
-            v9 = prepared_1 * v8;
-            v10 = v3 * v9;
-            v11 = -v1;
-            v12 = v11.multiply_add(v7, v10);
-            v13 = v12 * v6;
-            v14 = prepared_0 * v0;
-            v15 = v11.multiply_add(v13, v14);
-            v16 = -v3;
-            v17 = v16.multiply_add(v13, v9);
-            v18 = k9 * v1;
-            v19 = prepared_2 * v3;
-            v20 = prepared_0.multiply_add(v0, v19);
-            v21 = -v18;
-            v22 = v21.multiply_add(v13, v20);
-            v23 = v6 * v22;
-            v24 = -v13;
-            v25 = v11.multiply_add(v23, v24);
-            v26 = k9 * v3;
-            v27 = prepared_3 * v1;
-            v28 = prepared_1.multiply_add(v8, v27);
-            v29 = -v26;
-            v30 = v29.multiply_add(v13, v28);
-            v31 = v6 * v30;
-            v32 = v11.multiply_add(v31, prepared_3);
-            v33 = v16.multiply_add(v23, prepared_2);
-            v34 = v16.multiply_add(v31, v24);
-            f[0] = v15;
-            f[1] = v17;
-            jacobian[0][0] = v25;
-            jacobian[0][1] = v32;
-            jacobian[1][0] = v33;
-            jacobian[1][1] = v34;
-        }
-        #[inline(always)]
-        fn equation(
-            &self,
-            _: (&Self::Constants, R),
-            prepared: &[R; 6],
-            start: &[R; 4],
-            d: &[R; 2],
-            image: &mut [R; 2],
-            matrix: &mut Square<[R; 2]>,
-        ) {
-            let (
-                k0,
-                dq1,
-                start_0,
-                start_1,
-                dq0,
-                start_2,
-                prepared_1,
-                start_3,
-                prepared_0,
-                prepared_4,
-                k10,
-                prepared_2,
-                prepared_5,
-                k13,
                 prepared_3,
                 v0,
                 v1,
@@ -1094,6 +977,141 @@ const _: () = {
                 v38,
                 v39,
                 v40,
+                v41,
+            );
+            k0 = R::from_f64(0.5);
+            dq1 = d[1];
+            start_0 = start[0];
+            start_1 = start[1];
+            dq0 = d[0];
+            start_2 = start[2];
+            prepared_1 = prepared[1];
+            start_3 = start[3];
+            prepared_0 = prepared[0];
+            prepared_2 = prepared[2];
+            prepared_3 = prepared[3];
+            v0 = k0.multiply_add(dq1, start_0);
+            v1 = start_1 + dq0;
+            v2 = v1.abs();
+            v3 = start_2 + dq1;
+            v4 = v3.abs();
+            v5 = v2 + v4;
+            v6 = slope::scaled(v1, v5);
+            v7 = v6 * v6;
+            v8 = slope::scaled(v3, v5);
+            v9 = v8 * v8;
+            v10 = v7 + v9;
+            v11 = slope::recip_above(v10, v10);
+            v12 = prepared_1 * v0;
+            v13 = k0.multiply_add(dq0, start_3);
+            v14 = prepared_1 * v13;
+            v15 = v14 * v8;
+            v16 = -v12;
+            v17 = v16.multiply_add(v6, v15);
+            v18 = v17 * v11;
+            v19 = prepared_0 * v0;
+            v20 = -v6;
+            v21 = v20.multiply_add(v18, v19);
+            v22 = -v8;
+            v23 = v22.multiply_add(v18, v14);
+            v24 = slope::scaled(v18, v5);
+            v25 = -v21;
+            v26 = slope::scaled(v25, v5);
+            v27 = prepared_2 * v8;
+            v28 = v20.multiply_add(v24, v27);
+            v29 = v28 - v26;
+            v30 = v11 * v29;
+            v31 = -v24;
+            v32 = v20.multiply_add(v30, v31);
+            v33 = -v23;
+            v34 = slope::scaled(v33, v5);
+            v35 = prepared_3 * v6;
+            v36 = v22.multiply_add(v24, v35);
+            v37 = v36 - v34;
+            v38 = v11 * v37;
+            v39 = v20.multiply_add(v38, prepared_3);
+            v40 = v22.multiply_add(v30, prepared_2);
+            v41 = v22.multiply_add(v38, v31);
+            f[0] = v21;
+            f[1] = v23;
+            jacobian[0][0] = v32;
+            jacobian[0][1] = v39;
+            jacobian[1][0] = v40;
+            jacobian[1][1] = v41;
+        }
+        #[inline(always)]
+        fn equation(
+            &self,
+            _: (&Self::Constants, R),
+            prepared: &[R; 6],
+            start: &[R; 4],
+            d: &[R; 2],
+            image: &mut [R; 2],
+            matrix: &mut Square<[R; 2]>,
+        ) {
+            let (
+                k0,
+                dq1,
+                start_0,
+                start_1,
+                dq0,
+                start_2,
+                prepared_1,
+                start_3,
+                prepared_0,
+                prepared_4,
+                prepared_2,
+                prepared_5,
+                k12,
+                prepared_3,
+                v0,
+                v1,
+                v2,
+                v3,
+                v4,
+                v5,
+                v6,
+                v7,
+                v8,
+                v9,
+                v10,
+                v11,
+                v12,
+                v13,
+                v14,
+                v15,
+                v16,
+                v17,
+                v18,
+                v19,
+                v20,
+                v21,
+                v22,
+                v23,
+                v24,
+                v25,
+                v26,
+                v27,
+                v28,
+                v29,
+                v30,
+                v31,
+                v32,
+                v33,
+                v34,
+                v35,
+                v36,
+                v37,
+                v38,
+                v39,
+                v40,
+                v41,
+                v42,
+                v43,
+                v44,
+                v45,
+                v46,
+                v47,
             );
             k0 = R::from_f64(0.5);
             dq1 = d[1];
@@ -1105,58 +1123,64 @@ const _: () = {
             start_3 = start[3];
             prepared_0 = prepared[0];
             prepared_4 = prepared[4];
-            k10 = R::from_f64(2.0);
             prepared_2 = prepared[2];
             prepared_5 = prepared[5];
-            k13 = R::from_f64(1.0);
+            k12 = R::from_f64(1.0);
             prepared_3 = prepared[3];
             v0 = k0.multiply_add(dq1, start_0);
             v1 = start_1 + dq0;
-            v2 = v1 * v1;
+            v2 = v1.abs();
             v3 = start_2 + dq1;
-            v4 = v3 * v3;
+            v4 = v3.abs();
             v5 = v2 + v4;
-            v6 = slope::recip_above(v5, v5);
-            v7 = prepared_1 * v0;
-            v8 = k0.multiply_add(dq0, start_3);
-            v9 = prepared_1 * v8;
-            v10 = v3 * v9;
-            v11 = -v1;
-            v12 = v11.multiply_add(v7, v10);
-            v13 = v12 * v6;
-            v14 = prepared_0 * v0;
-            v15 = v11.multiply_add(v13, v14);
-            v16 = prepared_4 * v15;
-            v17 = -v3;
-            v18 = v17.multiply_add(v13, v9);
-            v19 = prepared_4 * v18;
-            v20 = k10 * v1;
-            v21 = prepared_2 * v3;
-            v22 = prepared_0.multiply_add(v0, v21);
-            v23 = -v20;
-            v24 = v23.multiply_add(v13, v22);
-            v25 = v6 * v24;
-            v26 = -v13;
-            v27 = v11.multiply_add(v25, v26);
-            v28 = prepared_5.multiply_add(v27, k13);
-            v29 = k10 * v3;
-            v30 = prepared_3 * v1;
-            v31 = prepared_1.multiply_add(v8, v30);
-            v32 = -v29;
-            v33 = v32.multiply_add(v13, v31);
-            v34 = v6 * v33;
-            v35 = v11.multiply_add(v34, prepared_3);
-            v36 = prepared_5 * v35;
-            v37 = v17.multiply_add(v25, prepared_2);
-            v38 = prepared_5 * v37;
-            v39 = v17.multiply_add(v34, v26);
-            v40 = prepared_5.multiply_add(v39, k13);
-            image[0] = v16;
-            image[1] = v19;
-            matrix[0][0] = v28;
-            matrix[0][1] = v36;
-            matrix[1][0] = v38;
-            matrix[1][1] = v40;
+            v6 = slope::scaled(v1, v5);
+            v7 = v6 * v6;
+            v8 = slope::scaled(v3, v5);
+            v9 = v8 * v8;
+            v10 = v7 + v9;
+            v11 = slope::recip_above(v10, v10);
+            v12 = prepared_1 * v0;
+            v13 = k0.multiply_add(dq0, start_3);
+            v14 = prepared_1 * v13;
+            v15 = v14 * v8;
+            v16 = -v12;
+            v17 = v16.multiply_add(v6, v15);
+            v18 = v17 * v11;
+            v19 = prepared_0 * v0;
+            v20 = -v6;
+            v21 = v20.multiply_add(v18, v19);
+            v22 = prepared_4 * v21;
+            v23 = -v8;
+            v24 = v23.multiply_add(v18, v14);
+            v25 = prepared_4 * v24;
+            v26 = slope::scaled(v18, v5);
+            v27 = -v21;
+            v28 = slope::scaled(v27, v5);
+            v29 = prepared_2 * v8;
+            v30 = v20.multiply_add(v26, v29);
+            v31 = v30 - v28;
+            v32 = v11 * v31;
+            v33 = -v26;
+            v34 = v20.multiply_add(v32, v33);
+            v35 = prepared_5.multiply_add(v34, k12);
+            v36 = -v24;
+            v37 = slope::scaled(v36, v5);
+            v38 = prepared_3 * v6;
+            v39 = v23.multiply_add(v26, v38);
+            v40 = v39 - v37;
+            v41 = v11 * v40;
+            v42 = v20.multiply_add(v41, prepared_3);
+            v43 = prepared_5 * v42;
+            v44 = v23.multiply_add(v32, prepared_2);
+            v45 = prepared_5 * v44;
+            v46 = v23.multiply_add(v41, v33);
+            v47 = prepared_5.multiply_add(v46, k12);
+            image[0] = v22;
+            image[1] = v25;
+            matrix[0][0] = v35;
+            matrix[0][1] = v43;
+            matrix[1][0] = v45;
+            matrix[1][1] = v47;
         }
         #[inline(always)]
         fn drift(&self, prepared: &[R; 6], p: &[R; 2]) -> [R; 2] {
@@ -1305,6 +1329,17 @@ const _: () = {
                 v41,
                 v42,
                 v43,
+                v44,
+                v45,
+                v46,
+                v47,
+                v48,
+                v49,
+                v50,
+                v51,
+                v52,
+                v53,
+                v54,
             );
             start_1 = start[1];
             dq1 = d[1];
@@ -1336,50 +1371,61 @@ const _: () = {
             v3 = k6.multiply_add(dq1, start_1);
             v4 = prepared_3.multiply_add(v2, v3);
             v5 = start_4 + dq0;
-            v6 = v5 * v5;
+            v6 = v5.abs();
             v7 = start_5 + dq1;
-            v8 = v7 * v7;
+            v8 = v7.abs();
             v9 = v6 + v8;
-            v10 = slope::recip_above(v9, v9);
-            v11 = prepared_1.multiply_add(v0, start_0);
-            v12 = prepared_2.multiply_add(v4, v11);
-            v13 = prepared_7 * v0;
-            v14 = v13 - start_7;
-            v15 = k6.multiply_add(dq0, start_3);
-            v16 = prepared_3.multiply_add(v14, v15);
-            v17 = prepared_5.multiply_add(v1, start_6);
-            v18 = prepared_6.multiply_add(v16, v17);
-            v19 = v5 * v12;
-            v20 = v7.multiply_add(v18, v19);
-            v21 = v20 * v10;
-            v22 = -v5;
-            v23 = v22.multiply_add(v21, v12);
-            v24 = prepared_0 * v23;
-            v25 = -v7;
-            v26 = v25.multiply_add(v21, v18);
-            v27 = prepared_0 * v26;
-            v28 = -v20;
-            v29 = v28.multiply_add(v10, prepared_9);
-            v30 = prepared_10.multiply_add(v7, v23);
-            v31 = v5.multiply_add(v29, v30);
-            v32 = v10 * v31;
-            v33 = v22.multiply_add(v32, v29);
-            v34 = prepared_8.multiply_add(v33, k22);
-            v35 = prepared_11.multiply_add(v5, v26);
-            v36 = v7.multiply_add(v29, v35);
-            v37 = v10 * v36;
-            v38 = v22.multiply_add(v37, prepared_11);
-            v39 = prepared_8 * v38;
-            v40 = v25.multiply_add(v32, prepared_10);
-            v41 = prepared_8 * v40;
-            v42 = v25.multiply_add(v37, v29);
-            v43 = prepared_8.multiply_add(v42, k22);
-            image[0] = v24;
-            image[1] = v27;
-            matrix[0][0] = v34;
-            matrix[0][1] = v39;
-            matrix[1][0] = v41;
-            matrix[1][1] = v43;
+            v10 = slope::scaled(v5, v9);
+            v11 = v10 * v10;
+            v12 = slope::scaled(v7, v9);
+            v13 = v12 * v12;
+            v14 = v11 + v13;
+            v15 = slope::recip_above(v14, v14);
+            v16 = prepared_1.multiply_add(v0, start_0);
+            v17 = prepared_2.multiply_add(v4, v16);
+            v18 = prepared_7 * v0;
+            v19 = v18 - start_7;
+            v20 = k6.multiply_add(dq0, start_3);
+            v21 = prepared_3.multiply_add(v19, v20);
+            v22 = prepared_5.multiply_add(v1, start_6);
+            v23 = prepared_6.multiply_add(v21, v22);
+            v24 = v17 * v10;
+            v25 = v23.multiply_add(v12, v24);
+            v26 = v25 * v15;
+            v27 = -v10;
+            v28 = v27.multiply_add(v26, v17);
+            v29 = prepared_0 * v28;
+            v30 = -v12;
+            v31 = v30.multiply_add(v26, v23);
+            v32 = prepared_0 * v31;
+            v33 = slope::scaled(v26, v9);
+            v34 = -v28;
+            v35 = slope::scaled(v34, v9);
+            v36 = prepared_9 - v33;
+            v37 = prepared_10 * v12;
+            v38 = v37 - v35;
+            v39 = v10.multiply_add(v36, v38);
+            v40 = v15 * v39;
+            v41 = v27.multiply_add(v40, v36);
+            v42 = prepared_8.multiply_add(v41, k22);
+            v43 = -v31;
+            v44 = slope::scaled(v43, v9);
+            v45 = prepared_11 * v10;
+            v46 = v45 - v44;
+            v47 = v12.multiply_add(v36, v46);
+            v48 = v15 * v47;
+            v49 = v27.multiply_add(v48, prepared_11);
+            v50 = prepared_8 * v49;
+            v51 = v30.multiply_add(v40, prepared_10);
+            v52 = prepared_8 * v51;
+            v53 = v30.multiply_add(v48, v36);
+            v54 = prepared_8.multiply_add(v53, k22);
+            image[0] = v29;
+            image[1] = v32;
+            matrix[0][0] = v42;
+            matrix[0][1] = v50;
+            matrix[1][0] = v52;
+            matrix[1][1] = v54;
         }
     }
     impl<R: Real> Collocated<R> for Turning<R> {

@@ -14,8 +14,8 @@ use core::cell::Cell;
 
 /// A method, and the invariants that each of its steps is projected onto: `Projection(RK4, Energy)`.
 ///
-/// The order of the method; invariants are kept to rounding; where gradients depend on each other, those that say nothing new take
-/// no part. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
+/// The order of the method; invariants are kept to rounding, also where their gradients depend on each other, as those of energy and momentum
+/// do on a circle. Neither symmetric nor symplectic: what is not projected onto drifts, even the momentum of a cyclic coordinate. The way
 /// back is the shortest one if every coordinate is measured in units of the largest magnitude D that it has had, or of what it moves by in a
 /// thousand steps, if that is less: an angle of many turns is large, and energies do not change over as much. It does not depend on the units in
 /// which q and p are given, and a coordinate that has always been zero stays zero.
@@ -112,7 +112,9 @@ pub(super) struct WayBack<Z> {
     decided: Z,
 }
 
-/// The way back from the end of a step by `moved`.
+/// The way back from the end of a step by `moved`: by simplified Newton's iteration for the multipliers, at that end, with the gradients there. On a
+/// circular orbit, or any on which an invariant is as small as others allow, gradients depend on each other: near it the directions turn as fast
+/// as the distance shrinks, and are asked for anew at each point.
 pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     system: &S,
     invariants: &I,
@@ -120,68 +122,102 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
     [before, end]: [&S::Phase; 2],
     moved: &S::Phase,
 ) -> Result<WayBack<S::Phase>, Refusal> {
-    let (sizes, units) = (&scales.sizes, scales.units());
-    // D∇I, and the sum of its entries' magnitudes, by which it is divided. By ε times the same sum over sizes rounding changes an invariant.
-    let mut gradients = invariants.gradients(system, end);
-    let directions = I::Values::entries(&mut gradients);
-    let (mut terms, mut digits) = (I::Values::zero(), Sizes::equal());
-    for (i, direction) in directions.iter_mut().enumerate() {
-        let whole = sizes.normalise(&mut direction.clone());
-        let part = units.normalise(direction);
-        terms.as_mut_slice()[i] = part;
-        digits.entries()[i] = if part.magnitude() > 0.0 { whole / part } else { zero() };
-    }
-    // Simplified Newton for the multipliers: at y, with the gradients that are there already.
-    let triangle = orthonormalise::<I::Values, S::Phase>(directions);
-    let back = |multipliers: &I::Values| {
-        let mut back = S::Phase::zero();
-        for (multiplier, direction) in multipliers.as_slice().iter().zip(&*directions) {
-            back.add_scaled(*multiplier, direction);
-        }
-        units.multiply(&mut back);
-        back
-    };
     // The increments at whose end conditions of the energy were decided last.
     let decided = Cell::new(*moved);
-    let residual = |multipliers: &I::Values| {
-        let change = sum(moved, &back(multipliers));
-        decided.set(change);
-        let mut changes = invariants.changes(system, before, &change);
-        for (change, terms) in changes.as_mut_slice().iter_mut().zip(terms.as_slice()) {
+    let changes = |increment: &S::Phase| {
+        decided.set(*increment);
+        invariants.changes(system, before, increment)
+    };
+    let frame = |at: &S::Phase| Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales);
+    let at_end = frame(end);
+    // A correction that does not shrink may be one from side to side of a jump.
+    let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
+    let correction = |multipliers: &I::Values| {
+        let mut delta = changes(&sum(moved, &at_end.back(multipliers)));
+        let relative = at_end.multipliers(&mut delta);
+        (delta, relative)
+    };
+    let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
+        let rounding = |multipliers: &I::Values| Some(correction(multipliers).0);
+        !jumps && {
+            let kinds = [I::Values::LEN, 1];
+            let noise = noise::measure(&at_end.digits, multipliers, (delta, farther), kinds, rounding);
+            // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
+            let digits = at_end.digits_with(invariants.gradients(system, before), scales);
+            noise::explains(&noise, &correction(multipliers).0, &digits)
+        }
+    };
+    let turning = |increment: &S::Phase| {
+        let (frame, mut delta) = (frame(&sum(before, increment)), changes(increment));
+        let relative = frame.multipliers(&mut delta);
+        (frame.back(&delta), relative)
+    };
+    let back = match correct(I::Values::zero(), is_noise, |multipliers| Ok(correction(multipliers))) {
+        Ok(multipliers) => at_end.back(&multipliers),
+        Err(refusal) => {
+            let end = correct(*moved, |_, _, _| false, |increment| Ok(turning(increment)));
+            difference(&end.map_err(|_| refusal)?, moved)
+        }
+    };
+    Ok(WayBack { back, decided: decided.get() })
+}
+
+/// The directions in which invariants change at a point.
+struct Frame<A: Array, Z: Array<Real = A::Real>> {
+    units: Sizes<Z>,
+    /// D∇I, orthonormal, and the triangle that takes them back to what they were.
+    directions: A::Map<Z>,
+    triangle: Square<A>,
+    /// The sum of the magnitudes of the entries of D∇I, by which it is divided.
+    terms: A,
+    /// By ε times the same sum over sizes, in units of those terms, rounding changes an invariant.
+    digits: Sizes<A>,
+}
+
+impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
+    fn new(mut gradients: A::Map<Z>, scales: &Scales<Z>) -> Self {
+        let units = scales.units();
+        let (mut terms, mut digits) = (A::zero(), Sizes::equal());
+        for (i, direction) in A::entries(&mut gradients).iter_mut().enumerate() {
+            let whole = scales.sizes.normalise(&mut direction.clone());
+            let part = units.normalise(direction);
+            terms.as_mut_slice()[i] = part;
+            digits.entries()[i] = if part.magnitude() > 0.0 { whole / part } else { zero() };
+        }
+        let triangle = orthonormalise::<A, Z>(A::entries(&mut gradients));
+        Frame { units, directions: gradients, triangle, terms, digits }
+    }
+
+    /// The digits, with what rounding changes where the gradients are these.
+    fn digits_with(&self, mut gradients: A::Map<Z>, scales: &Scales<Z>) -> Sizes<A> {
+        let mut digits = self.digits;
+        for (i, gradient) in A::entries(&mut gradients).iter_mut().enumerate() {
+            let whole = scales.sizes.normalise(gradient);
+            if self.terms.as_slice()[i].magnitude() > 0.0 {
+                digits.entries()[i] += whole / self.terms.as_slice()[i];
+            }
+        }
+        digits
+    }
+
+    /// Σ λᵢ D²∇Iᵢ.
+    fn back(&self, multipliers: &A) -> Z {
+        let mut back = Z::zero();
+        for (multiplier, direction) in multipliers.as_slice().iter().zip(A::entries_of(&self.directions)) {
+            back.add_scaled(*multiplier, direction);
+        }
+        self.units.multiply(&mut back);
+        back
+    }
+
+    /// From changes of invariants to the multipliers that cause them; the largest change, relative to what rounding changes.
+    fn multipliers(&self, changes: &mut A) -> f64 {
+        for (change, terms) in changes.as_mut_slice().iter_mut().zip(self.terms.as_slice()) {
             // Also where gradients vanish there may be nothing to do.
             *change = if change.magnitude() == 0.0 { *change } else { *change / *terms };
         }
-        changes
-    };
-    // A correction that does not shrink may be one from side to side of a jump.
-    let jumps = I::KEEP_ENERGY && !S::JUMPS.is_empty();
-    let is_noise = |multipliers: &I::Values, delta: &I::Values, farther: f64| {
-        !jumps && {
-            let correction = |at: &I::Values| {
-                let mut delta = residual(at);
-                along(&triangle, &digits, &mut delta);
-                delta
-            };
-            let kinds = [I::Values::LEN, 1];
-            let noise = noise::measure(&digits, multipliers, (delta, farther), kinds, |at| Some(correction(at)));
-            // A coordinate that is rounded otherwise moves both ends of the step, and the gradient may vanish at one of them.
-            let mut digits = digits;
-            let mut gradients = invariants.gradients(system, before);
-            for (i, gradient) in I::Values::entries(&mut gradients).iter_mut().enumerate() {
-                let start = sizes.normalise(gradient);
-                if terms.as_slice()[i].magnitude() > 0.0 {
-                    digits.entries()[i] += start / terms.as_slice()[i];
-                }
-            }
-            noise::explains(&noise, &correction(multipliers), &digits)
-        }
-    };
-    let multipliers = correct(I::Values::zero(), is_noise, |multipliers| {
-        let mut delta = residual(multipliers);
-        let relative = along(&triangle, &digits, &mut delta);
-        Ok((delta, relative))
-    })?;
-    Ok(WayBack { back: back(&multipliers), decided: decided.get() })
+        along(&self.triangle, &self.digits, changes)
+    }
 }
 
 /// Makes directions orthonormal, by Gram's and Schmidt's method, each twice; the triangle that takes them back to what they were.
@@ -211,22 +247,22 @@ fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> S
     triangle
 }
 
-/// From changes of functions to multipliers of orthonormal directions; the largest change of those that have a direction, relative to `digits`.
+/// From changes of functions to multipliers of orthonormal directions; the largest change relative to `digits`. Of functions that have no direction
+/// of their own it is what others do not change with them: nothing can be done about that.
 fn along<A: Array>(triangle: &Square<A>, digits: &Sizes<A>, changes: &mut A) -> f64 {
     let mut greatest = 0.0_f64;
     for (i, row) in A::entries_of::<A>(triangle).iter().enumerate() {
         let (row, changes) = (row.as_slice(), changes.as_mut_slice());
-        if row[i].magnitude() == 0.0 {
-            changes[i] = zero();
-            continue;
-        }
-        // Not `max`: that would lose what is not a number.
-        let change = changes[i].magnitude() / digits.of(i);
-        greatest = if change <= greatest { greatest } else { change };
+        let (whole, mut rest) = (changes[i], changes[i]);
         for j in 0..i {
-            changes[i] -= row[j] * changes[j];
+            rest -= row[j] * changes[j];
         }
-        changes[i] /= row[i];
+        let has_direction = row[i].magnitude() != 0.0;
+        let change = if has_direction { whole.magnitude() } else { rest.magnitude() };
+        let change = if change == 0.0 { change } else { change / digits.of(i) };
+        // Not `max`: that would lose what is not a number.
+        greatest = if change <= greatest { greatest } else { change };
+        changes[i] = if has_direction { rest / row[i] } else { zero() };
     }
     greatest
 }

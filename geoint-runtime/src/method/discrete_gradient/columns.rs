@@ -2,7 +2,7 @@
 
 use super::matrix::Matrix;
 use crate::scalar::{Real, zero};
-use crate::slope::recip_above;
+use crate::slope::{before_squares, recip_above};
 use crate::space::Array;
 use crate::space::vector::{dot, moved, product, scaled};
 
@@ -12,6 +12,8 @@ const NEARLY: f64 = 1.0 / 64.0;
 /// Columns orthogonal in the metric, by Gram and Schmidt, that span what the given ones do.
 pub(super) struct Projector<A: Array, const N: usize> {
     metric: [A; 2],
+    /// Powers of two that columns are multiplied by, so that no square overflows or vanishes.
+    scales: [A::Real; N],
     orthogonal: [[A; 2]; N],
     /// Each times the metric.
     weighted: [[A; 2]; N],
@@ -26,6 +28,11 @@ impl<A: Array, const N: usize> Projector<A, N> {
     #[inline(always)]
     pub(super) fn new(metric: [A; 2], columns: [[A; 2]; N], loose: bool) -> Self {
         let none = zero::<A::Real>();
+        let scales = columns.map(|column| {
+            let sizes = Array::as_slice(&column).iter().map(|x| x.abs());
+            before_squares(sizes.fold(none, |sum: A::Real, size| sum + size))
+        });
+        let columns: [[A; 2]; N] = core::array::from_fn(|a| scaled(scales[a], &columns[a]));
         let (mut weighted, mut reciprocals) = ([<[A; 2]>::zero(); N], [none; N]);
         let (mut orthogonal, mut coefficients) = (columns, [[none; N]; N]);
         for a in 0..N {
@@ -49,7 +56,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 A::Real::from_f64(1.0) / square
             };
         }
-        Projector { metric, orthogonal, weighted, reciprocals, coefficients }
+        Projector { metric, scales, orthogonal, weighted, reciprocals, coefficients }
     }
 
     /// Whether the metric sees nothing of the first column.
@@ -84,6 +91,9 @@ impl<A: Array, const N: usize> Projector<A, N> {
                 lambda[a] -= self.coefficients[later][a] * lambda[later];
             }
         }
+        for (lambda, scale) in lambda.iter_mut().zip(&self.scales) {
+            *lambda *= *scale;
+        }
         for (i, row) in slope.rows().iter_mut().enumerate() {
             let weight = Array::as_slice(&self.metric)[i];
             row.add_scaled(-lambda[0] * weight, &of_first.rows()[i]);
@@ -100,6 +110,7 @@ impl<A: Array, const N: usize> Projector<A, N> {
         let mut products = if N > 1 { of_others(v) } else { [<[A; 2]>::zero(); N] };
         products[0] = of_first.transpose_times(v);
         for a in 0..N {
+            products[a] = scaled(self.scales[a], &products[a]);
             for b in 0..a {
                 products[a] = moved(&products[a], -self.coefficients[a][b], &products[b]);
             }

@@ -6,6 +6,7 @@ use super::mean::MeanGradient;
 use crate::method::composition::substeps;
 use crate::method::{Name, Probe, Refusal};
 use crate::scalar::{Real, zero};
+use crate::slope::before_squares;
 use crate::space::Array;
 use crate::space::vector::{difference, dot, entries, moved, product, scaled};
 use crate::system::{Conservative, DiscreteField};
@@ -72,19 +73,30 @@ pub(super) fn metric<A: Array>(h: A::Real, middle: &mut Slope<A>) -> [A; 2] {
     // The coordinate that is conjugate to another one.
     let partner = |i: usize| if i < n { i + n } else { i - n };
     // Times h², so that numbers are not far from 1 in any units.
-    let (mut energy, mut frequency) = (zero::<A::Real>(), zero::<A::Real>());
-    for i in 0..2 * n {
-        for j in 0..2 * n {
-            let term = change[i] * hessian(i, j) * change[j];
-            let cycle = h * hessian(partner(i), j) * (h * hessian(partner(j), i));
-            energy += term * term;
-            frequency += cycle * cycle;
+    let squares = |scale: A::Real| {
+        let (mut size, mut energy, mut frequency) = (zero::<A::Real>(), zero::<A::Real>(), zero::<A::Real>());
+        for i in 0..2 * n {
+            for j in 0..2 * n {
+                let term = scale * change[i] * hessian(i, j) * change[j];
+                let cycle = h * hessian(partner(i), j) * (h * hessian(partner(j), i));
+                size += term.abs();
+                energy += term * term;
+                frequency += cycle * cycle;
+            }
         }
+        (size, energy, frequency)
+    };
+    let one = A::Real::from_f64(1.0);
+    let (size, mut energy, frequency) = squares(one);
+    // Energies have a unit, and may need another one.
+    let scale = before_squares(size);
+    if scale != one {
+        energy = squares(scale).1;
     }
     let (energy, frequency) = (energy.sqrt(), frequency.sqrt());
     let mut metric = <[A; 2]>::zero();
     for (i, w) in entries(&mut metric).iter_mut().enumerate() {
-        *w = length((energy * hessian(i, i)).abs(), frequency * g[i] * g[i]);
+        *w = length((energy * hessian(i, i)).abs(), frequency * (scale * g[i]) * g[i]);
     }
     metric
 }

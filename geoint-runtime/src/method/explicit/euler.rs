@@ -47,7 +47,7 @@ impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
         probe.visit(t, &x.z, &x.s);
         let mut increment = system.rates(t, &PerCoordinate { z: x.z, s: x.s });
         increment.times(*h);
-        x.add_everywhere(&increment);
+        super::end::<S, R, C>(x, &increment);
         Ok(())
     }
 }

@@ -22,6 +22,22 @@ pub mod runge_kutta;
 pub mod tableau;
 mod tables;
 
+use crate::scalar::Real;
+use crate::space::{PerCoordinate, Point, Snapshot, Summation, normalisation};
+use crate::system::PhaseSpace;
+
 pub use euler::ExplicitEuler;
 pub use runge_kutta::RungeKutta;
 pub use tables::{DOP853, RK4};
+
+/// Ends a step. A quaternion that an increment is added to is of another length than 1, by the error of the step: then it is no attitude.
+#[inline(always)]
+fn end<S: PhaseSpace<R>, R: Real, C: Summation<S::Phase>>(
+    x: &mut Point<S::Phase, C, S::Action>,
+    increment: &PerCoordinate<S::Phase, S::Action>,
+) {
+    x.add_everywhere(increment);
+    if S::State::ATTITUDES {
+        x.add(&normalisation::<S, R>(&x.z));
+    }
+}

@@ -151,7 +151,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let rates = prepared.rates(step.part(step.t));
-        step.x.add_everywhere(&weighed(&prepared.b, &rates));
+        super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         Ok(())
     }
 
@@ -168,7 +168,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         let estimators = prepared.estimators.as_ref()?;
         let rates = prepared.rates(step.part(step.t));
-        step.x.add_everywhere(&weighed(&prepared.b, &rates));
+        super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         Some(Ok(estimators.each_ref().map(|weights| weighed(weights, &rates))))
     }
 }

@@ -186,13 +186,15 @@ impl<A: Array> Iteration<A> {
         let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
-        let (mut lost, mut stuck) = (A::zero(), None);
+        let (mut lost, mut stuck, mut resolved) = (A::zero(), None, true);
         for iterations in 1..=MAX_ITERATIONS {
             let mut solved = false;
             let (delta, positive) = match first.take() {
                 Some(first) => first,
                 None => {
                     let mut delta = equation.residual(watch, &x, &mut matrix);
+                    // Where the matrix is large beyond measure, corrections are small wherever x is. Steps before have seen that it is not.
+                    resolved = extrapolated || self.sizes.resolve(&delta, &origin, &x);
                     solved = corrections.slow() && self.is_of_last_digits(&origin, &delta, &matrix);
                     if let (false, Some(last)) = (solved, stuck.take()) {
                         // Only who watches measures what is rounding.
@@ -227,7 +229,7 @@ impl<A: Array> Iteration<A> {
                 self.see(correction, corrections.last());
             }
             match corrections.judge::<A::Real>(correction) {
-                Verdict::Solved => {
+                Verdict::Solved if resolved => {
                     self.sizes.include(&origin, &x);
                     return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
                 }
@@ -235,7 +237,7 @@ impl<A: Array> Iteration<A> {
                     stuck = Some((delta, corrections.farther()));
                     corrections.restart();
                 }
-                Verdict::Continue => {}
+                Verdict::Solved | Verdict::Continue => {}
             }
             if !correction.is_finite() {
                 break;

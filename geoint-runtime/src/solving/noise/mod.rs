@@ -9,7 +9,7 @@ mod points;
 
 use crate::scalar::Real;
 use crate::solving::rounding::is_rounding;
-use crate::solving::size::Sizes;
+use crate::solving::size::{Sizes, may_be_rounding};
 use crate::space::Array;
 use crate::space::vector::difference;
 use differences::{Memory, POINTS, SPARE};
@@ -18,9 +18,6 @@ use points::{Start, along, begin};
 /// A residual of so many standard deviations of its rounding is nothing but that: it is the sum of several, and they are known from a
 /// few differences only.
 const DEVIATIONS: f64 = 16.0;
-
-/// An unknown that is rounding itself has a residual of its own size.
-const LARGEST: f64 = 1024.0;
 
 /// The standard deviation of the rounding of every entry of a residual near `x`.
 ///
@@ -95,14 +92,11 @@ fn last_digits<A: Array>(x: &A, direction: &A, residual: &mut impl FnMut(&A) -> 
 }
 
 /// Whether a residual at `x` is nothing but rounding: its own, of which the standard deviation is `noise`, or that of the unknowns.
-///
-/// What is larger than the unknown by far is no solution, whatever it is: far away from all that a state has been, terms may be rounded to more
-/// than they move.
 pub(crate) fn explains<A: Array>(noise: &A, residual: &A, sizes: &Sizes<A>) -> bool {
     (0..A::LEN).all(|i| {
         let left = residual.as_slice()[i].magnitude();
-        let small = left <= LARGEST * sizes.of(i);
-        small && left <= DEVIATIONS * noise.as_slice()[i].magnitude() || is_rounding::<A::Real>(left / sizes.of(i))
+        may_be_rounding(left, sizes.of(i)) && left <= DEVIATIONS * noise.as_slice()[i].magnitude()
+            || is_rounding::<A::Real>(left / sizes.of(i))
     })
 }
 
