@@ -66,6 +66,12 @@ pub(crate) const DAMPED: &str =
 pub(crate) const FORCED: &str =
     "a force beside the energy is no part of a kick or a drift; use `ImplicitMidpoint`, `Gauss` or `DiscreteGradient`";
 
+pub(crate) const TAKES_ENERGY: &str =
+    "damping takes energy away, so that none is conserved: leave out the one or the other";
+
+pub(crate) const DOES_WORK: &str = "a force beside the energy does work, so that none is conserved: leave out the one or the other; a force that \
+                                    has a potential is a term of the energy";
+
 pub(crate) const FORCED_ACTION: &str = "a force beside a Lagrangian with an action leaves no contact map, and no kick and drift; use `DOP853`, `RK4` or Taylor series";
 
 pub(crate) const READS_ACTION: &str = "this reads the action, so that the energy changes with ∂H/∂s";

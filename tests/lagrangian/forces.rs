@@ -277,7 +277,15 @@ fn friction_that_feeds_is_refused() {
         sim.advance(10).map(|()| sim.energy())
     };
     assert!(run(0.2).is_ok());
-    assert!(run(-0.2).is_err());
+    let refused = run(-0.2).expect_err("it would feed energy").to_string();
+    assert!(refused.contains("friction that would feed energy"), "{refused}");
+    #[lagrangian(rayleigh = c * v.powi(4))]
+    fn with_an_action(q: f64, v: f64, s: f64, c: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q - 0.1 * s
+    }
+    let system = WithAnAction { c: -0.2 };
+    let refused = system.integrator(DOP853, 0.1, system.at(1.0, 0.5, 0.0)).step().expect_err("the same").to_string();
+    assert!(refused.contains("friction that would feed energy"), "{refused}");
     let system = ArmInAir { m: M, l: L, g: 9.81, air: -0.4, dry: 0.0 };
     let start = system.at([0.5, 0.4, -0.3], [0.0, 0.0, 1.0]);
     let mut sim = system.integrator(DiscreteGradient, 0.05, start);

@@ -98,7 +98,7 @@ fn no_step_leads_over_a_singular_mass() {
                 let mut sim = system.integrator($method, h, start);
                 let refused = (0..100).any(|_| sim.step().is_err());
                 assert!(sim.state().q > -2.5, "{:?}", sim.state());
-                assert!(refused || sim.state().q > -2.5);
+                assert!(refused, "{:?}", sim.state());
             }
         )* };
     }

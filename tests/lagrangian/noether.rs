@@ -131,6 +131,12 @@ fn derivatives_along_the_motion_are_named() {
         assert!((one.q[i] - other.q[i]).abs() < 1e-13);
         assert!((one.p[i] + shift[i] - other.p[i]).abs() < 1e-13);
     }
+    // Steps in other momenta are others.
+    let mut one = plain.integrator(ImplicitMidpoint, 0.1, plain.at(q, v));
+    let mut other = gauged.integrator(ImplicitMidpoint, 0.1, gauged.at(q, v));
+    [one.step(), other.step()].into_iter().for_each(|step| step.expect("a step"));
+    let apart = (one.state().q[0] - other.state().q[0]).abs();
+    assert!((1e-8..1e-3).contains(&apart), "{apart:e}");
 }
 
 /// Positions of the midpoint rule give its momenta back: in angles with an energy, and with three rods without one.

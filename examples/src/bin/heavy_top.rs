@@ -121,12 +121,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         ));
         let early = runs.each_ref().map(|run| run.1.iter().find(|x| x.0 > 2000.0).map_or(f64::NAN, |x| x.1[3]));
         claim(
-            "symmetric steps move the fourth integral as far in 2000 units of time as in 20 000; projected RK4 goes on",
+            "symmetric steps of order 4 move the fourth integral as far in 2000 units of time as in 20 000; projected RK4 goes on",
             {
+                // Of order 2 it is moved that far that orbits are chaotic: 1.05 to 1.52 times as far, by the last digits of the start.
+                let longer = |late: &[f64; 4], k: usize, most: f64| late[3] == 0.0 || late[3] < most * early[k];
                 projected[3] > 2.0 * early[1]
-                    && [gauss[3] / early[2], poisson[3] / early[3], second[3] / early[4], fourth[3] / early[5]]
-                        .iter()
-                        .all(|ratio| ratio.is_nan() || *ratio < 1.1)
+                    && [(gauss, 2), (poisson, 3), (fourth, 5)].iter().all(|(run, k)| longer(run, *k, 1.1))
+                    && longer(&second, 4, 2.0)
             },
         )?;
         println!();

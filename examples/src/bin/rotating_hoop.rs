@@ -9,21 +9,21 @@ use geoint_runtime::prelude::*;
 use std::error::Error;
 use std::f64::consts::TAU;
 
-/// A bead of mass 1 on a hoop of radius 1.
-#[lagrangian]
-fn hoop(q: f64, v: f64, omega: f64, g: f64) -> f64 {
+/// A bead of mass 1 on a hoop of radius 1, with friction or without.
+#[lagrangian(rayleigh = c * v * v / 2.0)]
+fn hoop(q: f64, v: f64, omega: f64, g: f64, c: f64) -> f64 {
     let [along, around, height] = [v, omega * q.sin(), -q.cos()];
     (along * along + around * around) / 2.0 - g * height
 }
 
 const G: f64 = 9.81;
-const FAST: Hoop = Hoop { omega: 4.0, g: G };
-const SLOW: Hoop = Hoop { omega: 3.0, g: G };
+const FAST: Hoop = Hoop { omega: 4.0, g: G, c: 0.0 };
+const SLOW: Hoop = Hoop { omega: 3.0, g: G, c: 0.0 };
 
 fn main() -> Result<(), Box<dyn Error>> {
     println!("{}", Hoop::<f64>::REPORT.lines().take(8).collect::<Vec<_>>().join("\n"));
     println!();
-    let rest = (G / 16.0_f64).acos();
+    let rest = angle_of_rest(4.0);
     let swing = run(FAST, 0.5, 0.01, 400)?;
     let [kept, swinging] = [|e: &Sample| e.energy, |e: &Sample| e.mechanical].map(|of| spread(&swing, of));
     let period = period(&run(FAST, rest + 0.01, 0.001, 4000)?, rest);
@@ -45,8 +45,29 @@ fn main() -> Result<(), Box<dyn Error>> {
     claim("a slow hoop holds a bead at its lowest point, a fast one does not", {
         most(SLOW, 0.01)? < 0.011 && most(FAST, 0.01)? > 1.2
     })?;
+    let settled = settled()?;
+    let furthest = settled.iter().fold(0.0, |most, &(omega, q)| f64::max(most, (q.abs() - angle_of_rest(omega)).abs()));
+    claim("with friction it comes to rest there to 1e-6, or at q = 0 where Ω² < g/r", furthest < 1e-6)?;
     println!();
-    draw(rest, &swing)
+    draw(rest, &swing, settled)
+}
+
+/// Where a bead may rest that is pushed a little.
+fn angle_of_rest(omega: f64) -> f64 {
+    (G / (omega * omega)).min(1.0).acos()
+}
+
+/// Where friction brings a bead to rest from both sides, by the rate of the hoop.
+fn settled() -> Result<Vec<(f64, f64)>, StepError> {
+    let mut ends = vec![];
+    for tenths in (5..=70).step_by(5) {
+        for start in [0.1, -0.1] {
+            let omega = f64::from(tenths) / 10.0;
+            let run = run(Hoop { omega, g: G, c: 1.0 }, start, 0.01, 6000)?;
+            ends.push((omega, run[6000].q));
+        }
+    }
+    Ok(ends)
 }
 
 /// What is seen after a step.
@@ -85,7 +106,7 @@ fn period(samples: &[Sample], angle: f64) -> f64 {
     (times[times.len() - 1] - times[0]) / (times.len() - 1) as f64
 }
 
-fn draw(rest: f64, swing: &[Sample]) -> Result<(), Box<dyn Error>> {
+fn draw(rest: f64, swing: &[Sample], settled: Vec<(f64, f64)>) -> Result<(), Box<dyn Error>> {
     let mut orbits = vec![];
     for (name, start, colour) in [
         ("one side", 0.3, palette::BLUE),
@@ -117,5 +138,32 @@ fn draw(rest: f64, swing: &[Sample]) -> Result<(), Box<dyn Error>> {
         [Axis::linear("time in s", 0.0..4.0), Axis::linear("energy in J", -11.0..8.0)],
         energies,
     );
-    figure("rotating_hoop.svg", (400, 300), &[portrait.named_above(), energy.named_above()])
+    let turning = Panel::new(
+        "Where friction brings it to rest",
+        "discrete gradient, h = 0.01 s, c = 1/s, 60 s from ±0.1 rad",
+        [Axis::linear("Ω in rad/s", 0.0..7.0), Axis::linear("angle q in rad", -1.6..1.6)],
+        branches(settled),
+    );
+    let panels = [portrait, energy, turning].map(Panel::named_above);
+    figure("rotating_hoop.svg", (400, 300), &panels)
+}
+
+/// Angles of rest by the rate of the hoop; two branch off at Ω² = g/r.
+fn branches(settled: Vec<(f64, f64)>) -> Vec<Curve> {
+    let critical = G.sqrt();
+    let branch = |side: f64| {
+        let point = |part: f64| {
+            // Finer where the curve is steep.
+            let omega = critical + (7.0 - critical) * part * part;
+            (omega, side * angle_of_rest(omega))
+        };
+        (0..=100).map(|n| point(f64::from(n) / 100.0)).collect()
+    };
+    vec![
+        Curve::line("unstable", palette::VERMILION, vec![(critical, 0.0), (7.0, 0.0)]),
+        Curve::line("stable", palette::BLUE, vec![(0.0, 0.0), (critical, 0.0)]).solid(),
+        Curve::line("", palette::BLUE, branch(1.0)).solid(),
+        Curve::line("", palette::BLUE, branch(-1.0)).solid(),
+        Curve::dots("end of a run", palette::GREEN, settled),
+    ]
 }

@@ -7,7 +7,7 @@ use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
-use crate::messages::{DAMPED, FORCED, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION};
+use crate::messages::{DOES_WORK, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION, TAKES_ENERGY};
 use crate::parse::{Energy, Requirement, Role};
 use std::collections::HashMap;
 
@@ -153,8 +153,8 @@ pub(crate) fn velocities(
     for (requirement, span) in &energy.options.requirements {
         if *requirement == Requirement::Conservative {
             let changed = match (damping, others) {
-                (Some(_), _) => Some(DAMPED),
-                (None, Some(_)) => Some(FORCED),
+                (Some(_), _) => Some(TAKES_ENERGY),
+                (None, Some(_)) => Some(DOES_WORK),
                 (None, None) => energy.form.has_action().then_some(READS_ACTION),
             };
             changed.into_iter().for_each(|why| errors.at_place((*span, *span), why));

@@ -19,7 +19,9 @@ use crate::analyze::{self, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
-use crate::messages::{COUPLED, DAMPED, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION};
+use crate::messages::{
+    COUPLED, DAMPED, DOES_WORK, FORCED, NOT_MECHANICAL, NOT_NYSTROM, NOT_QUADRATIC, READS_ACTION, TAKES_ENERGY,
+};
 use crate::parse::{Energy, Requirement};
 use crate::split::Mechanics;
 use blame::blame;
@@ -43,7 +45,13 @@ pub(crate) fn requests(
         energy.options.requirements.iter().filter(|(requirement, _)| !requirement.is_of_lagrangian())
     {
         if !structure.conservative() {
-            errors.at_place((*span, *span), if structure.damping.is_some() { DAMPED } else { FORCED });
+            let why = match (requirement, structure.damping.is_some()) {
+                (Requirement::Conservative, true) => TAKES_ENERGY,
+                (Requirement::Conservative, false) => DOES_WORK,
+                (_, true) => DAMPED,
+                (_, false) => FORCED,
+            };
+            errors.at_place((*span, *span), why);
             continue;
         }
         let witness = match (requirement, &structure.split) {

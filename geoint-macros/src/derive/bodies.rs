@@ -111,7 +111,7 @@ pub(crate) fn bodies(graph: &mut Graph, found: &analyze::Bodies, partial: &[Part
         shifts,
         principal: found.inertia.iter().all(|inertia| inertia.is_principal(graph)),
         repeats: found.autonomous,
-        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, None),
+        domain: Domain::of(graph, Roots::of_energy(&found.energy), Form::Bodies, partial, (None, &[])),
     }
 }
 

@@ -44,7 +44,8 @@ pub(crate) fn canonical(
     };
     let splitting = separable.map(|parts| kick_drift(graph, parts, (&fields.field.f, &gradient), partial));
     let modified = separable.ok().map(|parts| modified_energy(graph, structure, parts, &gradient));
-    let rate = (!structure.conservative()).then(|| Kernel::new(Levels::One, fields.field.f.clone()));
+    let rates = fields.field.f.clone();
+    let rate = (!structure.conservative()).then(|| Kernel::new(Levels::One, rates.clone()));
     // Damping that depends on the state makes a field of a higher degree.
     let steady = structure.forces.is_none() && structure.damping.as_ref().is_none_or(|damping| !damping.reads.state());
     let proven = [
@@ -54,7 +55,7 @@ pub(crate) fn canonical(
         (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
     // Of an equation of second order, all there is of f.
-    let force = &fields.field.f[fields.field.f.len() - degrees as usize..];
+    let force = &rates[rates.len() - degrees as usize..];
     let jet = JetKernel::canonical(graph, &gradient, force);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
@@ -77,7 +78,7 @@ pub(crate) fn canonical(
             Roots::of_energy(&structure.energy),
             Form::Hamiltonian,
             partial,
-            structure.damping.as_ref(),
+            (structure.damping.as_ref(), &rates),
         ),
     };
     (system, gradient)

@@ -64,7 +64,7 @@ pub(crate) fn constrained(
             Roots { all: &roots, divided: &roots },
             Form::Hamiltonian,
             partial,
-            structure.damping.as_ref(),
+            (structure.damping.as_ref(), &[]),
         ),
     };
     (system, gradient)

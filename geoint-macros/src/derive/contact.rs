@@ -65,7 +65,7 @@ pub(crate) fn contact(
         integrals: None,
         lagrangian: None,
         jet,
-        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, None),
+        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, (None, &[])),
     };
     (system, gradient)
 }

@@ -6,7 +6,7 @@ use crate::ir::op::Domain as Defined;
 use crate::ir::{Function, Graph, Id, Node, Number, Partial};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
-use std::collections::HashSet;
+use std::collections::{BTreeSet, HashSet};
 
 /// What is tested of the domain.
 #[derive(Debug)]
@@ -66,13 +66,13 @@ pub(crate) enum Sign {
 }
 
 impl Domain {
-    /// Derives what is tested of nodes some of which are not defined everywhere.
+    /// Derives what is tested of nodes some of which are not defined everywhere; `rates` may have friction in them that no matrix gives.
     pub(super) fn of(
         graph: &mut Graph,
         roots: Roots<'_>,
         form: Form,
         partial: &[Partial],
-        damping: Option<&Damping>,
+        (damping, rates): (Option<&Damping>, &[Id]),
     ) -> Domain {
         let mut checks = vec![];
         for Partial { node, condition } in partial {
@@ -84,6 +84,9 @@ impl Domain {
         if form == Form::Contact {
             checks.retain(|check| graph.reads(check.argument).state());
         }
+        let taken: BTreeSet<Id> = graph.reachable(rates).into_iter().filter_map(|id| taken(graph, id)).collect();
+        let feeding = |taken| Check::new(taken, Sign::Negative, "friction that would feed energy".into(), taken);
+        checks.extend(taken.into_iter().map(feeding));
         let mut matrix = vec![];
         if let Some(damping) = damping {
             let negative = |entry| Check::new(entry, Sign::Negative, "damping that is negative".into(), entry);
@@ -177,6 +180,14 @@ pub(super) fn shows(graph: &mut Graph, values: &[Id], partial: &[Partial]) -> bo
         }
         condition.is_none() && divided.contains(&(base, whole))
     })
+}
+
+/// The energy that friction takes.
+fn taken(graph: &Graph, friction: Id) -> Option<Id> {
+    match graph.node(friction) {
+        Node::Call(Function::Provided, args) => Some(args[1]),
+        _ => None,
+    }
 }
 
 /// A node where a condition holds, and elsewhere 1, at which every function of the language is defined.

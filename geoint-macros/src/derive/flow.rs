@@ -235,7 +235,7 @@ pub(crate) fn flow(graph: &mut Graph, found: &Flow, partial: &[Partial], damping
         integrals: integrals(graph, kept, n),
         lagrangian: None,
         jet: JetKernel::of_field(graph, field),
-        domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, damping),
+        domain: Domain::of(graph, Roots { all: &all, divided: &values }, *form, partial, (damping, &[])),
         implicit: Implicit::Field(FieldKernels {
             coordinates: collocation.unknowns.clone(),
             increments: (0..n).map(Symbol::Dq).collect(),

@@ -40,7 +40,7 @@ pub(crate) fn forced(
         proven: vec![],
         value: Some(Kernel::new(Levels::One, vec![energy])),
         slopes: Some(Kernel::new(Levels::One, [&gradient.q[..], &gradient.p, &[gradient.s]].concat())),
-        rate: Some(Kernel::new(Levels::One, rates)),
+        rate: Some(Kernel::new(Levels::One, rates.clone())),
         splitting: Some(Err(Missing { marker: "MechanicalIn", term, why: FORCED_ACTION, pair: None })),
         perturbed: None,
         modified: None,
@@ -49,7 +49,7 @@ pub(crate) fn forced(
         integrals: None,
         lagrangian: None,
         jet,
-        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, damping),
+        domain: Domain::of(graph, Roots::of_energy(&energy), Form::Contact, partial, (damping, &rates)),
     };
     (system, drag)
 }

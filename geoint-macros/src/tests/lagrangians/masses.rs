@@ -1,6 +1,8 @@
 //! Mass matrices: constant ones, what they do not read, pivots.
 
 use super::*;
+use crate::expand;
+use quote::ToTokens;
 
 /// Its derivatives are those of the energy that one writes, to the last operation.
 #[test]
@@ -44,6 +46,53 @@ fn constant_diagonal_masses_give_the_energy_as_it_is_written() {
         let degrees = energy.degrees();
         assert_eq!(slopes(graph, root, degrees), slopes(written.graph, written.energy, degrees));
     }
+}
+
+/// What runs in a step is the same code, so that no step costs more; only the value of H is written as L has it.
+#[test]
+fn constant_diagonal_masses_give_the_code_of_the_energy() {
+    let properties = |form, item| -> Vec<(String, String)> {
+        let file: syn::File = syn::parse2(expand::expand(form, quote!(), item)).expect("what is emitted is Rust");
+        let hidden = file.items.into_iter().filter_map(|item| match item {
+            syn::Item::Const(item) => Some(*item.expr),
+            _ => None,
+        });
+        let statements = hidden.flat_map(|hidden| match hidden {
+            syn::Expr::Block(hidden) => hidden.block.stmts,
+            _ => vec![],
+        });
+        let named = statements.filter_map(|statement| match statement {
+            syn::Stmt::Item(syn::Item::Impl(item)) => {
+                let (name, _) = item.trait_.as_ref()?;
+                Some((name.to_token_stream().to_string(), item.to_token_stream().to_string()))
+            }
+            _ => None,
+        });
+        named.collect()
+    };
+    let of_velocities = properties(
+        Form::Lagrangian,
+        quote!(
+            fn f(q: [f64; 2], v: [f64; 2], m: [f64; 2]) -> f64 {
+                let [x, y] = q;
+                0.5 * (m[0] * v[0] * v[0] + m[1] * v[1] * v[1]) - 0.5 * (x * x + y * y) - x * x * y + y.powi(3) / 3.0
+            }
+        ),
+    );
+    let of_momenta = properties(
+        Form::Hamiltonian,
+        quote!(
+            fn f(q: [f64; 2], p: [f64; 2], m: [f64; 2]) -> f64 {
+                let [x, y] = q;
+                0.5 * (p[0] * p[0] / m[0] + p[1] * p[1] / m[1]) + 0.5 * (x * x + y * y) + x * x * y - y.powi(3) / 3.0
+            }
+        ),
+    );
+    for kernel in ["Separable", "Collocation", "DiscreteField", "Jets"] {
+        assert!(of_momenta.iter().any(|(name, _)| name.starts_with(kernel)), "{kernel}");
+    }
+    let differ = of_momenta.iter().filter(|code| !of_velocities.contains(code)).map(|(name, _)| name.as_str());
+    assert_eq!(differ.collect::<Vec<_>>(), ["PhaseSpace < R >"]);
 }
 
 /// Cartesian kinematics: sin² + cos² is 1, products of sines and cosines are those of differences, and what vanishes is zero.

@@ -208,6 +208,15 @@ fn what_has_no_energy_says_why() {
         )),
         Flaw::LinearIn(0, _)
     ));
+    // q[1] is the momentum of q[2]: that its velocity is not read is no flaw.
+    assert!(matches!(
+        flaw(quote!(
+            fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
+                v[0] * v[0] + q[1] * v[2] - q[0] * q[0] - q[1] * q[1]
+            }
+        )),
+        Flaw::LinearIn(2, _)
+    ));
     let singular = quote!(
         fn f(q: [f64; 2], v: [f64; 2], m: f64) -> f64 {
             m * (v[0] + v[1] * q[0].cos()).powi(2) - q[1]

@@ -7,6 +7,15 @@ mod lagrangian_constraint_reads_velocities {
     }
 }
 
+mod lagrangian_constraint_reads_time {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian(constraint = [q[1] - a * (w * t).cos()])]
+    fn lifted(q: [f64; 3], v: [f64; 3], t: f64, a: f64, w: f64) -> f64 {
+        (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / 2.0 - 9.81 * q[1]
+    }
+}
+
 mod lagrangian_constraint_with_action {
     use geoint_runtime::lagrangian;
 
@@ -21,6 +30,20 @@ mod lagrangian_damping {
 
     #[lagrangian(damping = 0.1)]
     fn oscillator(q: f64, v: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q
+    }
+}
+
+mod lagrangian_force_of_what_is_conservative {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian(require(conservative), force = -q)]
+    fn pushed(q: f64, v: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q
+    }
+
+    #[lagrangian(require(conservative), rayleigh = c * v * v)]
+    fn rubbed(q: f64, v: f64, c: f64) -> f64 {
         0.5 * v * v - 0.5 * q * q
     }
 }
@@ -115,6 +138,15 @@ mod lagrangian_rayleigh_that_feeds {
     #[lagrangian(rayleigh = -v * v)]
     fn oscillator(q: f64, v: f64) -> f64 {
         0.5 * v * v - 0.5 * q * q
+    }
+}
+
+mod lagrangian_linear_in_some_velocities {
+    use geoint_runtime::lagrangian;
+
+    #[lagrangian]
+    fn vortex_and_mass(q: [f64; 3], v: [f64; 3]) -> f64 {
+        0.5 * v[0] * v[0] + q[1] * v[2] - (q[0] * q[0] + q[1] * q[1] + q[2] * q[2])
     }
 }
 

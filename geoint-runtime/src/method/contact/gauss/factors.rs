@@ -37,6 +37,18 @@ impl<R: Real, const S: usize> Factors<R, S> {
         Some(Factors { decay: *decay, r, by_decay })
     }
 
+    /// After small changes of σ: their squares are rounding.
+    #[inline(always)]
+    pub(super) fn after(&self, decay: &[R; S]) -> Self {
+        let mut factors = Factors { decay: *decay, ..*self };
+        for i in 0..S {
+            for j in 0..S {
+                factors.r[i] += self.by_decay[i][j] * (decay[j] - self.decay[j]);
+            }
+        }
+        factors
+    }
+
     /// Where there are none no solution is found.
     pub(super) fn unknown() -> Self {
         let unknown = R::from_f64(f64::NAN);

@@ -71,25 +71,26 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
     pub(super) fn end(
         &self,
         d: &[Y::Moved; S],
-        last: &[Y::Moved; S],
-        stages: &[ContactStage<Y::Array>; S],
+        last: &Last<Y::Moved, Y::Array, S>,
     ) -> Option<PerCoordinate<Y::Phase, R>> {
         let Prepared { coupling, weights, .. } = self.prepared;
-        let corrections: [Y::Moved; S] = core::array::from_fn(|i| difference(&d[i], &last[i]));
-        let after: [(Y::Array, R, R); S] =
-            core::array::from_fn(|i| after(&stages[i], &self.shift(i, &corrections), self.apart(&corrections[i])));
-        let factors = match self.known {
-            Some(known) => known,
-            None => Factors::new::<false>(coupling, &after.map(|(_, decay, _)| decay))?,
-        };
+        let mut corrections = [Y::Moved::zero(); S];
+        for i in 0..S {
+            corrections[i] = difference(&d[i], &last.d[i]);
+        }
+        let (mut forces, mut decay, mut rates) = ([Y::Array::zero(); S], [zero(); S], [zero(); S]);
+        for i in 0..S {
+            let moved = (self.shift(i, &corrections), self.apart(&corrections[i]));
+            (forces[i], decay[i], rates[i]) = after(&last.stages[i], &moved.0, moved.1);
+        }
+        let factors = self.known.unwrap_or_else(|| last.factors.after(&decay));
         let grown = factors.growth(weights)?;
         let (mut change, mut impulse) = (Y::Array::zero(), scaled(-grown, &self.z[1]));
         for i in 0..S {
             change.add_scaled(weights[i], &self.apart(&d[i]).0);
-            impulse.add_scaled(weights[i] * factors.r[i], &after[i].0);
+            impulse.add_scaled(weights[i] * factors.r[i], &forces[i]);
         }
         let impulse = scaled(R::from_f64(1.0) / (R::from_f64(1.0) + grown), &impulse);
-        let mut rates = after.map(|(.., lagrangian)| lagrangian);
         if !varying::<Y, R>() {
             rates = factors.rates_of_action(coupling, rates)?;
         }
@@ -112,11 +113,23 @@ fn after<A: Array>(stage: &ContactStage<A>, dq: &A, (dv, ds): (A, A::Real)) -> (
     (force, decay, lagrangian)
 }
 
-/// Who watches, and what was evaluated last, for which unknowns.
+/// What was evaluated last, for which unknowns.
+pub(super) struct Last<D, A: Array, const S: usize> {
+    d: [D; S],
+    stages: [ContactStage<A>; S],
+    factors: Factors<A::Real, S>,
+}
+
+impl<D: Array<Real = A::Real>, A: Array, const S: usize> Last<D, A, S> {
+    pub(super) fn none() -> Self {
+        Last { d: [D::zero(); S], stages: [ContactStage::none(); S], factors: Factors::unknown() }
+    }
+}
+
+/// Who watches, and what was evaluated last.
 pub(super) struct Seen<'a, P, D, A: Array, const S: usize> {
     pub(super) probe: &'a mut P,
-    pub(super) d: [D; S],
-    pub(super) stages: [ContactStage<A>; S],
+    pub(super) last: Last<D, A, S>,
 }
 
 impl<P: Observer, D, A: Array, const S: usize> Observer for Seen<'_, P, D, A, S> {
@@ -160,28 +173,28 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
     #[inline(always)]
     fn residual_at(
         &self,
-        Seen { probe, d: last, stages }: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
+        Seen { probe, last }: &mut Seen<'_, P, Y::Moved, Y::Array, S>,
         d: &[Y::Moved; S],
         _: &[Y::Moved; S],
         matrix: &mut Square<[Y::Moved; S]>,
     ) -> [Y::Moved; S] {
         let Prepared { coupling, constants, nodes, .. } = self.prepared;
         let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
-        *last = *d;
-        for (i, stage) in stages.iter_mut().enumerate() {
+        last.d = *d;
+        for (i, stage) in last.stages.iter_mut().enumerate() {
             let (v, ds) = self.apart(&d[i]);
             let (t, q, s) = (self.t + nodes[i], sum(&self.z[0], &self.shift(i, d)), self.s + ds);
             probe.visit(t, &[q, self.z[1]], &s);
             self.system.stage(constants, t, &q, &v, &s, stage);
         }
-        let stages = &*stages;
-        let Factors { r, by_decay, .. } = match self.known {
+        last.factors = match self.known {
             Some(known) => known,
             None => {
-                let decay = core::array::from_fn(|i| stages[i].decay);
+                let decay = core::array::from_fn(|i| last.stages[i].decay);
                 Factors::new::<true>(coupling, &decay).unwrap_or_else(Factors::unknown)
             }
         };
+        let (stages, Factors { r, by_decay, .. }) = (&last.stages, &last.factors);
         // −∂σ/∂v: how the velocities of stages move the decay at each.
         let mut decays = [[Y::Array::zero(); S]; S];
         for m in 0..if varying::<Y, R>() { S } else { 0 } {

@@ -14,8 +14,8 @@ use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
-use crate::system::{ByVelocities, ContactStage, ContactVelocities, Regular};
-use equation::{Seen, StageVelocities};
+use crate::system::{ByVelocities, ContactVelocities, Regular};
+use equation::{Last, Seen, StageVelocities};
 
 /// One stage is the midpoint rule.
 impl<Y: ContactVelocities<R>, R: Real> StepsOf<ContactMidpoint, Y, R> for ByVelocities {
@@ -86,11 +86,11 @@ where
             Some(Factors::new::<false>(coupling, &decay).ok_or(Refusal::Singular)?)
         };
         let equation = StageVelocities { system, prepared, t, z, s, sign, known };
-        let mut seen = Seen { probe, d: [Y::Moved::zero(); S], stages: [ContactStage::none(); S] };
+        let mut seen = Seen { probe, last: Last::none() };
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
 
-        let Seen { probe, d: last, stages } = seen;
-        let end = equation.end(&d, &last, &stages).ok_or(Refusal::Singular)?;
+        let Seen { probe, last } = seen;
+        let end = equation.end(&d, &last).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
         x.add_everywhere(&end);
         let near = equation.apart(&d[S - 1]).0;
