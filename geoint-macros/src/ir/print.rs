@@ -2,9 +2,8 @@
 
 use super::graph::{Graph, Node};
 use super::id::Id;
-use super::number::Number;
-use super::number::Ratio;
-use super::op::{Relation, Symbol};
+use super::number::{Number, Ratio};
+use super::op::{Function, Relation, Symbol};
 use std::cell::Cell;
 
 /// Longer formulas are cut in messages.
@@ -74,7 +73,9 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             }
             Node::Symbol(symbol) => ((self.name)(*symbol), Precedence::Atom),
             Node::Linear(constant, terms) => self.linear(*constant, terms),
-            Node::Product(_) | Node::Power(..) => self.fraction(Number::ONE, id),
+            Node::Product(_) | Node::Power(..) | Node::Call(Function::RecipPositive, _) => {
+                self.fraction(Number::ONE, id)
+            }
             Node::Call(function, args) => {
                 let args: Vec<_> = args.iter().map(|id| self.print(*id, Precedence::Sum)).collect();
                 (format!("{}({})", function.entry().name, args.join(", ")), Precedence::Atom)
@@ -153,7 +154,8 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             }
             _ => above.push(number(c)),
         }
-        let mut factors = self.graph.factors(id);
+        let mut factors: Vec<(Id, Ratio)> =
+            self.graph.factors(id).into_iter().map(|factor| self.quotient(factor)).collect();
         factors.sort_by_key(|(base, _)| *base);
         for (base, exponent) in factors {
             let side = if exponent.numerator < 0 { &mut below } else { &mut above };
@@ -169,6 +171,14 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             _ => format!("{}/({})", join(&above), join(&below)),
         };
         (text, if alone { Precedence::Power } else { Precedence::Product })
+    }
+
+    /// 1/x in the place of a reciprocal that is for positive x alone.
+    fn quotient(&self, (base, exponent): (Id, Ratio)) -> (Id, Ratio) {
+        match self.graph.node(base) {
+            Node::Call(Function::RecipPositive, args) => (args[0], exponent.neg()),
+            _ => (base, exponent),
+        }
     }
 
     /// A base to the magnitude of an exponent.

@@ -248,6 +248,8 @@ fn what_is_found_is_reported() {
     reports(LorenzCore::<f64>::REPORT, "not a Poisson structure: in Jacobi's identity indices (0, 1, 2) leave");
     reports(EulerTop::<f64>::REPORT, "kept, proven by multiplying out");
     reports(KovalevskayaTop::REPORT, "kovalevskaya = ");
+    // A reciprocal that the steps take for positive x alone is written as one.
+    reports(LotkaVolterra::<f64>::REPORT, "a/x[1]");
     // Both Casimirs of a heavy top are kept by steps of order 4.
     assert_eq!(<HeavyTop as FirstIntegrals>::NAMES.len(), 3);
     assert_eq!(<Volterra as FirstIntegrals>::NAMES, ["energy"]);
