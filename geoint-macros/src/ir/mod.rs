@@ -1,8 +1,6 @@
 //! The graph of an energy: operations, interned nodes, their value, their formula. Knows no syntax and no emission.
 
 mod call;
-#[cfg(test)]
-pub(crate) mod eval;
 pub(crate) mod graph;
 pub(crate) mod collect;
 mod hash;

@@ -3,9 +3,9 @@
 
 use super::{Noise, graph_of, lowered};
 use crate::diff;
-use crate::ir::eval::eval;
 use crate::ir::op::{Domain, Entry, FUNCTIONS};
 use crate::ir::{Function, Id, Ratio, Symbol};
+use crate::tests::eval::eval;
 use quote::quote;
 
 const Q: Symbol = Symbol::Q(0);

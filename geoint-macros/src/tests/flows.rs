@@ -3,9 +3,9 @@
 use super::Noise;
 use super::fuzz::{config, config_of};
 use super::precise::{Big, big};
-use crate::ir::eval::eval;
 use crate::ir::{Graph, Id, Symbol};
 use crate::split::{self, Clock, Piece};
+use crate::tests::eval::eval;
 use crate::{lower, parse};
 use geoint_runtime::slope;
 use proptest::prelude::*;

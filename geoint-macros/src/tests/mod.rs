@@ -1,6 +1,7 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
 mod cost;
+mod eval;
 mod facts;
 mod flows;
 mod fuzz;

@@ -7,10 +7,10 @@ use super::fuzz::config;
 use super::precise::{self, Big, big};
 use super::{Noise, graph_of};
 use crate::diff;
-use crate::ir::eval::eval;
 use crate::ir::of_steps;
 use crate::ir::op::FUNCTIONS;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Symbol};
+use crate::tests::eval::eval;
 
 const Q: Symbol = Symbol::Q(0);
 const DQ: Symbol = Symbol::Dq(0);

@@ -2,9 +2,9 @@
 
 use super::super::{Noise, lowered};
 use crate::analyze::{self, MeanValue};
-use crate::ir::eval::eval;
 use crate::ir::print::Printer;
 use crate::ir::{Id, Symbol};
+use crate::tests::eval::eval;
 use crate::{diff, parse};
 use proc_macro2::TokenStream;
 use quote::quote;

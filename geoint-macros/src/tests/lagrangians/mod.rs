@@ -5,11 +5,11 @@ mod messages;
 mod signs;
 
 use super::{Noise, lowered};
-use crate::ir::eval::eval;
 use crate::ir::print::Printer;
 use crate::ir::{Graph, Symbol};
 use crate::legendre::{self, Flaw, Kinetic, Legendre, Route};
 use crate::parse::Form;
+use crate::tests::eval::eval;
 use crate::{lower, parse};
 use proc_macro2::TokenStream;
 use quote::quote;

@@ -1,7 +1,8 @@
 //! Does lowering understand Rust as rustc does? Each body is compiled by rustc and lowered to a graph, and both are
 //! evaluated; or it is one that the macro has to refuse, because it could not follow what rustc makes of it.
 
-use crate::ir::{Symbol, eval::eval};
+use crate::ir::Symbol;
+use crate::tests::eval::eval;
 use crate::{lower, parse};
 use quote::quote;
 

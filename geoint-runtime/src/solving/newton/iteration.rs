@@ -8,11 +8,10 @@ use crate::solving::Refusal;
 use crate::solving::damped;
 use crate::solving::equation::{Distant, Observer, Residual, ResidualOf, StepEquation};
 use crate::solving::linear;
-use crate::solving::noise;
-use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict, is_of_last_digits};
+use crate::solving::rounding::{Corrections, MAX_ITERATIONS, REMAINDER, Verdict};
 use crate::solving::size::Sizes;
 use crate::space::vector::difference;
-use crate::space::{Array, Record, Square, Tape};
+use crate::space::{Array, Record, Tape};
 
 /// Lower bound on the estimated constant C of quadratic convergence: the next correction is C times the square of this one.
 const LEAST_CURVATURE: f64 = 1e-3;
@@ -33,7 +32,7 @@ const FAR_OFF: f64 = 1.0 / 64.0;
 pub(super) struct Iteration<A> {
     pub(super) sizes: Sizes<A>,
     /// Of so many unknowns each of so many kinds has one unit.
-    kinds: [usize; 2],
+    pub(super) kinds: [usize; 2],
     pub(super) guesses: Guesses,
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
@@ -244,37 +243,6 @@ impl<A: Array> Iteration<A> {
             }
         }
         Err(corrections.not_converged())
-    }
-
-    /// Whether what is left of x − g(x) follows from the last digits of coordinates.
-    #[cold]
-    #[inline(never)]
-    fn is_of_last_digits(&self, origin: &A, left: &A, matrix: &Square<A>) -> bool {
-        let mut sizes = self.sizes;
-        // Without x: far from where the system has been, all may be rounding.
-        sizes.include(origin, &A::zero());
-        is_of_last_digits(&sizes, left, matrix)
-    }
-
-    /// Whether what is left of x − g(x) is rounding.
-    #[cold]
-    #[inline(never)]
-    fn is_noise<W: Observer + ?Sized, E: StepEquation<A, W>>(
-        &self,
-        x: A,
-        (delta, farther): (A, f64),
-        equation: E,
-        watch: &mut W,
-    ) -> bool {
-        let mut unused = A::fill(A::zero());
-        let mut sizes = self.sizes;
-        sizes.include(&equation.origin(), &x);
-        watch.pause(true);
-        let residual = |x: &A| Some(equation.residual(watch, x, &mut unused));
-        let noise = noise::measure(&sizes, &x, (&delta, farther), self.kinds, residual);
-        watch.pause(false);
-        // Here last: who watches has seen the solution last.
-        noise::explains(&noise, &equation.residual(watch, &x, &mut unused), &sizes)
     }
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.

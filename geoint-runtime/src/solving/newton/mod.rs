@@ -3,6 +3,7 @@
 mod fixed_point;
 mod guess;
 mod iteration;
+mod left;
 mod predictor;
 
 use crate::solving::Refusal;

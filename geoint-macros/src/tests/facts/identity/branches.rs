@@ -3,9 +3,9 @@
 
 use super::super::super::Noise;
 use crate::analyze::identity;
-use crate::ir::eval::eval;
 use crate::ir::print::Printer;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Relation, Symbol};
+use crate::tests::eval::eval;
 
 /// An expression, and what became of it.
 type Pair = [Id; 2];

@@ -5,9 +5,9 @@ use super::points::word;
 use super::{arrays, coordinates, length};
 use crate::analyze::claims::{derivative_along, is_kept};
 use crate::analyze::identity;
-use crate::ir::eval::eval;
 use crate::ir::{Function, Graph, Id, Number, Ratio, Relation, Symbol};
 use crate::tests::Noise;
+use crate::tests::eval::eval;
 use proc_macro2::TokenStream;
 use quote::quote;
 

@@ -4,9 +4,9 @@
 mod linear;
 
 use super::super::{Noise, lowered};
-use crate::ir::eval::eval;
 use crate::ir::print::Printer;
 use crate::ir::{Graph, Id, Symbol};
+use crate::tests::eval::eval;
 use crate::{analyze, diff};
 use proc_macro2::TokenStream;
 use quote::quote;

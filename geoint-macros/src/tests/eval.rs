@@ -1,8 +1,6 @@
 //! The value of a node: the plain meaning of the graph, against which derivations and schedules are tested. Nothing is decided by it.
 
-use super::graph::{Graph, Node};
-use super::id::Id;
-use super::op::Symbol;
+use crate::ir::{Graph, Id, Node, Symbol};
 use std::collections::HashMap;
 
 /// The value of `root` where symbols have the values that `value` gives them.

@@ -1,0 +1,214 @@
+//! What is said of what a field keeps.
+
+use crate::expand;
+use crate::parse::Form;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+fn messages(args: TokenStream, item: TokenStream) -> String {
+    let expanded = expand::expand(Form::Field, args, item).to_string();
+    let marker = "compile_error ! {";
+    expanded.split(marker).skip(1).filter_map(|rest| rest.split('}').next()).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn a_wrong_integral_is_refused_with_what_remains() {
+    let top = |keeps: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 3], a: f64) -> [f64; 3] {
+                [a * x[1] * x[2], -x[0] * x[2], 0.0]
+            }
+        );
+        messages(quote!(keeps(#keeps)), item)
+    };
+    assert_eq!(top(quote!(energy = x[0] * x[0] + a * x[1] * x[1])), "");
+    let found = top(quote!(energy = x[0] * x[0] + 2.0 * a * x[1] * x[1]));
+    assert!(found.contains("what remains of its derivative is -2·x[0]·x[1]·x[2]·a"), "{found}");
+    let found = top(quote!(height = x[2], again = x[2] * x[2] + 1.0));
+    assert!(found.contains("`again` is a function of the others"), "{found}");
+    let found = top(quote!(one = 1.0));
+    assert!(found.contains("`one` is constant everywhere"), "{found}");
+    // What may hold in a part of phase space is assumed, what holds almost nowhere is not.
+    assert_eq!(top(quote!(assume(energy = x[0] * (1.0 - x[0].atan() - (1.0 / x[0]).atan())))), "");
+    let found = top(quote!(assume(energy = x[0] * x[0])));
+    assert!(found.contains("what remains of its derivative is 2·x[0]·x[1]·x[2]·a"), "{found}");
+}
+
+/// A derivative is zero on both sides of a jump as well.
+#[test]
+fn an_integral_that_jumps_on_the_way_is_refused() {
+    let ring = |keeps: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 3], l: f64) -> [f64; 3] {
+                [x[1], -x[0], x[2] * x[0]]
+            }
+        );
+        messages(quote!(keeps(#keeps)), item)
+    };
+    let refused = |keeps: TokenStream, edge: &str| {
+        let found = ring(keeps);
+        assert!(found.contains(&format!("it may jump where {edge};")), "{found}");
+    };
+    refused(quote!(radius = x[0] * x[0] + x[1] * x[1] + x[0].signum()), "x[0] = 0");
+    refused(quote!(radius = x[0] * x[0] + x[1] * x[1] + if x[0] > l { 1.0 } else { 0.0 }), "l = x[0]");
+    refused(quote!(radius = if x[0] + x[1] < 1.0 { x[0] * x[0] + x[1] * x[1] } else { 2.0 }), "x[0] + x[1] = 1");
+    assert_eq!(ring(quote!(assume(radius = x[0] * x[0] + x[1] * x[1] + x[0].signum()))), "");
+    // x₂ has one sign for ever; so has a radius less a number.
+    assert_eq!(ring(quote!(radius = (x[0] * x[0] + x[1] * x[1]) * x[2].signum())), "");
+    assert_eq!(ring(quote!(radius = x[0].hypot(x[1]).max(l) + if x[0].hypot(x[1]) > l { 1.0 } else { 2.0 })), "");
+    // Both sides meet: on a plane, on a circle, between two edges, where time passes.
+    let wall = |keeps: TokenStream, force: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 3], t: f64, l: f64) -> [f64; 3] {
+                [x[1], #force, 0.0 * t * l]
+            }
+        );
+        messages(quote!(keeps(#keeps)), item)
+    };
+    let spring = quote!(energy = x[1] * x[1] + if x[0] > l { (x[0] - l).powi(2) } else { 0.0 });
+    assert_eq!(wall(spring, quote!(if x[0] > l { l - x[0] } else { 0.0 })), "");
+    let overlap = quote!({
+        let d = (x[0] * x[0] + l).sqrt() - 1.0;
+        if d > 0.0 { d * d } else { 0.0 }
+    });
+    let force = quote!({
+        let r = (x[0] * x[0] + l).sqrt();
+        if r - 1.0 > 0.0 { -x[0] * (r - 1.0) / r } else { 0.0 }
+    });
+    assert_eq!(wall(quote!(energy = x[1] * x[1] + #overlap), force.clone()), "");
+    let found = wall(quote!(energy = x[1] * x[1] + #overlap + if t > 1.0 { 1.0 } else { 0.0 }), force);
+    assert!(found.contains("it may jump where t = 1;"), "{found}");
+    let between = quote!(
+        energy = x[1] * x[1]
+            + if x[0] > 0.0 && x[0] < 1.0 {
+                0.0
+            } else if x[0] >= 1.0 {
+                (x[0] - 1.0).powi(2)
+            } else {
+                x[0] * x[0]
+            }
+    );
+    let force = quote!(if x[0] > 0.0 && x[0] < 1.0 {
+        0.0
+    } else if x[0] >= 1.0 {
+        1.0 - x[0]
+    } else {
+        -x[0]
+    });
+    assert_eq!(wall(between, force), "");
+}
+
+/// The words of a report stand in the expansion.
+#[test]
+fn what_is_assumed_is_never_called_kept() {
+    let item = quote!(
+        fn f(x: [f64; 2]) -> [f64; 2] {
+            [x[1], -x[0]]
+        }
+    );
+    let report = |keeps: TokenStream| expand::expand(Form::Field, quote!(keeps(#keeps)), item.clone()).to_string();
+    let assumed = report(quote!(assume(size = x[0] * x[0] + x[1] * x[1])));
+    assert!(assumed.contains(": assumed") && !assumed.contains("keep size"), "{assumed}");
+    assert!(assumed.contains("levels of size, which the flow is assumed to do"), "{assumed}");
+    let proven = report(quote!(size = x[0] * x[0] + x[1] * x[1]));
+    assert!(proven.contains("keep size, to rounding") && !proven.contains("assumed"), "{proven}");
+}
+
+#[test]
+fn angles_come_round() {
+    let item = quote!(
+        fn f(x: [f64; 3], w: f64) -> [f64; 3] {
+            [-w * x[1], w * x[0], w]
+        }
+    );
+    let args = quote!(keeps(phase = x[1].atan2(x[0]) - x[2]));
+    let found = expand::expand(Form::Field, args, item).to_string();
+    assert!(found.contains("kept, proven by multiplying out, but for turns of `atan2` by 2π"), "{found}");
+}
+
+/// Nothing moves, and nothing is there to be split.
+#[test]
+fn flows_at_rest() {
+    let at_rest = [
+        (
+            Form::Field,
+            quote!(keeps(a = x[0], b = x[1])),
+            quote!(
+                fn f(x: [f64; 2]) -> [f64; 2] {
+                    [0.0, 0.0]
+                }
+            ),
+        ),
+        (
+            Form::Hamiltonian,
+            quote!(structure = so3),
+            quote!(
+                fn f(x: [f64; 3], a: f64) -> f64 {
+                    a
+                }
+            ),
+        ),
+        (
+            Form::Hamiltonian,
+            quote!(structure = nambu(a)),
+            quote!(
+                fn f(x: [f64; 3], a: f64) -> f64 {
+                    x[0] * x[1]
+                }
+            ),
+        ),
+        (
+            Form::Hamiltonian,
+            quote!(structure = [[0.0]]),
+            quote!(
+                fn f(x: [f64; 1]) -> f64 {
+                    x[0] * x[0]
+                }
+            ),
+        ),
+    ];
+    for (form, args, item) in at_rest {
+        let found = expand::expand(form, args, item).to_string();
+        assert!(
+            !found.contains("compile_error") && found.contains("nothing moves, so that there are no pieces"),
+            "{found}"
+        );
+    }
+}
+
+/// Functions of generated code, and names that differ in nothing but `r#`.
+#[test]
+fn names_of_integrals_are_free() {
+    let named = |keeps: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 3], a: f64) -> [f64; 3] {
+                [a * x[1], -a * x[0], 0.0]
+            }
+        );
+        messages(quote!(keeps(#keeps)), item)
+    };
+    for name in ["integrator", "adaptive", "taylor", "field", "r#field"] {
+        let name: TokenStream = name.parse().expect("a name");
+        let found = named(quote!(#name = x[2]));
+        assert!(found.contains("is a function of generated code; give the integral another name"), "{found}");
+    }
+    let found = named(quote!(height = x[2], r#height = x[0] * x[0] + x[1] * x[1]));
+    assert!(found.contains("`r#height` is given twice"), "{found}");
+    assert_eq!(named(quote!(r#type = x[2])), "");
+}
+
+/// The search knows squares and logarithms; C of `nambu(C)` is a Casimir whatever it is.
+#[test]
+fn the_function_of_nambu_is_a_casimir() {
+    let item = quote!(
+        fn f(x: [f64; 3], a: f64) -> f64 {
+            x[0] * x[1] + x[2] * x[2] / 2.0
+        }
+    );
+    let report = |args: TokenStream| expand::expand(Form::Hamiltonian, args, item.clone()).to_string();
+    let found = report(quote!(structure = nambu(x[0] + x[1] * x[1] / 2.0 - a * x[2].cos())));
+    assert!(found.contains("x[0] + x[1]²/2 - a·cos(x[2]): kept, a Casimir"), "{found}");
+    // One that the search has found already is said once.
+    let found = report(quote!(structure = nambu((x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0)));
+    assert_eq!(found.matches("kept, a Casimir").count(), 2, "{found}");
+}
