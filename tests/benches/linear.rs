@@ -13,7 +13,7 @@ mod solving {
 }
 
 use geoint_runtime::space::{Array, Square};
-use geoint_runtime::{scalar, space};
+use geoint_runtime::{scalar, slope, space};
 use nalgebra::{Const, DimMin, SMatrix, SVector};
 use paired::{Pair, Ratio, Run};
 use solving::{linear, size::Sizes};

@@ -133,7 +133,7 @@ fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
 /// Two unknowns eliminated at a time, by Cramer's rule: half of the divisions that wait for each other. Nothing where the terms of a
 /// determinant cancel, or it is small: exchanges lose less there.
 #[inline(always)]
-fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bool> {
+pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bool> {
     let n = A::LEN;
     let one = A::Real::from_f64(1.0);
     let mut positive = true;
@@ -209,67 +209,4 @@ fn of_three<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
     b[1] = row(y, a * n - g * l, g * e - a * k);
     b[2] = row(z, d * l - a * m, a * f - d * e);
     Some(!determinant.any_below(0.0))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Sizes, of_pairs, solve};
-    use crate::space::{Array, Square};
-
-    /// 1 plus what looks random, smaller than a third.
-    fn near_one<const N: usize>(seed: f64) -> [[f64; N]; N] {
-        let random = |i: usize, j: usize| 0.3 * libm::sin(seed + 7.3 * i as f64 + 3.1 * (j * j) as f64);
-        core::array::from_fn(|i| core::array::from_fn(|j| random(i, j) + if i == j { 1.0 } else { 0.0 }))
-    }
-
-    fn in_pairs<const N: usize>(mut matrix: [[f64; N]; N], mut b: [f64; N]) -> Option<(bool, [f64; N])>
-    where
-        [f64; N]: Array<Real = f64>,
-    {
-        of_pairs(&mut matrix, &mut b).map(|positive| (positive, b))
-    }
-
-    fn agree<const N: usize>()
-    where
-        [f64; N]: Array<Real = f64>,
-    {
-        for seed in 0..50 {
-            let mut matrix = near_one::<N>(f64::from(seed));
-            // Both signs of the determinant.
-            if seed % 3 == 0 {
-                matrix[N - 2].iter_mut().for_each(|entry| *entry *= -1.0);
-            }
-            let x: [f64; N] = core::array::from_fn(|i| libm::cos(i as f64));
-            let b = matrix.map(|row| row.iter().zip(&x).map(|(a, x)| a * x).sum());
-            let mut square: Square<[f64; N]> = <[f64; N]>::fill(<[f64; N]>::zero());
-            <[f64; N]>::entries::<[f64; N]>(&mut square).copy_from_slice(&matrix);
-            let expected = solve::<[f64; N]>(&mut square, &mut b.clone(), &Sizes::equal());
-            let (positive, found) = in_pairs(matrix, b).expect("pivots are large");
-            assert_eq!(Some(positive), expected);
-            assert!(found.iter().zip(&x).all(|(found, x)| (found - x).abs() < 1e-13), "{found:?}");
-        }
-    }
-
-    #[test]
-    fn pairs_are_elimination() {
-        agree::<4>();
-        agree::<5>();
-        agree::<6>();
-        agree::<7>();
-    }
-
-    #[test]
-    fn pairs_that_cancel_are_left_to_exchanges() {
-        let one: [[f64; 4]; 4] = core::array::from_fn(|i| core::array::from_fn(|j| f64::from(u8::from(i == j))));
-        let (mut cancels, mut small, mut unknown) = (one, one, one);
-        (cancels[0][1], cancels[1][0]) = (1.0, 1.0 - 1e-9);
-        (small[2][2], small[3][3]) = (1e-3, 1e-3);
-        unknown[3][2] = f64::NAN;
-        for matrix in [cancels, small, unknown] {
-            assert_eq!(in_pairs(matrix, [1.0; 4]), None, "{matrix:?}");
-        }
-        // A diagonal of zeros is none.
-        let turned = [[0.0, 1.0, 0.0, 0.0], [-1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, -2.0], [0.0, 0.0, 2.0, 0.0]];
-        assert_eq!(in_pairs(turned, [1.0, 2.0, 4.0, 6.0]), Some((true, [-2.0, 1.0, 3.0, -2.0])));
-    }
 }

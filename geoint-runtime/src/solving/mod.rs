@@ -4,6 +4,8 @@ mod damped;
 pub(crate) mod equation;
 mod inverse;
 pub(crate) mod linear;
+#[cfg(test)]
+mod linear_tests;
 pub(crate) mod newton;
 pub(crate) mod noise;
 mod planar;
