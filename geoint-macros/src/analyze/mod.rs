@@ -24,7 +24,6 @@ pub(crate) use conserved::{Dissipated, Momentum, decay, dissipated, dissipated_b
 pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
-pub(crate) use spared::Spared;
 pub(crate) use identity::{
     Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, liouville, search, vanishes,
 };
@@ -32,6 +31,7 @@ pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
+pub(crate) use spared::Spared;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
