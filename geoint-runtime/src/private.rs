@@ -2,7 +2,7 @@
 
 pub use crate::method::constrained::Rattle;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
+pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, Integrals as KeptIntegrals, VelocityEnergy};
 pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{

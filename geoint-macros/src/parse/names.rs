@@ -62,6 +62,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "ImplicitStep",
     "CanonicalEnergy",
     "Integral",
+    "KeptIntegrals",
     "Integrator",
     "KeepsEnergy",
     "Inverted",

@@ -13,7 +13,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// `impl DiscreteField`.
-pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+pub(super) fn discrete_field(
+    context: &Context<'_>,
+    field: &FieldKernels<Plan>,
+    (plan, kept): (&Plan, TokenStream),
+) -> TokenStream {
     let name = self_type(context);
     let FieldKernels { increments, .. } = field;
     let unknown = context.unknown_type(increments.len());
@@ -59,6 +63,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         impl<R: Real> Graded<R> for #name {
             type Proof = ();
             type Gradient = ByTree;
+            type Kept = #kept;
         }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
@@ -99,6 +104,7 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
         impl<R: Real + #marker> Graded<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Gradient = ByTree;
+            type Kept = ();
         }
         impl<R: Real + #marker> DiscreteField<R> for #name {
             type Proof = <R as #marker>::Proof;
@@ -122,7 +128,11 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(
+    context: &Context<'_>,
+    momenta: &Plan,
+    (autonomous, kept): (bool, TokenStream),
+) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
     let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
     let count = momenta.last[0].results.len() / (2 * degrees);
@@ -142,6 +152,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
+            type Kept = #kept;
             type FourthParameters = fourth_order::ParametersOf<Self, R>;
             type FourthStart = fourth_order::Begun<#array>;
 
@@ -176,7 +187,11 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
 }
 
 /// `impl FourthOrderField`.
-pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+pub(super) fn fourth_order(
+    context: &Context<'_>,
+    field: &FieldKernels<Plan>,
+    (plan, kept): (&Plan, TokenStream),
+) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
     let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
@@ -187,6 +202,7 @@ pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, pl
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
+            type Kept = #kept;
             #types
 
             #functions

@@ -6,7 +6,8 @@ use crate::space::Array;
 use crate::space::vector::{dot, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
 use crate::system::{
-    DiscreteField, Hamiltonian, KeepsEnergy, SteadyIntegrals, VectorField, VelocityForm, energy_of, velocity_of,
+    DiscreteField, Hamiltonian, KeepsEnergy, PhaseSpace, SteadyIntegrals, VectorField, VelocityForm, energy_of,
+    velocity_of,
 };
 
 /// H itself.
@@ -132,6 +133,21 @@ where
     }
 }
 
+/// None.
+impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
+    type Values = [R; 0];
+
+    #[inline]
+    fn changes(&self, _: &S, _: &S::Phase, _: &S::Phase) -> [R; 0] {
+        []
+    }
+
+    #[inline]
+    fn gradients(&self, _: &S, _: &S::Phase) -> [S::Phase; 0] {
+        []
+    }
+}
+
 /// A type that is known where those of all are.
 macro_rules! known {
     ($last:ty;) => { $last };
@@ -141,7 +157,7 @@ macro_rules! known {
 /// Single invariants side by side.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
-        impl<S: crate::system::VectorField<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
+        impl<S: PhaseSpace<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
             type Values = known!([R; $n]; $($I)*);
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
 

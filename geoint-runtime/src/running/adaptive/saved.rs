@@ -35,6 +35,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
         tape.steps(&mut steps.rejections);
+        if M::KEEPS {
+            tape.array(&mut steps.origin);
+        }
         steps.x.record(tape);
         steps.tolerance.record(tape);
         steps.controller.record(tape);

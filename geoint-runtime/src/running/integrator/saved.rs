@@ -55,6 +55,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
         tape.flag(&mut steps.inside);
+        if M::KEEPS {
+            tape.array(&mut steps.origin);
+        }
         steps.x.record(tape);
         steps.memory.record(tape);
     }
