@@ -127,6 +127,40 @@ fn linear_motion_is_one_piece() {
     assert!(error(1e6) < 1e-4 && error(1e6) > 1e-9, "{:e}", error(1e6));
 }
 
+/// One piece has no error, and where its flow ends the motion does: no sum of others is taken for it, which would go on beyond the pole.
+#[test]
+fn one_piece_is_the_motion() {
+    #[hamiltonian]
+    fn ending(q: f64, p: f64, a: f64) -> f64 {
+        a * q * p * p
+    }
+    // p' = −ap²: p = p₀/(1 + a p₀ t), q = q₀ (1 + a p₀ t)².
+    let end = |h: f64| {
+        let mut sim = Ending { a: 2.0 }.integrator(PieceSplitting, h, State::new(3.0, -0.5));
+        sim.step().map(|()| sim.state())
+    };
+    let half = end(0.5).expect("a step");
+    assert!((half.q - 0.75).abs() < 1e-15 && (half.p + 1.0).abs() < 1e-15, "{half:?}");
+    let beyond = end(1.5).expect_err("p has a pole at 1");
+    assert!(beyond.to_string().contains("q·p²·a"), "{beyond}");
+}
+
+/// Forms add positions to momenta: none is made where nothing says that both are of one scale. Other units give the same bits.
+#[test]
+fn units_do_not_matter() {
+    #[hamiltonian]
+    fn dilating(q: f64, p: f64, a: f64, b: f64, c: f64) -> f64 {
+        a * q * q * p * p + b * q * p + c / q
+    }
+    let run = |length: f64, mass: f64| {
+        let system = Dilating { a: 0.7 / (length * length * mass), b: 0.85, c: length.powi(3) * mass };
+        let mut sim = system.integrator(PieceSplitting, 0.1, State::new(0.75 * length, 0.64 * length * mass));
+        sim.advance(10).expect("steps");
+        (sim.state().q / length, sim.state().p / (length * mass))
+    };
+    assert_eq!(run(1.0, 1.0), run(2.0_f64.powi(30), 2.0_f64.powi(-100)));
+}
+
 /// What overflows, and parameters that are no numbers, are not called the end of a flow that has none, or that is not defined from its start.
 #[test]
 fn what_is_not_finite_is_no_end() {
