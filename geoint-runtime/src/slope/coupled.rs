@@ -60,8 +60,14 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
             (0..N).for_each(|i| change[i][i] += one);
         }
     }
+    // What of an angle is not known becomes twice as much wherever it is doubled. That something turns is seen in the diagonal, which is the
+    // same in all units.
+    let mut unknown = R::epsilon();
     for _ in 0..doublings {
         core::mem::swap(&mut before, &mut change);
+        if (0..N).any(|i| before[i][i].magnitude() > 0.125) {
+            unknown *= 2.0;
+        }
         for (to, column) in change.iter_mut().zip(before.iter()) {
             let mut sum = column.map(|x| x + x);
             for (weight, from) in column.iter().zip(before.iter()) {
@@ -72,7 +78,7 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
             *to = sum;
         }
     }
-    *change
+    if unknown < 1.0 { *change } else { [[R::from_f64(f64::NAN); N]; N] }
 }
 
 /// A matrix, by columns, times a vector: as many rows at a time as a processor without wider vectors has registers for.
