@@ -138,6 +138,32 @@ fn taylor_series() {
     assert_eq!((bits(&sim.state()), sim.steps()), (bits(&other.state()), other.steps()));
 }
 
+/// A root: what moves comes to its end, and is refused there.
+#[hamiltonian]
+fn down_to_the_edge(q: f64, p: f64, m: f64) -> f64 {
+    p * p / (2.0 * m) + q.sqrt()
+}
+
+/// A method begins anew after a step that is refused: by whatever calls a run came there, it remembers the same, and what is saved is the same.
+#[test]
+fn at_a_step_that_is_refused() {
+    fn check<M: Method<DownToTheEdge>>(method: M) {
+        let run = || DownToTheEdge { m: 1.3 }.integrator(method, 0.07, State::new(1.0, 0.2));
+        let (mut singly, mut at_once) = (run(), run());
+        let refused = (0..10_000).find_map(|_| singly.step().err()).expect("the edge is reached");
+        assert_eq!(at_once.advance(10_000), Err(refused), "{}", method.name());
+        assert!(singly.steps() > 10, "{}", method.name());
+        assert_eq!(singly.saved(), at_once.saved(), "{}", method.name());
+    }
+    check(ImplicitMidpoint);
+    check(DiscreteGradient);
+    check(FourthOrder(DiscreteGradient));
+    check(Gauss::<3>);
+    check(Suzuki4.of(DiscreteGradient));
+    check(Projection(RK4, Energy));
+    check(BlanesMoan4);
+}
+
 /// What does not belong to a run changes nothing, whatever it is.
 #[test]
 fn what_is_of_another_run_is_refused() {

@@ -1,7 +1,6 @@
 //! Damping C of p' = −∂H/∂q − C ∂H/∂p: what is known of it before it has a value.
 
-use crate::ir::Reads;
-use crate::ir::{Graph, Id, Number, Ratio};
+use crate::ir::{Graph, Id, Number, Ratio, Reads};
 
 /// C, not all of whose entries are zero.
 #[derive(Debug)]

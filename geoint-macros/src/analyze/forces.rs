@@ -13,8 +13,6 @@ pub(crate) struct Forces {
     pub(crate) friction: Option<Vec<Id>>,
     /// What all of them read.
     pub(crate) reads: Reads,
-    /// Whether each is zero.
-    pub(crate) spared: Vec<bool>,
     /// −V if F = −∇V(q): it should be a term of the energy.
     pub(crate) potential: Option<Id>,
 }
@@ -25,12 +23,16 @@ impl Forces {
         let some = |graph: &Graph, forces: &Vec<Id>| forces.iter().any(|force| !graph.is_zero(*force));
         let applied = applied.filter(|forces| some(graph, forces));
         let friction = friction.filter(|forces| some(graph, forces));
-        let n = applied.as_ref().or(friction.as_ref())?.len();
-        let all = || applied.iter().chain(&friction);
-        let read = all().flatten().fold(Reads::default(), |read, force| read.or(graph.reads(*force)));
-        let spared = (0..n).map(|i| all().all(|forces| graph.is_zero(forces[i]))).collect();
+        applied.as_ref().or(friction.as_ref())?;
+        let all = applied.iter().chain(&friction).flatten();
+        let reads = all.fold(Reads::default(), |read, force| read.or(graph.reads(*force)));
         let potential = applied.as_ref().and_then(|applied| potential(graph, applied));
-        Some(Forces { applied, friction, reads: read, spared, potential })
+        Some(Forces { applied, friction, reads, potential })
+    }
+
+    /// Each of the two that there is, in the order of coordinates.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Vec<Id>> {
+        self.applied.iter().chain(&self.friction)
     }
 
     /// The forces at velocities, in the order of coordinates. Friction that would feed the motion is not a number.

@@ -9,6 +9,7 @@ mod leaves;
 mod quadratic;
 mod equations;
 mod forces;
+mod spared;
 mod conserved;
 mod mean_value;
 mod enclosable;
@@ -30,6 +31,7 @@ pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;
 pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
+pub(crate) use spared::Spared;
 
 /// All facts that emission may rely on. Those of H hold whether or not there is damping.
 #[derive(Debug)]
@@ -86,28 +88,22 @@ impl Structure {
     /// The same facts with damping, unless all of its coefficients are zero.
     pub(crate) fn damped(mut self, graph: &Graph, matrix: Option<Vec<Vec<Id>>>) -> Structure {
         self.damping = damping(graph, matrix);
-        if let Some(damping) = &self.damping {
-            let spared = |i: u32| damping.matrix[i as usize].iter().all(|entry| graph.is_zero(*entry));
-            self.cyclic.retain(|i| spared(*i));
-            self.momenta.retain(|momentum| {
-                let symbols = graph.symbols(momentum.value);
-                symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
-            });
-        }
+        self.keep_spared(graph);
         self
     }
 
     /// The same facts with forces that no energy gives.
     pub(crate) fn forced(mut self, graph: &Graph, forces: Option<Forces>) -> Structure {
         self.forces = forces;
-        if let Some(forces) = &self.forces {
-            self.cyclic.retain(|i| forces.spared[*i as usize]);
-            self.momenta.retain(|momentum| {
-                let symbols = graph.symbols(momentum.value);
-                symbols.iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !forces.spared[*i as usize]))
-            });
-        }
+        self.keep_spared(graph);
         self
+    }
+
+    /// Leaves out momenta that damping or a force changes.
+    fn keep_spared(&mut self, graph: &Graph) {
+        let spared = Spared { damping: self.damping.as_ref(), forces: self.forces.as_ref() };
+        self.cyclic.retain(|i| spared.coordinate(graph, *i));
+        self.momenta.retain(|momentum| spared.momentum(graph, momentum));
     }
 
     /// Whether H alone moves the state.

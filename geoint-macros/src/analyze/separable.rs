@@ -2,8 +2,7 @@
 
 use super::degree::Degrees;
 use super::terms::Sums;
-use crate::ir::Reads;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Reads, Symbol};
 
 /// The kinetic and the potential part, or a term that reads both q and p.
 pub(super) fn split(graph: &mut Graph, energy: Id) -> Result<(Id, Id), Id> {

@@ -1,7 +1,6 @@
 //! A sum as its terms.
 
-use crate::ir::Reads;
-use crate::ir::{Graph, Id, Node, Number};
+use crate::ir::{Graph, Id, Node, Number, Reads};
 
 /// scale · Π factors; all but the last are free of q and p.
 #[derive(Clone, Debug)]

@@ -62,11 +62,21 @@ pub(crate) fn constraints(
 
 const LINEAR_FRICTION: &str = "beside constraints friction is linear: R a quadratic form of the velocities";
 
-const NOT_OF_VELOCITIES: &str = "a constraint is a function of positions; one that reads velocities is nonholonomic, and not supported: if this is the rate of a \
-     function of positions, write that function; else write the equations, with their multipliers, as `#[vector_field]`";
+/// What is said of a constraint that reads something else than positions.
+macro_rules! nonholonomic {
+    ($read:literal) => {
+        concat!(
+            "a constraint is a function of positions; one that reads ",
+            $read,
+            " is nonholonomic, and not supported: if this is the rate of a function of positions, write that function; \
+             else write the equations, with their multipliers, as `#[vector_field]`"
+        )
+    };
+}
 
-const NOT_OF_MOMENTA: &str = "a constraint is a function of positions; one that reads momenta is nonholonomic, and not supported: if this is the rate of a \
-     function of positions, write that function; else write the equations, with their multipliers, as `#[vector_field]`";
+const NOT_OF_VELOCITIES: &str = nonholonomic!("velocities");
+
+const NOT_OF_MOMENTA: &str = nonholonomic!("momenta");
 
 const OF_TIME: &str =
     "a constraint that moves is not supported: put the motion into coordinates, as functions of `t` in the energy";

@@ -5,7 +5,7 @@ use super::exact::pieces::{self, Followed};
 use super::system::{
     HerglotzKernels, Implicit, MassKernels, Missing, StepKernel, System, VelocityKernels, VelocityStages,
 };
-use crate::analyze::{self, Damping, Forces};
+use crate::analyze::{self, Damping, Forces, Spared};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
 use crate::ir::{Graph, Id, Symbol};
@@ -29,14 +29,8 @@ pub(crate) fn velocities(
     let [stage, force] =
         [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
     let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
-    let spared = |i: u32| {
-        let row = damping.map(|damping| &damping.matrix[i as usize]);
-        row.is_none_or(|row| row.iter().all(|entry| graph.is_zero(*entry)))
-            && others.is_none_or(|others| others.spared[i as usize])
-    };
-    momenta_kept.retain(|momentum| {
-        graph.symbols(momentum.value).iter().all(|symbol| !matches!(symbol, Symbol::P(i) if !spared(*i)))
-    });
+    let spared = Spared { damping, forces: others };
+    momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
         Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))

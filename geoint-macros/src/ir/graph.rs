@@ -103,11 +103,25 @@ impl Graph {
 
     /// Every node that the roots are built of, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
+        self.walk(roots.to_vec(), |_| true)
+    }
+
+    /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
+    /// not looked at.
+    pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
+        self.walk(vec![root], |id| !known.contains(id))
+    }
+
+    /// Every node that the `open` ones are built of, operands first. Where one is not to be `entered`, it and what it is
+    /// built of are left out.
+    fn walk(&self, mut open: Vec<Id>, entered: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
-        let (traversal, seen) = self.traversal(&mut scratch);
-        let (mut found, mut open) = (vec![], roots.to_vec());
+        let (traversal, seen) = &mut *scratch;
+        *traversal += 1;
+        seen.resize(self.nodes.len(), 0);
+        let mut found = vec![];
         while let Some(id) = open.pop() {
-            if std::mem::replace(&mut seen[id.index()], traversal) != traversal {
+            if entered(id) && std::mem::replace(&mut seen[id.index()], *traversal) != *traversal {
                 found.push(id);
                 self.node(id).for_each_child(|child| open.push(child));
             }
@@ -115,30 +129,6 @@ impl Graph {
         // What a node is built of has smaller numbers.
         found.sort_unstable();
         found
-    }
-
-    /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
-    /// not looked at.
-    pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
-        let mut scratch = self.seen.borrow_mut();
-        let (traversal, seen) = self.traversal(&mut scratch);
-        let mut found = vec![];
-        let mut open = vec![root];
-        while let Some(id) = open.pop() {
-            if !known.contains(id) && std::mem::replace(&mut seen[id.index()], traversal) != traversal {
-                found.push(id);
-                self.node(id).for_each_child(|child| open.push(child));
-            }
-        }
-        found.sort_unstable();
-        found
-    }
-
-    /// The number of a new traversal, and for each node that of the last one that saw it.
-    fn traversal<'a>(&self, scratch: &'a mut (u32, Vec<u32>)) -> (u32, &'a mut Vec<u32>) {
-        scratch.0 += 1;
-        scratch.1.resize(self.nodes.len(), 0);
-        (scratch.0, &mut scratch.1)
     }
 
     /// Whether a node is not defined for some values of its operands.

@@ -1,4 +1,4 @@
-//! The graph of an energy: operations, interned nodes, their value, their formula. Knows no syntax and no emission.
+//! The graph of an energy: operations, interned nodes, what they read, their formula. Knows no syntax and no emission.
 
 mod call;
 pub(crate) mod graph;

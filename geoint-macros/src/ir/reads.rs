@@ -90,8 +90,12 @@ impl Sets {
     }
 
     pub(super) fn union(&mut self, a: Set, b: Set) -> Set {
-        if a == b || b == Set::default() {
+        let empty = Set::default();
+        if a == b || b == empty {
             return a;
+        }
+        if a == empty {
+            return b;
         }
         if let Some(union) = self.unions.get(&(a, b)) {
             return *union;

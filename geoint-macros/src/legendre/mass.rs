@@ -45,17 +45,17 @@ pub(super) fn regular(graph: &Graph, momenta: &[Id], mass: &[Vec<Id>]) -> Result
     let massless = |i: &usize| mass[*i].iter().all(|entry| graph.is_zero(*entry));
     let all: Vec<usize> = (0..mass.len()).filter(massless).collect();
     let Some(first) = all.first() else { return Ok(()) };
-    let is_linear = |i: &&usize| !graph.is_zero(momenta[**i]);
-    if all.len() == mass.len() && all.iter().any(|i| is_linear(&i)) {
+    let (unread, linear): (Vec<usize>, Vec<usize>) = all.iter().partition(|i| graph.is_zero(momenta[**i]));
+    if all.len() == mass.len() && !linear.is_empty() {
         return Err(Flaw::Linear(momenta.to_vec()));
     }
     // A coordinate whose velocity is not read may be the momentum of another one.
-    let is_momentum = |i: usize| all.iter().any(|j| graph.symbols(momenta[*j]).contains(&Symbol::Q(i as u32)));
-    Err(match all.iter().find(|i| !is_linear(i) && !is_momentum(**i)) {
-        Some(unread) => Flaw::Unread(*unread as u32),
+    let is_momentum = |i: &usize| linear.iter().any(|j| graph.symbols(momenta[*j]).contains(&Symbol::Q(*i as u32)));
+    Err(match unread.into_iter().find(|i| !is_momentum(i)) {
+        Some(i) => Flaw::Unread(i as u32),
         None => {
-            let linear = all.iter().find(is_linear).unwrap_or(first);
-            Flaw::LinearIn(*linear as u32, momenta[*linear])
+            let i = *linear.first().unwrap_or(first);
+            Flaw::LinearIn(i as u32, momenta[i])
         }
     })
 }

@@ -6,7 +6,7 @@
 
 use crate::scalar::Real;
 use crate::solving::Refusal;
-use crate::solving::size::{Sizes, may_be_rounding};
+use crate::solving::size::Sizes;
 use crate::space::{Array, Square};
 
 /// Reached only where there is no convergence.
@@ -21,6 +21,10 @@ pub(crate) const ROUNDINGS: f64 = 64.0;
 
 /// What an unknown is rounded by on the way to a residual: the last digits of a position, of a distance, and of what is computed with that.
 const LAST_DIGITS: f64 = 8.0;
+
+/// A residual of more than so many times the unknown is no rounding, whatever the digits of its terms are: far from all that a state has been, and
+/// in a step of many turns, they may be larger than the state.
+const LARGEST: f64 = 1024.0;
 
 /// Iterations without a correction that is smaller than all before, by this factor. Once may be chance, and corrections that turn round one
 /// another shrink on the whole.
@@ -139,6 +143,12 @@ impl Corrections {
 #[inline(always)]
 pub(crate) fn is_rounding<R: Real>(relative: f64) -> bool {
     relative <= ROUNDINGS * R::epsilon()
+}
+
+/// Whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
+#[inline(always)]
+pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
+    residual <= LARGEST * size
 }
 
 /// Whether a residual, of which `matrix` is the derivative, is no more than what some ε of the sizes of unknowns change it by: it is zero for

@@ -7,18 +7,8 @@ use crate::space::{Array, Record, Square, Tape};
 /// What is left of a size after every point that is included: half after some fifty.
 const FADING: f64 = 1.0 - 1.0 / 64.0;
 
-/// A residual of more than so many times the unknown is no rounding, whatever the digits of its terms are: far from all that a state has been, and
-/// in a step of many turns, they may be larger than the state.
-const LARGEST: f64 = 1024.0;
-
 /// Where a residual is larger than this part of the unknown the equation says nothing of it, however small the correction is.
 const RESOLVED: f64 = 1.0 / 16.0;
-
-/// Whether a residual is small enough to be rounding of terms that add up to an unknown of this size.
-#[inline(always)]
-pub(crate) fn may_be_rounding(residual: f64, size: f64) -> bool {
-    residual <= LARGEST * size
-}
 
 /// The largest magnitude of every entry that was met lately: of a coordinate, its increment, or the terms that are added up on the
 /// way to it. What was met long ago fades.

@@ -10,8 +10,7 @@ use crate::analyze::degree::Degrees;
 use crate::analyze::equations::{Equations, Row, add_multiple};
 use crate::analyze::leaves::leaves;
 use crate::analyze::quadratic::{Atom, Expansion, Quadratic, Variable};
-use crate::ir::Reads;
-use crate::ir::{Graph, Id, Ratio};
+use crate::ir::{Graph, Id, Ratio, Reads};
 use crate::parse::Shape;
 use std::borrow::Cow;
 

@@ -3,7 +3,7 @@
 use super::super::damping;
 use super::super::kernel::Context;
 use super::{contact, counted};
-use crate::analyze::{Damping, Dissipated, Forces};
+use crate::analyze::{Damping, Dissipated, Forces, Spared};
 use crate::derive::{Implicit, System};
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{Kinetic, Legendre, Part};
@@ -182,13 +182,9 @@ fn steps<F: Fn(Symbol) -> String>(
 
     writeln!(text, "\nConserved by the flow, at least")?;
     let read = printer.graph().symbols(legendre.lagrangian);
-    let spared = |i: u32| {
-        let row = damping.map(|damping| &damping.matrix[i as usize]);
-        row.is_none_or(|row| row.iter().all(|entry| printer.graph().is_zero(*entry)))
-            && others.is_none_or(|others| others.spared[i as usize])
-    };
-    let cyclic: Vec<u32> =
-        (0..context.energy.degrees()).filter(|i| !read.contains(&Symbol::Q(*i)) && spared(*i)).collect();
+    let spared = Spared { damping, forces: others };
+    let is_kept = |i: &u32| !read.contains(&Symbol::Q(*i)) && spared.coordinate(printer.graph(), *i);
+    let cyclic: Vec<u32> = (0..context.energy.degrees()).filter(is_kept).collect();
     let energy = autonomous && damping.is_none() && others.is_none();
     if energy {
         writeln!(text, "- the energy")?;

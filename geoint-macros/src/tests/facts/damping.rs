@@ -1,8 +1,7 @@
 //! What damping stands for, and what is known of it while compiling.
 
 use crate::analyze::{self, Damping, Flaw};
-use crate::ir::Reads;
-use crate::ir::print::Printer;
+use crate::ir::{Reads, print::Printer};
 use crate::parse::Form;
 use crate::{emit, expand, lower, parse};
 use proc_macro2::TokenStream;

@@ -8,8 +8,8 @@ mod differences;
 mod points;
 
 use crate::scalar::Real;
-use crate::solving::rounding::is_rounding;
-use crate::solving::size::{Sizes, may_be_rounding};
+use crate::solving::rounding::{is_rounding, may_be_rounding};
+use crate::solving::size::Sizes;
 use crate::space::Array;
 use crate::space::vector::difference;
 use differences::{Memory, POINTS, SPARE};
