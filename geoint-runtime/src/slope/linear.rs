@@ -51,13 +51,14 @@ fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
         let none = b * zero + c * zero;
         return [none; 4];
     }
-    let (mut roots, mut quarters) = ([b, c], 0);
+    let (mut roots, mut quarters, mut unknown) = ([b, c], 0_u32, R::epsilon());
     while roots[0].magnitude() > 0.5 || roots[1].magnitude() > 0.25 {
         roots = [roots[0] * quarter, roots[1] * quarter * quarter];
         quarters += 1;
+        // An error of the cosine of half an angle is four times as large in that of the angle.
+        unknown *= 4.0;
     }
-    // An error of the cosine of half an angle is four times as large in that of the angle.
-    if R::epsilon() * 4.0_f64.powi(quarters) > 1.0 {
+    if unknown > 1.0 {
         return [R::from_f64(f64::NAN); 4];
     }
     let z = [zero, one];
