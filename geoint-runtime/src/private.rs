@@ -2,7 +2,9 @@
 
 pub use crate::method::constrained::Rattle;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, Integrals as KeptIntegrals, VelocityEnergy};
+pub use crate::method::corrected::invariants::{
+    CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
+};
 pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{
@@ -23,8 +25,8 @@ pub use crate::system::{
     Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
     ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
     FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
-    KeepsEnergy, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
+    ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
     Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
     energy_of, from_positions, rate_of, unmet, velocity_of,

@@ -61,6 +61,8 @@ pub(crate) const IMPORTED: &[&str] = &[
     "Hamiltonian",
     "ImplicitStep",
     "CanonicalEnergy",
+    "EnergyAndMomenta",
+    "KeptMomenta",
     "Integral",
     "KeptIntegrals",
     "Integrator",

@@ -1,6 +1,6 @@
 //! What a flow keeps, and the mean velocities that keep it to order 4.
 
-use super::{PhaseSpace, VectorField};
+use super::{Hamiltonian, PhaseSpace, VectorField};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
@@ -76,6 +76,15 @@ pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
     fn kept_energy(&self, t: R, z: &Self::Phase) -> R {
         self.hamiltonian(t, z, &())
     }
+}
+
+/// Momenta of degree 2 at most in all coordinates that a flow keeps beside its energy.
+pub trait KeptMomenta<R: Real = f64>: Hamiltonian<R> {
+    /// One scalar for the energy, and one for each momentum.
+    type Values: Array<Real = R>;
+
+    /// The gradients of momenta, behind an entry that is not read.
+    fn momenta(&self, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
 }
 
 /// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the

@@ -27,7 +27,7 @@ pub use implicit::{
 pub(crate) use implicit::{
     KeptBy, Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near,
 };
-pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, SteadyIntegrals};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;
 pub(crate) use jumps::jump_between;
 pub use lagrangian::{Lagrangian, from_positions};

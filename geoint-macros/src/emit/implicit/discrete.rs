@@ -137,6 +137,7 @@ pub(super) fn canonical_fourth_order(
     let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
     let count = momenta.last[0].results.len() / (2 * degrees);
     let columns = Literal::usize_unsuffixed(1 + count);
+    let kept = if count > 0 { quote!(EnergyAndMomenta<#autonomous>) } else { kept };
     let places: Vec<Vec<usize>> = (0..count)
         .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
         .collect();
@@ -150,6 +151,17 @@ pub(super) fn canonical_fourth_order(
         }
     });
     quote! {
+        impl<R: Real> KeptMomenta<R> for #name {
+            type Values = [R; #columns];
+
+            #[inline(always)]
+            fn momenta(&self, z: &#phase) -> [#phase; #columns] {
+                let mut slopes = [<#phase as Array>::zero(); #columns];
+                #parts
+                #slopes
+                slopes
+            }
+        }
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
             type Kept = #kept;
@@ -173,12 +185,7 @@ pub(super) fn canonical_fourth_order(
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                let momenta = |z: &#phase| {
-                    let mut slopes = [<#phase as Array>::zero(); #columns];
-                    #parts
-                    #slopes
-                    slopes
-                };
+                let momenta = |z: &#phase| self.momenta(z);
                 fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
             #loosen

@@ -3,11 +3,11 @@
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
-use crate::space::vector::{dot, opposite, sum, sum_of_products};
+use crate::space::vector::{dot, moved, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
 use crate::system::{
-    DiscreteField, Hamiltonian, KeepsEnergy, PhaseSpace, SteadyIntegrals, VectorField, VelocityForm, energy_of,
-    velocity_of,
+    DiscreteField, Hamiltonian, KeepsEnergy, KeptMomenta, PhaseSpace, SteadyIntegrals, VectorField, VelocityForm,
+    energy_of, velocity_of,
 };
 
 /// H itself.
@@ -65,6 +65,36 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
         let mut gradient = S::Phase::zero();
         system.gradient(zero(), z, &mut gradient);
         gradient
+    }
+}
+
+/// H(q, p) if `ENERGY`, and the momenta beside it: their changes are those along the gradients in the middle.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct EnergyAndMomenta<const ENERGY: bool>;
+
+impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invariants<S, R> for EnergyAndMomenta<ENERGY> {
+    type Values = S::Values;
+    const KEEP_ENERGY: bool = ENERGY;
+
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> S::Values {
+        let mut changes = S::Values::zero();
+        let gradients = system.momenta(&moved(z, R::from_f64(0.5), dz));
+        for (change, gradient) in changes.as_mut_slice().iter_mut().zip(S::Values::entries_of(&gradients)) {
+            *change = dot(gradient, dz);
+        }
+        if ENERGY {
+            changes.as_mut_slice()[0] = CanonicalEnergy.changes(system, z, dz);
+        }
+        changes
+    }
+
+    fn gradients(&self, system: &S, z: &S::Phase) -> <S::Values as Array>::Map<S::Phase> {
+        let mut gradients = system.momenta(z);
+        if ENERGY {
+            S::Values::entries(&mut gradients)[0] = CanonicalEnergy.gradients(system, z);
+        }
+        gradients
     }
 }
 
