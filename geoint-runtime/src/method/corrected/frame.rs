@@ -19,9 +19,8 @@ pub(super) struct Frame<A: Array, Z: Array<Real = A::Real>> {
 }
 
 impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
-    /// At a point with these gradients, whose coordinates are rounded as these sizes are. Directions of which less than `apart` is across those
-    /// before them are none of their own.
-    pub(super) fn new(mut gradients: A::Map<Z>, (units, sizes): (Sizes<Z>, &Sizes<Z>), apart: f64) -> Self {
+    /// At a point with these gradients, whose coordinates are rounded as these sizes are.
+    pub(super) fn new(mut gradients: A::Map<Z>, units: Sizes<Z>, sizes: &Sizes<Z>) -> Self {
         let (mut terms, mut digits) = (A::zero(), Sizes::equal());
         for (i, direction) in A::entries(&mut gradients).iter_mut().enumerate() {
             let whole = sizes.normalise(&mut direction.clone());
@@ -29,7 +28,7 @@ impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
             terms.as_mut_slice()[i] = part;
             digits.entries()[i] = if part.magnitude() > 0.0 { whole / part } else { zero() };
         }
-        let triangle = orthonormalise::<A, Z>(A::entries(&mut gradients), apart);
+        let triangle = orthonormalise::<A, Z>(A::entries(&mut gradients));
         Frame { units, directions: gradients, triangle, terms, digits }
     }
 
@@ -67,8 +66,9 @@ impl<A: Array, Z: Array<Real = A::Real>> Frame<A, Z> {
 
 /// Makes directions orthonormal, by Gram's and Schmidt's method, each twice; the triangle that takes them back to what they were.
 ///
-/// Directions that agree with those before them are zero then, and so are their rows.
-fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z], apart: f64) -> Square<A> {
+/// Directions that agree to √ε with those before them are zero then, and so are their rows: the functions that they are gradients of differ by
+/// less than rounding from functions of the others.
+fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z]) -> Square<A> {
     let mut triangle = A::fill(A::zero());
     for (i, row) in A::entries::<A>(&mut triangle).iter_mut().enumerate() {
         let (before, rest) = directions.split_at_mut(i);
@@ -82,7 +82,7 @@ fn orthonormalise<A: Array, Z: Array<Real = A::Real>>(directions: &mut [Z], apar
         }
         let left = dot(direction, direction).sqrt();
         // What is not a number stays so.
-        let agrees = left.magnitude() <= length.magnitude() * apart;
+        let agrees = left.magnitude() <= length.magnitude() * A::Real::epsilon().sqrt();
         for x in direction.as_mut_slice() {
             *x = if agrees { zero() } else { *x / left };
         }

@@ -11,10 +11,6 @@ use crate::system::{Invariants, PhaseSpace};
 /// Steps in which rounding adds up.
 const STEPS: f64 = 1024.0;
 
-/// Of functions whose gradients agree more than that, only the first is put right: rounding of the others, divided by what they do not agree in,
-/// would be more than that of the steps.
-const APART: f64 = 1.0 / 16.0;
-
 /// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients. Nothing where they differ by more than
 /// rounding of many steps: then it is not rounding.
 ///
@@ -36,7 +32,7 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
             *unit = zero();
         }
     }
-    let frame = Frame::<I::Values, S::Phase>::new(invariants.gradients(system, z), (units, &scales.sizes), APART);
+    let frame = Frame::<I::Values, S::Phase>::new(invariants.gradients(system, z), units, &scales.sizes);
     let mut changes = invariants.changes(system, origin, &moved);
     // Not a number is no rounding either.
     let is_rounding = frame.multipliers(&mut changes) <= STEPS * ROUNDINGS * R::epsilon();

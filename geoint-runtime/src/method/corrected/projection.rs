@@ -135,10 +135,8 @@ pub(super) fn way_back<S: VectorField<R>, R: Real, I: Invariants<S, R>>(
         decided.set(*increment);
         invariants.changes(system, before, increment)
     };
-    // Functions whose gradients agree to √ε differ by less than rounding from each other.
     let frame = |at: &S::Phase| {
-        let scales = (scales.units(), &scales.sizes);
-        Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales, R::epsilon().sqrt())
+        Frame::<I::Values, S::Phase>::new(invariants.gradients(system, at), scales.units(), &scales.sizes)
     };
     let at_end = frame(end);
     // A correction that does not shrink may be one from side to side of a jump.

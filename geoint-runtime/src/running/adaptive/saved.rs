@@ -45,7 +45,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.memory.record(tape);
     }
 
-    fn settle(&mut self) -> bool {
+    fn complete(&mut self) -> bool {
         let Steps { system, method, prepared, .. } = &mut self.steps;
         *prepared = Prepared::new(system, method, prepared.h);
         self.steps.x.is_finite() && self.time().magnitude() < f64::INFINITY

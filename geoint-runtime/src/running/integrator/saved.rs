@@ -62,7 +62,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         steps.memory.record(tape);
     }
 
-    fn settle(&mut self) -> bool {
+    fn complete(&mut self) -> bool {
         let steps = &mut self.steps;
         steps.prepared = steps.method.prepare(&steps.system, steps.clock.step_size());
         steps.x.is_finite() && steps.time().magnitude() < f64::INFINITY
