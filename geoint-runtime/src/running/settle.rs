@@ -15,7 +15,6 @@ pub(super) const fn settles<S: PhaseSpace<R>, M: Method<S, R>, R: Real>() -> boo
 }
 
 /// The point with attitudes of length 1, and what the method keeps as it was at the origin.
-#[cold]
 pub(super) fn settled<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>>(
     (system, prepared): (&S, &M::Prepared),
     origin: &S::Phase,

@@ -155,6 +155,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     }
 
     /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    #[cold]
+    #[inline(never)]
     fn settle(&mut self) {
         let x = settled::<S, M, R, _>((&self.system, &self.prepared.whole), &self.origin, &self.x);
         if self.attempt().check(zero(), &x).is_ok() {

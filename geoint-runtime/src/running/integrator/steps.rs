@@ -262,10 +262,17 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         self.clock.pass(steps);
         self.taken += steps;
         if const { settles::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
-            let x = settled::<S, M, R, C>((&self.system, &self.prepared), &self.origin, &self.x);
-            if self.is_good(0, &x) {
-                self.x = x;
-            }
+            self.settle();
+        }
+    }
+
+    /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    #[cold]
+    #[inline(never)]
+    fn settle(&mut self) {
+        let x = settled::<S, M, R, C>((&self.system, &self.prepared), &self.origin, &self.x);
+        if self.is_good(0, &x) {
+            self.x = x;
         }
     }
 
