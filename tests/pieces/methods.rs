@@ -127,6 +127,40 @@ fn linear_motion_is_one_piece() {
     assert!(error(1e6) < 1e-4 && error(1e6) > 1e-9, "{:e}", error(1e6));
 }
 
+/// One piece has no error, and where its flow ends the motion does: no sum of others is taken for it, which would go on beyond the pole.
+#[test]
+fn one_piece_is_the_motion() {
+    #[hamiltonian]
+    fn ending(q: f64, p: f64, a: f64) -> f64 {
+        a * q * p * p
+    }
+    // p' = −ap²: p = p₀/(1 + a p₀ t), q = q₀ (1 + a p₀ t)².
+    let end = |h: f64| {
+        let mut sim = Ending { a: 2.0 }.integrator(PieceSplitting, h, State::new(3.0, -0.5));
+        sim.step().map(|()| sim.state())
+    };
+    let half = end(0.5).expect("a step");
+    assert!((half.q - 0.75).abs() < 1e-15 && (half.p + 1.0).abs() < 1e-15, "{half:?}");
+    let beyond = end(1.5).expect_err("p has a pole at 1");
+    assert!(beyond.to_string().contains("q·p²·a"), "{beyond}");
+}
+
+/// Forms add positions to momenta: none is made where nothing says that both are of one scale. Other units give the same bits.
+#[test]
+fn units_do_not_matter() {
+    #[hamiltonian]
+    fn dilating(q: f64, p: f64, a: f64, b: f64, c: f64) -> f64 {
+        a * q * q * p * p + b * q * p + c / q
+    }
+    let run = |length: f64, mass: f64| {
+        let system = Dilating { a: 0.7 / (length * length * mass), b: 0.85, c: length.powi(3) * mass };
+        let mut sim = system.integrator(PieceSplitting, 0.1, State::new(0.75 * length, 0.64 * length * mass));
+        sim.advance(10).expect("steps");
+        (sim.state().q / length, sim.state().p / (length * mass))
+    };
+    assert_eq!(run(1.0, 1.0), run(2.0_f64.powi(30), 2.0_f64.powi(-100)));
+}
+
 /// What overflows, and parameters that are no numbers, are not called the end of a flow that has none, or that is not defined from its start.
 #[test]
 fn what_is_not_finite_is_no_end() {
@@ -151,6 +185,66 @@ fn what_is_not_finite_is_no_end() {
         assert!(matches!(pieces.step(), Err(StepError::NonFinite { .. })), "{:?}", pieces.step());
         let mut parts = Hill { k }.integrator(WisdomHolman, h, State::new(2.0, 0.1));
         assert!(matches!(parts.step(), Err(StepError::NonFinite { .. })), "{:?}", parts.step());
+    }
+}
+
+/// After any number of turns linear flows are wrong by as much as the angle is, and refused where no digit of it is known.
+#[test]
+fn long_steps_of_linear_flows() {
+    #[hamiltonian]
+    fn landau(q: [f64; 2], p: [f64; 2], b: f64) -> f64 {
+        (p[0] * p[0] + (p[1] - b * q[0]).powi(2)) / 2.0
+    }
+    #[hamiltonian(
+        split = "(p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + k * (q[0] * q[0] + (q[1] - q[0]).powi(2) + (q[2] - q[1]).powi(2))) / 2.0"
+    )]
+    fn row(q: [f64; 3], p: [f64; 3], k: f64) -> f64 {
+        let springs = q[0] * q[0] + (q[1] - q[0]).powi(2) + (q[2] - q[1]).powi(2);
+        (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] + k * springs) / 2.0
+    }
+    for h in [30.0, -1e3, 1e5, 1e8] {
+        let mut sim = Landau { b: 1.25 }.integrator(PieceSplitting, h, State::new([0.0, 0.0], [1.5, 0.0]));
+        sim.step().expect("a step");
+        // A circle of radius v/ω.
+        let ([x, y], (sin, cos)) = (sim.state().q, (1.25 * h).sin_cos());
+        let error = (x - 1.2 * sin).abs().max((y - 1.2 * (cos - 1.0)).abs());
+        assert!(error < 1e-15 * h.abs(), "h = {h}: {error:e}");
+        let mut row = Row { k: 1.25 }.integrator(PieceSplitting, h, State::new([0.3, -0.2, 0.4], [0.1, 0.5, -0.7]));
+        let energy = row.energy();
+        row.step().expect("a step");
+        let error = (row.energy() / energy - 1.0).abs();
+        assert!(error < 1e-15 * h.abs(), "h = {h}: {error:e}");
+    }
+    for h in [1e17, -1e30, 1e200] {
+        let mut sim = Landau { b: 1.25 }.integrator(PieceSplitting, h, State::new([0.0, 0.0], [1.5, 0.0]));
+        assert!(matches!(sim.step(), Err(StepError::NonFinite { .. })), "h = {h}: {:?}", sim.state());
+        let mut row = Row { k: 1.25 }.integrator(PieceSplitting, h, State::new([0.3, -0.2, 0.4], [0.1, 0.5, -0.7]));
+        assert!(matches!(row.step(), Err(StepError::NonFinite { .. })), "h = {h}: {:?}", row.state());
+    }
+}
+
+/// Masses of particles beside trap and field in SI units, over more than two coupled degrees of freedom: as in units of their motion.
+#[test]
+fn small_masses_are_no_long_steps() {
+    #[hamiltonian]
+    fn trap(q: [f64; 3], p: [f64; 3], m: f64, b: f64, k: f64, f: f64) -> f64 {
+        ((p[0] + b * q[1]).powi(2) + (p[1] - b * q[0]).powi(2) + (p[2] - b * q[1]).powi(2)) / (2.0 * m)
+            + k * (q[0] - q[2]).powi(2)
+            + f * q[2]
+    }
+    let run = |mass: f64, length: f64| {
+        let system = Trap { m: 1.5 * mass, b: 0.7 * mass, k: 0.3 * mass, f: 0.2 * mass * length };
+        let start = State::new([0.3, -0.2, 0.4].map(|x| x * length), [0.1, 0.5, -0.7].map(|x| x * mass * length));
+        let mut sim = system.integrator(PieceSplitting, 0.7, start);
+        sim.advance(10).expect("steps");
+        (sim.state().q.map(|x| x / length), sim.state().p.map(|x| x / (mass * length)))
+    };
+    let (here, there) = (run(1.0, 1.0), run(2.0_f64.powi(-100), 2.0_f64.powi(120)));
+    for i in 0..3 {
+        assert!(
+            (here.0[i] - there.0[i]).abs() < 1e-13 && (here.1[i] - there.1[i]).abs() < 1e-13,
+            "{here:?}, {there:?}"
+        );
     }
 }
 

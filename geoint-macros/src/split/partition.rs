@@ -44,9 +44,9 @@ pub(crate) struct Rejected {
 
 /// Splits H; into the groups that the user wants, if there are any.
 ///
-/// With an action into the fewest pieces. Without one into those whose flows never end, as shears, rather than such as qᵏpⁿ have; then into
-/// those whose flows cost least, which need not be the fewest. Before all that comes linear motion as a whole beside a rest, if both are an A and
-/// a B for tables of Runge–Kutta–Nyström type.
+/// With an action into the fewest pieces. Without one as a whole, where its flow is known; else into those whose flows never end, as shears,
+/// rather than such as qᵏpⁿ have; then into those whose flows cost least, which need not be the fewest. Before all that comes linear motion as a
+/// whole beside a rest, if both are an A and a B for tables of Runge–Kutta–Nyström type.
 pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option<&[(Id, Place)]>) -> Pieces {
     if let Some(groups) = groups {
         // In the order given: who groups by hand knows what is to be in the middle.
@@ -69,9 +69,12 @@ pub(crate) fn pieces(graph: &mut Graph, energy: Id, space: Space, groups: Option
         found.extend(powers.map(|pieces| ordered(graph, pieces, Middle::Mixed)));
     }
     let mut found: Vec<Partition> = found.into_iter().map(|pieces| Partition::of(graph, pieces)).collect();
-    found.sort_by_key(|partition| (partition.ends_early, partition.cost, partition.pieces.len()));
+    // One piece has no error, and where its flow ends the motion does.
+    found.sort_by_key(|partition| {
+        let pieces = partition.pieces.len();
+        (pieces > 1, partition.ends_early, partition.cost, pieces)
+    });
     found.dedup_by_key(|partition| partition.energies());
-    // One piece has no error.
     let around = if found[0].pieces.len() > 1 { around_linear_motion(graph, energy, space) } else { None };
     let mut best = around.unwrap_or_else(|| {
         let mut cheapest = found.remove(0);

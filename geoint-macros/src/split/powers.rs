@@ -8,7 +8,7 @@ use super::linear_motion::{is_quadratic, is_whole};
 use super::polynomial::Polynomial;
 use crate::analyze;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Of polynomials up to this degree.
 const MAX_DEGREE: i128 = 4;
@@ -22,8 +22,8 @@ type Form = BTreeMap<Symbol, i128>;
 /// The same terms, products of positions and momenta as powers of forms, with what reads one form as one atom. A sum whose flow is known
 /// stays.
 ///
-/// A form adds positions to momenta, so that both have to be of one scale: none is made unless the squares of both have the same number
-/// for their coefficient, or there are no squares.
+/// A form adds positions to momenta, so that both have to be of one scale: none is made unless all of them have squares, with the same number
+/// for their coefficient.
 pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> Option<Vec<Id>> {
     // The coefficient of each power of a form.
     let mut forms: BTreeMap<Form, BTreeMap<i128, Id>> = BTreeMap::new();
@@ -73,7 +73,7 @@ pub(super) fn powers_of_forms(graph: &mut Graph, atoms: &[Id], space: Space) -> 
             }
         }
     }
-    if forms.is_empty() || forms.len() > MAX_FORMS || !is_of_one_scale(graph, alone) {
+    if forms.is_empty() || forms.len() > MAX_FORMS || !is_of_one_scale(graph, alone, &forms) {
         return None;
     }
     let mut mixed = known;
@@ -118,8 +118,10 @@ fn normalised(form: &mut Form) -> Option<i128> {
     Some(scale)
 }
 
-/// Whether the squares of all positions and momenta, where there are such, have one number for their coefficient.
-fn is_of_one_scale(graph: &mut Graph, alone: [Id; 2]) -> bool {
+/// Whether each coordinate of a form has a square, and all squares one number for their coefficient: then orbits are as wide in positions as
+/// in momenta.
+fn is_of_one_scale(graph: &mut Graph, alone: [Id; 2], forms: &BTreeMap<Form, BTreeMap<i128, Id>>) -> bool {
+    let mut of_one_scale = BTreeSet::new();
     let mut common = None;
     for side in alone {
         for term in analyze::terms(graph, side) {
@@ -132,8 +134,9 @@ fn is_of_one_scale(graph: &mut Graph, alone: [Id; 2]) -> bool {
                 if number.is_none() || monomial.len() > 1 || *common.get_or_insert(number) != number {
                     return false;
                 }
+                of_one_scale.extend(monomial.into_keys());
             }
         }
     }
-    true
+    forms.keys().flat_map(Form::keys).all(|symbol| of_one_scale.contains(symbol))
 }

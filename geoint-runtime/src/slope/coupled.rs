@@ -37,10 +37,14 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
         doublings += 1;
     }
     let terms = (2..MOST_TERMS).step_by(2).find(|terms| is_lost(part, *terms)).unwrap_or(MOST_TERMS);
-    // D ← (D + 1) A/k, from the last term to the first, a column in registers.
-    let mut change = [[zero; N]; N];
+    // Two matrices take turns: what is computed, and what it follows from.
+    let [mut even, mut odd] = [[[zero; N]; N]; 2];
+    let (mut change, mut before) = (&mut even, &mut odd);
+    // 1 + D ← 1 + (1 + D) A/k, from the last term to the first, a column in registers; the last 1 is left out.
+    let one = R::from_f64(1.0);
+    (0..N).for_each(|i| change[i][i] = one);
     for k in (1..=terms).rev() {
-        let before = change;
+        core::mem::swap(&mut before, &mut change);
         let weight = R::from_f64(part) / R::from_f64(f64::from(k));
         for (column, own) in change.iter_mut().zip(columns) {
             let mut sum = [zero; N];
@@ -51,23 +55,30 @@ pub fn flow_matrix<R: Real, const N: usize>(entries: &[(usize, R)]) -> [[R; N]; 
                 }
             }
             *column = sum;
-            for (place, entry) in own {
-                column[place % N] += *entry * weight;
-            }
+        }
+        if k > 1 {
+            (0..N).for_each(|i| change[i][i] += one);
         }
     }
+    // What of an angle is not known becomes twice as much wherever it is doubled. That something turns is seen in the diagonal, which is the
+    // same in all units.
+    let mut unknown = R::epsilon();
     for _ in 0..doublings {
-        let mut doubled = change.map(|column| column.map(|x| x + x));
-        for (to, column) in doubled.iter_mut().zip(&change) {
-            for (weight, from) in column.iter().zip(&change) {
+        core::mem::swap(&mut before, &mut change);
+        if (0..N).any(|i| before[i][i].magnitude() > 0.125) {
+            unknown *= 2.0;
+        }
+        for (to, column) in change.iter_mut().zip(before.iter()) {
+            let mut sum = column.map(|x| x + x);
+            for (weight, from) in column.iter().zip(before.iter()) {
                 for i in 0..N {
-                    to[i] = from[i].multiply_add(*weight, to[i]);
+                    sum[i] = from[i].multiply_add(*weight, sum[i]);
                 }
             }
+            *to = sum;
         }
-        change = doubled;
     }
-    change
+    if unknown < 1.0 { *change } else { [[R::from_f64(f64::NAN); N]; N] }
 }
 
 /// A matrix, by columns, times a vector: as many rows at a time as a processor without wider vectors has registers for.

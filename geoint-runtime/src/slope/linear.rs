@@ -1,7 +1,10 @@
 //! Linear flows in two degrees of freedom: x' = Mx with M = JS, whose square N has N² = −bN − c.
 //!
 //! With z₁ and z₂ the roots of z² + bz + c, of any signs, equal or complex: the straight lines through both values of
-//! S(z) = sinh √z/√z and of D(z) = (cosh √z − 1)/z. They are S and D as polynomials in z modulo z² + bz + c.
+//! S(z) = sinh √z/√z and of D(z) = (cosh √z − 1)/z. They are S and D as polynomials in z modulo z² + bz + c. That of D is given by its value
+//! at z₁ + z₂ = −b: where one root is large, its D is small, and would be lost in a difference.
+//!
+//! Angles of which no digit is known have no sine.
 
 use super::{factorial, series, stumpff_c1};
 use crate::scalar::Real;
@@ -14,13 +17,12 @@ fn times<R: Real>([u, v]: Line<R>, [x, y]: Line<R>, [b, c]: [R; 2]) -> Line<R> {
     [u * x - c * square, u * y + v * x - b * square]
 }
 
-/// The lines of S and of D.
-fn lines<R: Real>(b: R, c: R) -> [Line<R>; 2] {
+/// The value of the line of S at 0, its slope, the value of the line of D at −b, and its slope.
+fn lines<R: Real>(b: R, c: R) -> [R; 4] {
     let [sixteenth, quarter] = [0.0625, 0.25].map(R::from_f64);
     let discriminant = quarter * b * b - c;
     let apart = (sixteenth * b * b).less(discriminant) & quarter.less(discriminant);
-    let [s, t, d, e] = R::choose(apart, || by_roots(b, c, discriminant), || by_series(b, c));
-    [[s, t], [d, e]]
+    R::choose(apart, || by_roots(b, c, discriminant), || by_series(b, c))
 }
 
 /// By the values at both roots, where these are apart.
@@ -31,15 +33,15 @@ fn by_roots<R: Real>(b: R, c: R, discriminant: R) -> [R; 4] {
     let small = c / large;
     let line = |of: &dyn Fn(R) -> R| {
         let [at_large, at_small] = [of(large), of(small)];
-        let slope = (at_large - at_small) / (large - small);
-        [at_small - small * slope, slope]
+        (at_large, at_small, (at_large - at_small) / (large - small))
     };
-    let [s, t] = line(&|z| stumpff_c1(-z));
-    let [d, e] = line(&|z| {
+    let (_, s, t) = line(&|z| stumpff_c1(-z));
+    let (d, _, e) = line(&|z| {
         let sine = stumpff_c1(-quarter * z);
         half * sine * sine
     });
-    [s, t, d, e]
+    let known = large.abs().less(R::from_f64(1.0 / (R::epsilon() * R::epsilon())));
+    R::choose(known, || [s - small * t, t, d + small * e, e], || [R::from_f64(f64::NAN); 4])
 }
 
 /// By series for a quarter of z, and again, and back by S(4z) = S (1 + zD), D(4z) = S²/2: nothing is divided by z₁ − z₂.
@@ -49,10 +51,15 @@ fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
         let none = b * zero + c * zero;
         return [none; 4];
     }
-    let (mut roots, mut quarters) = ([b, c], 0_u32);
+    let (mut roots, mut quarters, mut unknown) = ([b, c], 0_u32, R::epsilon());
     while roots[0].magnitude() > 0.5 || roots[1].magnitude() > 0.25 {
         roots = [roots[0] * quarter, roots[1] * quarter * quarter];
         quarters += 1;
+        // An error of the cosine of half an angle is four times as large in that of the angle.
+        unknown *= 4.0;
+    }
+    if unknown > 1.0 {
+        return [R::from_f64(f64::NAN); 4];
     }
     let z = [zero, one];
     let sum = |coefficients: &[f64]| {
@@ -70,25 +77,25 @@ fn by_series<R: Real>(b: R, c: R) -> [R; 4] {
         d = [half * x, half * quarter * y];
         roots = [roots[0] / quarter, roots[1] / quarter / quarter];
     }
-    [s[0], s[1], d[0], d[1]]
+    [s[0], s[1], d[0] - b * d[1], d[1]]
 }
 
 /// The line of S at z = 0.
 pub fn sine_at<R: Real>(b: R, c: R) -> R {
-    lines(b, c)[0][0]
+    lines(b, c)[0]
 }
 
 /// The slope of the line of S.
 pub fn sine_slope<R: Real>(b: R, c: R) -> R {
-    lines(b, c)[0][1]
+    lines(b, c)[1]
 }
 
-/// The line of D at z = 0.
+/// The line of D at z = −b.
 pub fn cosine_at<R: Real>(b: R, c: R) -> R {
-    lines(b, c)[1][0]
+    lines(b, c)[2]
 }
 
 /// The slope of the line of D.
 pub fn cosine_slope<R: Real>(b: R, c: R) -> R {
-    lines(b, c)[1][1]
+    lines(b, c)[3]
 }

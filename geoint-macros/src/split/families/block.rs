@@ -164,18 +164,19 @@ fn exponential(graph: &mut Graph, m: &Matrix) -> (Matrix, Matrix) {
     let c = determinant(graph, m);
     let h4 = graph.pow(h, Ratio::integer(4));
     let scaled_c = graph.mul(h4, c);
-    let [s0, s2, d0, d2] = Function::LINEAR_FLOW.map(|function| graph.call(function, &[scaled_b, scaled_c]));
+    // D by its value at z = −b.
+    let [s0, s2, across, d2] = Function::LINEAR_FLOW.map(|function| graph.call(function, &[scaled_b, scaled_c]));
     let cube = product(graph, m, &n);
     let h3 = graph.pow(h, Ratio::integer(3));
     let mean = {
+        let rise = graph.mul(scaled_b, d2);
+        let d0 = graph.add(across, rise);
         let (by_n, by_m, by_cube) = (graph.mul(h2, s2), graph.mul(h, d0), graph.mul(h3, d2));
         combined(graph, 4, &[(None, s0), (Some(&n), by_n), (Some(m), by_m), (Some(&cube), by_cube)])
     };
     let change = {
         let (by_m, by_cube) = (graph.mul(h, s0), graph.mul(h3, s2));
-        let less = graph.mul(scaled_b, d2);
-        let by_n = graph.sub(d0, less);
-        let by_n = graph.mul(h2, by_n);
+        let by_n = graph.mul(h2, across);
         let by_one = graph.mul(scaled_c, d2);
         let by_one = graph.neg(by_one);
         combined(graph, 4, &[(Some(m), by_m), (Some(&cube), by_cube), (Some(&n), by_n), (None, by_one)])
