@@ -62,7 +62,7 @@ impl Forces {
             .map(|i| {
                 let mut terms: Vec<Id> = applied.iter().map(|applied| applied[i]).collect();
                 if let (Some(friction), Some(taken)) = (&friction, taken) {
-                    let drag = match super::is_positive(graph, taken) || graph.is_zero(friction[i]) {
+                    let drag = match graph.is_positive(taken) || graph.is_zero(friction[i]) {
                         true => friction[i],
                         false => graph.call(Function::Provided, &[friction[i], taken]),
                     };

@@ -25,11 +25,12 @@ pub(crate) use damping::{Damping, Flaw};
 pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
-    Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, liouville, search, vanishes,
+    Direction, Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, is_regular, liouville,
+    retain_constant, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;
-pub(crate) use poles::{Pole, Quick, has_edge, is_positive, poles};
+pub(crate) use poles::{Pole, Quick, has_edge, poles};
 pub(crate) use separable::{not_affine, not_quadratic};
 pub(crate) use spared::Spared;
 

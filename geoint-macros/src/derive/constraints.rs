@@ -80,7 +80,7 @@ fn step(graph: &mut Graph, Equation { unknowns, residual, end, origin }: Equatio
 /// Σ |x ∂f/∂x| over coordinates and parameters x: what rounding of these changes f by, in units of ε.
 fn sizes(graph: &mut Graph, nodes: &[Id]) -> Vec<Id> {
     let mut size = |node: &Id| {
-        let symbols = graph.symbols(*node).to_vec();
+        let symbols = graph.symbols(*node);
         let slopes = jacobian(graph, &[*node], &symbols).concat();
         let mut terms = vec![];
         for (symbol, slope) in symbols.into_iter().zip(slopes) {

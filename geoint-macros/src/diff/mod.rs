@@ -15,5 +15,5 @@ mod sweep;
 mod gradient;
 
 pub(crate) use force_gradient::gradient_kick;
-pub(crate) use forward::jacobian;
+pub(crate) use forward::{along, jacobian};
 pub(crate) use gradient::{Gradient, discrete_gradient, gradient, increment, mean_rate, partial};

@@ -3,48 +3,47 @@
 //! Derivatives along a recursion over links are such sums, as long as the chain. The graph keeps sums as they are written, so this is done
 //! to the results of a kernel that asks for it.
 
-use super::{Graph, HashMap, Id, Node, Number, Ratio, Symbol};
+use super::{Graph, Id, Node, Number, Ratio, Table};
 
 /// The same nodes with such terms collected, in every sum that they are made of.
 pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
-    let mut new: HashMap<Id, Id> = HashMap::default();
-    let mut still: HashMap<Id, bool> = HashMap::default();
+    let mut new: Table<Id> = Table::default();
     for id in graph.reachable(roots) {
         let rebuilt = match graph.node(id).clone() {
             Node::Linear(constant, terms) => {
-                let terms = terms.into_iter().map(|(c, term)| (c, new[&term])).collect();
-                sum(graph, &mut still, constant, terms)
+                let terms = terms.into_iter().map(|(c, term)| (c, new[term])).collect();
+                sum(graph, constant, terms)
             }
             Node::Product(factors) => {
-                let factors: Vec<Id> = factors.iter().map(|factor| new[factor]).collect();
+                let factors: Vec<Id> = factors.iter().map(|factor| new[*factor]).collect();
                 graph.product(&factors)
             }
-            Node::Power(base, exponent) => graph.pow(new[&base], exponent),
+            Node::Power(base, exponent) => graph.pow(new[base], exponent),
             Node::Call(function, args) => {
-                let args: Vec<Id> = args.iter().map(|arg| new[arg]).collect();
+                let args: Vec<Id> = args.iter().map(|arg| new[*arg]).collect();
                 graph.call(function, &args)
             }
-            Node::Select(condition, first, second) => graph.select(new[&condition], new[&first], new[&second]),
+            Node::Select(condition, first, second) => graph.select(new[condition], new[first], new[second]),
             // Conditions decide as they are written.
             Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => id,
             Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) => id,
         };
         new.insert(id, rebuilt);
     }
-    roots.iter().map(|root| new[root]).collect()
+    roots.iter().map(|root| new[*root]).collect()
 }
 
 /// A sum with its terms collected: alone a term stays as it is.
-fn sum(graph: &mut Graph, still: &mut HashMap<Id, bool>, constant: Number, terms: Vec<(Number, Id)>) -> Id {
+fn sum(graph: &mut Graph, constant: Number, terms: Vec<(Number, Id)>) -> Id {
     let mut groups: Vec<Group> = vec![];
     for (c, term) in terms {
         let (own, rest) = graph.coefficient(term);
         let (mut moving, mut weights) = (vec![], vec![]);
         for (base, exponent) in graph.factors(rest) {
-            if is_still(graph, still, base) {
-                weights.push(graph.pow(base, exponent));
-            } else {
+            if graph.reads(base).moves() {
                 moving.push((base, exponent));
+            } else {
+                weights.push(graph.pow(base, exponent));
             }
         }
         moving.sort_unstable_by_key(|(base, _)| *base);
@@ -76,21 +75,4 @@ struct Group {
     moving: Vec<(Id, Ratio)>,
     /// Each as a whole, and what it has beside these factors.
     terms: Vec<(Id, Id)>,
-}
-
-/// Whether a node is a function of parameters and h.
-fn is_still(graph: &Graph, known: &mut HashMap<Id, bool>, id: Id) -> bool {
-    if let Some(still) = known.get(&id) {
-        return *still;
-    }
-    let still = match graph.node(id) {
-        Node::Symbol(symbol) => matches!(symbol, Symbol::Parameter(_) | Symbol::H),
-        Node::Number(_) => true,
-        node => {
-            let children = node.children();
-            !children.is_empty() && children.into_iter().all(|child| is_still(graph, known, child))
-        }
-    };
-    known.insert(id, still);
-    still
 }

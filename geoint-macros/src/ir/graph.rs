@@ -4,12 +4,13 @@
 //! once, and emitted once. Constructors fold constants, zeros, ones and signs, and merge equal terms and powers. They
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
-use super::hash::HashMap;
 use super::id::Id;
+use super::known::{self, Known};
 use super::number::Number;
 use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
-use super::reads::{Reads, Set, Sets};
+use super::reads::{Reads, Symbols};
+use super::sign::{Sign, sign};
 use super::table::Table;
 use std::cell::RefCell;
 
@@ -67,10 +68,9 @@ pub(crate) struct Partial {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
-    /// The symbols that each node reads.
-    read: Vec<Set>,
-    sets: Sets,
-    known: HashMap<Node, Id>,
+    symbols: Symbols,
+    signs: Vec<Sign>,
+    known: Known,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
     /// Scratch space of traversals: the number of the traversal that saw a node last.
@@ -84,12 +84,22 @@ impl Graph {
 
     /// What a node reads of phase space.
     pub(crate) fn reads(&self, id: Id) -> Reads {
-        self.sets.reads(self.read[id.index()])
+        self.symbols.reads(id)
     }
 
     /// The symbols that a node reads, in order.
-    pub(crate) fn symbols(&self, id: Id) -> &[Symbol] {
-        self.sets.symbols(self.read[id.index()])
+    pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
+        self.symbols.of(id)
+    }
+
+    /// What is known of the sign of a node from its form, whatever its symbols are.
+    pub(crate) fn sign(&self, id: Id) -> Sign {
+        self.signs[id.index()]
+    }
+
+    /// Whether a node is positive by its form.
+    pub(crate) fn is_positive(&self, id: Id) -> bool {
+        self.sign(id) == Sign::Positive
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -98,7 +108,12 @@ impl Graph {
 
     /// Every node, operands first.
     pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + use<> {
-        (0..self.nodes.len()).map(Id::from_index)
+        self.ids_from(0)
+    }
+
+    /// The same without the first ones.
+    pub(crate) fn ids_from(&self, known: usize) -> impl Iterator<Item = Id> + use<> {
+        (known..self.nodes.len()).map(Id::from_index)
     }
 
     /// Every node that the roots are built of, operands first.
@@ -120,13 +135,19 @@ impl Graph {
         *traversal += 1;
         seen.resize(self.nodes.len(), 0);
         let mut found = vec![];
+        let (mut first, mut last) = (usize::MAX, 0);
         while let Some(id) = open.pop() {
-            if entered(id) && std::mem::replace(&mut seen[id.index()], *traversal) != *traversal {
+            if seen[id.index()] != *traversal && entered(id) {
+                seen[id.index()] = *traversal;
+                (first, last) = (first.min(id.index()), last.max(id.index()));
                 found.push(id);
                 self.node(id).for_each_child(|child| open.push(child));
             }
         }
-        // What a node is built of has smaller numbers.
+        // What a node is built of has smaller numbers. Where most in between are found, to look at all of them is cheaper than to sort.
+        if last.saturating_sub(first) < 8 * found.len() {
+            return (first..=last).filter(|i| seen[*i] == *traversal).map(Id::from_index).collect();
+        }
         found.sort_unstable();
         found
     }
@@ -142,18 +163,13 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Id {
-        let next = Id::from_index(self.nodes.len());
-        let id = *self.known.entry(node).or_insert_with_key(|node| {
-            let read = match node {
-                Node::Symbol(symbol) => self.sets.single(*symbol),
-                _ => {
-                    let mut all = Set::default();
-                    node.for_each_child(|child| all = self.sets.union(all, self.read[child.index()]));
-                    all
-                }
-            };
-            self.read.push(read);
-            self.nodes.push(node.clone());
+        let hash = known::hash(&node);
+        let id = self.known.find(hash, |id| *self.node(id) == node).unwrap_or_else(|| {
+            let next = Id::from_index(self.nodes.len());
+            self.known.insert(hash, next);
+            self.symbols.push(&node);
+            self.signs.push(sign(&node, &self.nodes, &self.signs));
+            self.nodes.push(node);
             next
         });
         if self.partial.is_some() && self.is_partial(id) {

@@ -89,8 +89,8 @@ impl Graph {
     }
 
     pub(crate) fn product(&mut self, ids: &[Id]) -> Id {
-        let one = self.integer(1);
-        ids.iter().fold(one, |product, id| self.mul(product, *id))
+        let product = ids.iter().copied().reduce(|product, id| self.mul(product, id));
+        product.unwrap_or_else(|| self.integer(1))
     }
 
     pub(crate) fn recip(&mut self, a: Id) -> Id {

@@ -1,8 +1,8 @@
 //! Which symbols a node reads.
 
-use super::hash::HashMap;
+use super::graph::Node;
+use super::id::Id;
 use super::op::Symbol;
-use std::rc::Rc;
 
 /// What a node reads of phase space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -55,65 +55,65 @@ impl Reads {
     }
 }
 
-/// A set of symbols: its place among the sets.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Set(usize);
-
-/// Sets of symbols. Many nodes read the same ones: each set stands here once, and each union is found once.
-#[derive(Clone, Debug)]
-pub(super) struct Sets {
-    /// In order; the first one is empty.
-    sets: Vec<(Rc<[Symbol]>, Reads)>,
-    known: HashMap<Rc<[Symbol]>, Set>,
-    unions: HashMap<(Set, Set), Set>,
+/// The symbols that nodes read.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Symbols {
+    /// In the order in which they came.
+    all: Vec<Symbol>,
+    /// Of each node.
+    read: Vec<Read>,
 }
 
-impl Default for Sets {
-    fn default() -> Self {
-        let mut sets = Sets { sets: vec![], known: HashMap::default(), unions: HashMap::default() };
-        sets.intern(vec![]);
-        sets
-    }
+/// Symbols as bits, 64 a word, by their places among all; and what they are.
+#[derive(Clone, Debug, Default)]
+struct Read {
+    bits: Vec<u64>,
+    reads: Reads,
 }
 
-impl Sets {
-    pub(super) fn symbols(&self, set: Set) -> &[Symbol] {
-        &self.sets[set.0].0
-    }
-
-    pub(super) fn reads(&self, set: Set) -> Reads {
-        self.sets[set.0].1
-    }
-
-    pub(super) fn single(&mut self, symbol: Symbol) -> Set {
-        self.intern(vec![symbol])
-    }
-
-    pub(super) fn union(&mut self, a: Set, b: Set) -> Set {
-        let empty = Set::default();
-        if a == b || b == empty {
-            return a;
+impl Symbols {
+    /// What a node reads, in order.
+    pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
+        let bits = &self.read[id.index()].bits;
+        let mut symbols = vec![];
+        for (place, symbol) in self.all.iter().enumerate().take(64 * bits.len()) {
+            if bits[place / 64] >> (place % 64) & 1 == 1 {
+                symbols.push(*symbol);
+            }
         }
-        if a == empty {
-            return b;
-        }
-        if let Some(union) = self.unions.get(&(a, b)) {
-            return *union;
-        }
-        let mut symbols = [self.symbols(a), self.symbols(b)].concat();
         symbols.sort();
-        symbols.dedup();
-        let union = self.intern(symbols);
-        self.unions.insert((a, b), union);
-        union
+        symbols
     }
 
-    fn intern(&mut self, symbols: Vec<Symbol>) -> Set {
-        let symbols: Rc<[Symbol]> = symbols.into();
-        *self.known.entry(symbols).or_insert_with_key(|symbols| {
-            let reads = symbols.iter().fold(Reads::default(), |all, symbol| all.or(Reads::of(*symbol)));
-            self.sets.push((Rc::clone(symbols), reads));
-            Set(self.sets.len() - 1)
-        })
+    pub(super) fn reads(&self, id: Id) -> Reads {
+        self.read[id.index()].reads
+    }
+
+    /// Notes what the next node reads.
+    pub(super) fn push(&mut self, node: &Node) {
+        let mut read = Read::default();
+        match node {
+            Node::Symbol(symbol) => {
+                let place = self.all.iter().position(|other| other == symbol).unwrap_or(self.all.len());
+                if place == self.all.len() {
+                    self.all.push(*symbol);
+                }
+                read.bits.resize(place / 64 + 1, 0);
+                read.bits[place / 64] = 1 << (place % 64);
+                read.reads = Reads::of(*symbol);
+            }
+            node => node.for_each_child(|child| read.join(&self.read[child.index()])),
+        }
+        self.read.push(read);
+    }
+}
+
+impl Read {
+    fn join(&mut self, other: &Read) {
+        if self.bits.len() < other.bits.len() {
+            self.bits.resize(other.bits.len(), 0);
+        }
+        self.bits.iter_mut().zip(&other.bits).for_each(|(word, other)| *word |= other);
+        self.reads = self.reads.or(other.reads);
     }
 }

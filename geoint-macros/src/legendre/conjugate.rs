@@ -89,7 +89,7 @@ fn root(graph: &mut Graph, (scale, core): (Id, Id), (symbols, y): (&[Symbol], &[
     let ratio = graph.div(form, square);
     let one = graph.integer(1);
     let rest = graph.sub(one, ratio);
-    if analyze::is_positive(graph, constant) {
+    if graph.is_positive(constant) {
         let inside = graph.mul(constant, rest);
         let root = graph.sqrt(inside);
         let energy = graph.mul(scale, root);

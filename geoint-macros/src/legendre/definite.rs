@@ -3,7 +3,7 @@
 
 use super::invariant;
 use super::mass::is_velocity;
-use crate::analyze::{self, Degrees};
+use crate::analyze::Degrees;
 use crate::diff;
 use crate::ir::{Graph, Id, Node, Ratio, Symbol};
 
@@ -106,7 +106,7 @@ fn only_at_rest(graph: &mut Graph, squares: &[Square], degrees: u32) -> Option<V
             let condition = if !graph.reads(sum).moves() {
                 Some(sum)
             } else {
-                let one = terms.iter().find(|(_, moving)| analyze::is_positive(graph, *moving));
+                let one = terms.iter().find(|(_, moving)| graph.is_positive(*moving));
                 one.map(|(still, _)| *still)
             };
             let condition = condition.filter(|condition| !graph.is_zero(*condition));

@@ -3,10 +3,10 @@
 //! Kinematics that are written step by step give sin²q + cos²q for 1, and cos a cos b + sin a sin b for cos(a − b). That a derivative
 //! vanishes everywhere is proven, so that the coordinate may be put to zero.
 
-use crate::analyze::{self, vanishes};
+use crate::analyze::{self, Direction, vanishes};
 use crate::diff;
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// A node that is equal to an entry wherever that is defined, and reads fewer coordinates if that is possible: zero; or without one of them;
 /// or by the difference, or sum, of two.
@@ -17,31 +17,48 @@ pub(super) fn simplified(graph: &mut Graph, entry: Id) -> Id {
     if vanishes(graph, entry) {
         return graph.zero();
     }
+    let mut directions = directions(&positions(graph, entry));
+    analyze::retain_constant(graph, entry, &mut directions);
     let mut entry = entry;
-    for k in positions(graph, entry) {
-        let slope = diff::partial(graph, entry, Symbol::Q(k));
-        if vanishes(graph, slope) {
-            entry = with(graph, entry, |graph, i| (i == k).then(|| graph.zero()));
-        }
-    }
-    let left = positions(graph, entry);
-    for (k, l) in left.iter().enumerate().flat_map(|(i, k)| left[i + 1..].iter().map(move |l| (*k, *l))) {
-        let [first, second] = [k, l].map(|i| diff::partial(graph, entry, Symbol::Q(i)));
-        for (together, opposite) in [(graph.add(first, second), true), (graph.sub(first, second), false)] {
-            // Coordinates of the other terms may be gone by now.
-            if positions(graph, entry).contains(&l) && vanishes(graph, together) {
-                entry = with(graph, entry, |graph, i| {
-                    let [q, other] = [k, l].map(|i| graph.symbol(Symbol::Q(i)));
-                    match i {
-                        _ if i == l => Some(graph.zero()),
-                        _ if i == k => Some(if opposite { graph.sub(q, other) } else { graph.add(q, other) }),
-                        _ => None,
-                    }
-                });
-            }
+    for direction in directions {
+        // Coordinates may be gone by now.
+        let read = direction.iter().all(|(q, _)| graph.symbols(entry).contains(q));
+        if read && is_constant(graph, entry, &direction) {
+            entry = without_last(graph, entry, &direction);
         }
     }
     entry
+}
+
+/// Of each coordinate alone, and of two, by the same or by opposite amounts.
+fn directions(positions: &[Symbol]) -> Vec<Direction> {
+    let mut directions: Vec<Direction> = positions.iter().map(|q| vec![(*q, Ratio::ONE)]).collect();
+    for (i, first) in positions.iter().enumerate() {
+        for second in &positions[i + 1..] {
+            directions.extend([Ratio::ONE, Ratio::ONE.neg()].map(|rate| vec![(*first, Ratio::ONE), (*second, rate)]));
+        }
+    }
+    directions
+}
+
+/// Whether a node that does not jump is proven to be constant along a direction.
+fn is_constant(graph: &mut Graph, id: Id, direction: &Direction) -> bool {
+    let rates: Vec<(Symbol, Id)> =
+        direction.iter().map(|(symbol, rate)| (*symbol, graph.number(Number::Exact(*rate)))).collect();
+    let rate = |symbol| rates.iter().find(|(other, _)| *other == symbol).map(|(_, rate)| *rate);
+    let slope = diff::along(graph, &[id], rate);
+    vanishes(graph, slope[0])
+}
+
+/// A node that is constant along a direction, where the last coordinate is zero.
+fn without_last(graph: &mut Graph, id: Id, direction: &Direction) -> Id {
+    let (last, unit) = direction[direction.len() - 1];
+    let replace = |graph: &mut Graph, symbol| {
+        let (_, rate) = direction.iter().find(|(other, _)| *other == symbol)?;
+        let [q, last] = [symbol, last].map(|symbol| graph.symbol(symbol));
+        Some(if *rate == unit { graph.sub(q, last) } else { graph.add(q, last) })
+    };
+    Substitution::new(replace).apply(graph, id)
 }
 
 /// Whether a node is defined everywhere.
@@ -57,19 +74,6 @@ fn jumps(graph: &mut Graph, id: Id) -> bool {
 }
 
 /// The coordinates that a node reads.
-fn positions(graph: &Graph, id: Id) -> Vec<u32> {
-    let position = |symbol: &Symbol| match symbol {
-        Symbol::Q(i) => Some(*i),
-        _ => None,
-    };
-    graph.symbols(id).iter().filter_map(position).collect()
-}
-
-/// A node with something in place of some coordinates.
-fn with(graph: &mut Graph, id: Id, replaced: impl Fn(&mut Graph, u32) -> Option<Id>) -> Id {
-    let replace = |graph: &mut Graph, symbol| match symbol {
-        Symbol::Q(i) => replaced(graph, i),
-        _ => None,
-    };
-    Substitution::new(replace).apply(graph, id)
+fn positions(graph: &Graph, id: Id) -> Vec<Symbol> {
+    graph.symbols(id).into_iter().filter(|symbol| matches!(symbol, Symbol::Q(_))).collect()
 }

@@ -12,7 +12,7 @@ pub(super) fn jumps(graph: &mut Graph, momentum: Id) -> bool {
     conditions.into_iter().any(|condition| {
         let Node::Compare(_, a, b) = *graph.node(condition) else { return false };
         let difference = graph.sub(a, b);
-        let symbols = graph.symbols(difference).to_vec();
+        let symbols = graph.symbols(difference);
         symbols
             .into_iter()
             .filter(|symbol| is_velocity(*symbol))

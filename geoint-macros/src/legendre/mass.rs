@@ -7,11 +7,11 @@ use crate::{analyze, diff};
 /// ∂²L/∂v², of equal entries one; free of v where it can be.
 pub(super) fn masses(graph: &mut Graph, momenta: &[Id], symbols: &[Symbol]) -> Vec<Vec<Id>> {
     let mut mass = diff::jacobian(graph, momenta, symbols);
-    let affine = |graph: &Graph, momentum: Id| analyze::is_polynomial_in(graph, &[momentum], 1, is_velocity);
     for i in 0..mass.len() {
+        let affine = analyze::is_polynomial_in(graph, &[momenta[i]], 1, is_velocity);
         for j in 0..=i {
             // A constant may have been written with velocities in it.
-            let entry = if affine(graph, momenta[i]) { at_rest(graph, mass[i][j], |_| true) } else { mass[i][j] };
+            let entry = if affine { at_rest(graph, mass[i][j], |_| true) } else { mass[i][j] };
             (mass[i][j], mass[j][i]) = (entry, entry);
         }
     }
@@ -80,6 +80,6 @@ pub(super) fn blocks(graph: &Graph, mass: &[Vec<Id>]) -> Vec<Vec<u32>> {
 pub(super) fn is_negative(graph: &mut Graph, mass: &[Vec<Id>]) -> bool {
     (0..mass.len()).all(|i| {
         let opposite = graph.neg(mass[i][i]);
-        (0..mass.len()).all(|j| i == j || graph.is_zero(mass[i][j])) && analyze::is_positive(graph, opposite)
+        (0..mass.len()).all(|j| i == j || graph.is_zero(mass[i][j])) && graph.is_positive(opposite)
     })
 }

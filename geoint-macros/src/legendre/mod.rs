@@ -112,7 +112,8 @@ pub(crate) fn transform(
 
     // What is divided by here must not vanish either.
     graph.take_partial();
-    let Parts { parts, kinetic, potential, long } = parts::parts(graph, lagrangian, (&momenta, &simple, &shift))?;
+    let Parts { parts, kinetic, potential, long } =
+        parts::parts(graph, lagrangian, (&momenta, &simple, &shift), closed)?;
     let energy = graph.add(kinetic, potential);
     let divided = graph.take_partial();
     graph.stop_recording();

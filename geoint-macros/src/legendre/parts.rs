@@ -22,6 +22,7 @@ pub(super) fn parts(
     graph: &mut Graph,
     lagrangian: Id,
     (momenta, entries, shift): (&[Id], &[Vec<Id>], &[Id]),
+    closed: bool,
 ) -> Result<Parts, Flaw> {
     let (mut parts, mut squares, mut kinetic) = (vec![], vec![], vec![]);
     let (mut rest, mut others, mut long) = (lagrangian, vec![], None);
@@ -33,15 +34,17 @@ pub(super) fn parts(
             continue;
         }
         let shift = picked(shift);
-        let reduced = quadratic::reduced(graph, &velocities, &shift);
-        match quadratic::inverse_form(graph, &block, &reduced) {
-            Ok(mut form) => squares.append(&mut form),
-            Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
-            Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
+        let full = block.iter().flatten().copied().find(|entry| block.len() >= FULL && graph.reads(*entry).moves());
+        // Where H would be long it is not made, unless it is asked for or tells why M is singular.
+        if closed || full.is_none() || !analyze::is_regular(graph, &block) {
+            let reduced = quadratic::reduced(graph, &velocities, &shift);
+            match quadratic::inverse_form(graph, &block, &reduced) {
+                Ok(mut form) => squares.append(&mut form),
+                Err(quadratic::NoForm::Singular(combination)) => return Err(singular(graph, velocities, combination)),
+                Err(quadratic::NoForm::NoPivot(entry)) => long = Some(entry),
+            }
         }
-        if block.len() >= FULL {
-            long = long.or_else(|| block.iter().flatten().copied().find(|entry| graph.reads(*entry).moves()));
-        }
+        long = long.or(full);
         rest = at_rest(graph, rest, |i| velocities.contains(&i));
         parts.push(Part { velocities, kinetic: Kinetic::Quadratic { mass: block, shift } });
     }

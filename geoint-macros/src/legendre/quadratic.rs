@@ -1,7 +1,7 @@
 //! yᵀM⁻¹y by M = LDLᵀ, without M⁻¹.
 
 use super::invariant::simplified;
-use crate::analyze::{self, vanishes};
+use crate::analyze::vanishes;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 
 /// A square, or a form of two, and what divides it.
@@ -109,7 +109,7 @@ fn vanishes_nowhere(graph: &mut Graph, id: Id) -> bool {
         return !vanishes(graph, id);
     }
     let opposite = graph.neg(id);
-    analyze::is_positive(graph, id) || analyze::is_positive(graph, opposite)
+    graph.is_positive(id) || graph.is_positive(opposite)
 }
 
 /// The form of two coordinates with the mass matrix [a b; b c]: (c y₁² − 2b y₁y₂ + a y₂²)/(ac − b²).

@@ -243,7 +243,7 @@ impl Lowering {
 
     /// The same for a value that is not a number, but may be made of some.
     fn noted(&mut self, syntax: &impl ToTokens, value: Value) -> Value {
-        let new: Vec<Id> = self.graph.ids().skip(self.heights.len()).collect();
+        let new: Vec<Id> = self.graph.ids_from(self.heights.len()).collect();
         for id in &new {
             let below = self.graph.node(*id).children().iter().map(|child| self.heights[child.index()]).max();
             self.heights.push(below.map_or(0, |height| height + 1));

@@ -94,7 +94,7 @@ fn vanishes_on(graph: &mut Graph, edge: Id, node: Id) -> bool {
         let there = there.apply(graph, node);
         is_zero(graph, there)
     });
-    let candidates = graph.symbols(edge).to_vec();
+    let candidates = graph.symbols(edge);
     by_term
         || candidates.into_iter().any(|symbol| {
             let Some(root) = solved(graph, edge, symbol) else { return false };

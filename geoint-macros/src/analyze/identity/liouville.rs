@@ -6,7 +6,6 @@
 
 use super::multiplied::Sums;
 use super::{Identity, Proof, identity, sum_is_zero};
-use crate::analyze::is_positive;
 use crate::diff;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
 
@@ -236,7 +235,7 @@ fn primitive_of_power(graph: &mut Graph, (base, exponent): (Id, Ratio), logarith
             let power = graph.pow(base, next);
             graph.scale(Number::Exact(reciprocal), power)
         }
-        None if logarithm == Logarithm::OfNumber || is_positive(graph, base) => graph.call(Function::Ln, &[base]),
+        None if logarithm == Logarithm::OfNumber || graph.is_positive(base) => graph.call(Function::Ln, &[base]),
         None => {
             let square = graph.pow(base, Ratio::integer(2));
             let logarithm = graph.call(Function::Ln, &[square]);

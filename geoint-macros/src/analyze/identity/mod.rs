@@ -16,6 +16,7 @@ mod witness;
 
 use crate::ir::{Graph, Id, Node, Symbol};
 pub(crate) use residues::Bound;
+pub(crate) use rounding::Direction;
 use rounding::Shown;
 use std::collections::BTreeSet;
 pub(crate) use witness::{Value, Witness};
@@ -131,12 +132,22 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
 
 /// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
 pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
-    let differs = |graph: &Graph| matches!(rounding::shown(graph, &[root], graph.symbols(root)), Shown::Differs(..));
+    let differs = |graph: &Graph| matches!(rounding::shown(graph, &[root], &graph.symbols(root)), Shown::Differs(..));
     let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, PRODUCTS) {
         multiplied::Verdict::Zero => true,
         _ => matches!(residues::residues(graph, root), residues::Verdict::Zero(_)),
     };
     graph.is_zero(root) || !differs(graph) && proven(graph)
+}
+
+/// Leaves the directions along which a node may be constant: floating point does not show that it changes, a derivative may prove that it does not.
+pub(crate) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
+    rounding::retain_constant(graph, root, directions);
+}
+
+/// Whether floating point shows that a matrix is regular at some state.
+pub(crate) fn is_regular(graph: &Graph, matrix: &[Vec<Id>]) -> bool {
+    rounding::is_regular(graph, matrix)
 }
 
 /// Decides whether a sum is zero. Terms are given apart, so that it is seen how large they were when most of them cancelled.
@@ -171,6 +182,6 @@ pub(crate) fn sum_is_zero(graph: &mut Graph, terms: &[Id]) -> Identity {
 
 /// The symbols that are read, in order.
 fn symbols(graph: &Graph, terms: &[Id]) -> Vec<Symbol> {
-    let symbols: BTreeSet<Symbol> = terms.iter().flat_map(|term| graph.symbols(*term)).copied().collect();
+    let symbols: BTreeSet<Symbol> = terms.iter().flat_map(|term| graph.symbols(*term)).collect();
     symbols.into_iter().collect()
 }

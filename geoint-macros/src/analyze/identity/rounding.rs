@@ -1,11 +1,16 @@
 //! Does a sum vanish in floating point, as far as rounding lets one see? Nothing is proven by that: it tells what to say of what was
 //! not proven.
 
-use super::witness::is_rounded;
-use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
+mod sized;
+
+use crate::ir::{Graph, Id, Ratio, Symbol};
+use sized::{Evaluation, Sized};
 
 /// Values of symbols.
 pub(super) type State = Vec<(Symbol, Ratio)>;
+
+/// How symbols change together.
+pub(crate) type Direction = Vec<(Symbol, Ratio)>;
 
 /// What floating point shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,28 +27,24 @@ pub(super) enum Shown {
 const STATES: u32 = 20;
 const DRAWS: u64 = 200;
 
-/// What is smaller than this part of the terms may be rounding.
-const TOLERANCE: f64 = 1e-10;
+/// How many states are looked at for what most of them show.
+const FEW: u64 = 4;
+
+/// How far apart two states are on a line: no part of a period.
+const STEP: Ratio = Ratio { numerator: 5, denominator: 8 };
 
 /// The value of Σ terms at states that look random, against the size of the terms.
 pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
-    let order = graph.reachable(terms);
+    let mut evaluation = Evaluation::new(graph, terms);
     let mut states = 0;
     for draw in 0..DRAWS {
-        // Eighths up to 2; all positive, all negative, or of either sign.
-        let coordinate = |(i, symbol): (usize, &Symbol)| {
-            let noise = super::residues::noise(draw * 1_000 + i as u64);
-            let negative = draw % 4 == 1 || draw % 4 > 1 && noise & 64 != 0;
-            let sign = if negative { -1 } else { 1 };
-            (*symbol, Ratio::new(sign * (i128::from(noise % 16) + 1), 8).unwrap_or(Ratio::ONE))
-        };
-        let state: State = symbols.iter().enumerate().map(coordinate).collect();
-        let (value, size) = sum(graph, &order, terms, &state);
-        if !value.is_finite() || !size.is_finite() {
+        let state = drawn(draw, symbols);
+        let sum = evaluation.sum(terms, &state);
+        if !sum.is_finite() {
             continue;
         }
-        if value.abs() > TOLERANCE * size {
-            return Shown::Differs(state, value);
+        if sum.differs() {
+            return Shown::Differs(state, sum.value);
         }
         states += 1;
         if states == STATES {
@@ -55,86 +56,70 @@ pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
 
 /// The value at a state, if it is not zero to rounding.
 pub(super) fn value_at(graph: &Graph, terms: &[Id], state: &State) -> Option<f64> {
-    let (value, size) = sum(graph, &graph.reachable(terms), terms, state);
-    (value.is_finite() && value.abs() > TOLERANCE * size).then_some(value)
+    let sum = Evaluation::new(graph, terms).sum(terms, state);
+    (sum.is_finite() && sum.differs()).then_some(sum.value)
 }
 
-/// A value, and how large its terms are: its error is a few roundings of that.
-#[derive(Clone, Copy, Debug)]
-struct Sized {
-    value: f64,
-    size: f64,
-}
-
-fn sum(graph: &Graph, order: &[Id], terms: &[Id], state: &State) -> (f64, f64) {
-    let mut values: HashMap<Id, Sized> = HashMap::default();
-    for id in order {
-        let value = sized(graph, *id, &values, state);
-        values.insert(*id, value);
+/// Leaves the directions along which no states show that a node is not constant.
+pub(super) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
+    let symbols = graph.symbols(root);
+    let mut evaluation = Evaluation::new(graph, &[root]);
+    for draw in 0..FEW {
+        let state = drawn(draw, &symbols);
+        let here = evaluation.sum(&[root], &state);
+        directions.retain(|direction| {
+            let mut moved = state.clone();
+            for (symbol, value) in &mut moved {
+                let rate = direction.iter().find(|(other, _)| other == symbol).and_then(|(_, rate)| rate.mul(STEP));
+                *value = rate.and_then(|rate| value.add(rate)).unwrap_or(*value);
+            }
+            let there = evaluation.sum(&[root], &moved);
+            let change = Sized { value: there.value - here.value, size: there.size + here.size };
+            !(change.is_finite() && change.differs())
+        });
     }
-    let all = || terms.iter().map(|term| values[term]);
-    (all().map(|term| term.value).sum(), all().map(|term| term.size).sum())
 }
 
-fn sized(graph: &Graph, id: Id, values: &HashMap<Id, Sized>, state: &State) -> Sized {
-    let of = |id: &Id| values[id];
-    let alone = |value: f64| Sized { value, size: value.abs() };
-    let truth = |holds: bool| alone(f64::from(u8::from(holds)));
-    match graph.node(id) {
-        Node::Number(number) => constant(*number),
-        Node::Symbol(symbol) => {
-            let known = state.iter().find(|(other, _)| other == symbol);
-            alone(known.map_or(f64::NAN, |(_, value)| value.to_f64()))
+/// Whether a state shows that a matrix is regular: no pivot of its elimination is as small as the rounding of its entries.
+pub(super) fn is_regular(graph: &Graph, matrix: &[Vec<Id>]) -> bool {
+    let entries = matrix.concat();
+    let symbols = super::symbols(graph, &entries);
+    let mut evaluation = Evaluation::new(graph, &entries);
+    (0..FEW).any(|draw| {
+        let values = evaluation.at(&drawn(draw, &symbols));
+        let size = entries.iter().map(|id| values[*id].size).fold(0.0, f64::max);
+        let rows = matrix.iter().map(|row| row.iter().map(|id| values[*id].value).collect()).collect();
+        smallest_pivot(rows).is_some_and(|value| Sized { value, size }.differs())
+    })
+}
+
+/// The smallest pivot, each being the largest entry that is left; `None` if one is not finite.
+fn smallest_pivot(mut rows: Vec<Vec<f64>>) -> Option<f64> {
+    let mut smallest = f64::INFINITY;
+    while !rows.is_empty() {
+        let places = (0..rows.len()).flat_map(|i| (0..rows.len()).map(move |j| (i, j)));
+        let (i, j) = places.max_by(|(i, j), (k, l)| rows[*i][*j].abs().total_cmp(&rows[*k][*l].abs()))?;
+        let mut pivot = rows.swap_remove(i);
+        let value = pivot.swap_remove(j);
+        if !value.is_finite() {
+            return None;
         }
-        Node::Linear(c, terms) => terms.iter().fold(constant(*c), |sum, (c, term)| {
-            let (c, term) = (constant(*c), of(term));
-            Sized { value: sum.value + c.value * term.value, size: sum.size + c.size * term.size }
-        }),
-        Node::Product(ids) => ids.iter().map(of).fold(alone(1.0), |product, factor| Sized {
-            value: product.value * factor.value,
-            size: product.size * factor.size,
-        }),
-        Node::Power(base, exponent) => perturbed(&[of(base)], |x| x[0].powf(exponent.to_f64())),
-        Node::Call(function, args) => {
-            perturbed(&args.iter().map(of).collect::<Vec<_>>(), |x| function_value(*function, x))
+        for row in &mut rows {
+            let factor = row.swap_remove(j) / value;
+            row.iter_mut().zip(&pivot).for_each(|(entry, other)| *entry -= factor * other);
         }
-        Node::Select(condition, first, second) => of(if of(condition).value == 1.0 { first } else { second }),
-        Node::Compare(relation, a, b) => truth(relation.holds(of(a).value, of(b).value)),
-        Node::And(a, b) => truth(of(a).value * of(b).value == 1.0),
-        Node::Or(a, b) => truth(of(a).value + of(b).value > 0.0),
-        Node::Not(a) => truth(of(a).value == 0.0),
-        Node::Truth(holds) => truth(*holds),
+        smallest = value.abs().min(smallest);
     }
+    Some(smallest)
 }
 
-/// What is left when rounded numbers cancel is as uncertain as they were.
-fn constant(number: Number) -> Sized {
-    let value = number.to_f64();
-    let left_over = value.abs() < 1e-14 && is_rounded(number);
-    Sized { value, size: if left_over { 1.0 } else { value.abs() } }
-}
-
-/// A function, and its size: that of its value and of what its arguments contribute.
-fn perturbed(args: &[Sized], function: impl Fn(&[f64]) -> f64) -> Sized {
-    const STEP: f64 = 1e-7;
-    let mut x: Vec<f64> = args.iter().map(|arg| arg.value).collect();
-    let value = function(&x);
-    let mut size = value.abs();
-    for (i, arg) in args.iter().enumerate() {
-        x[i] += STEP * arg.size;
-        let change = (function(&x) - value).abs() / STEP;
-        size += if change.is_finite() { change } else { 0.0 };
-        x[i] = arg.value;
-    }
-    Sized { value, size }
-}
-
-fn function_value(function: Function, x: &[f64]) -> f64 {
-    match function {
-        Function::RecipPositive if x[0] > 0.0 => 1.0 / x[0],
-        Function::NotNegative | Function::Bounded | Function::AtMost | Function::Provided => x[0],
-        Function::Root => x[0].sqrt(),
-        _ if function.entry().public => (function.entry().value)(x),
-        _ => f64::NAN,
-    }
+/// Values that look random: eighths up to 2; all positive, all negative, or of either sign.
+fn drawn(draw: u64, symbols: &[Symbol]) -> State {
+    let coordinate = |(i, symbol): (usize, &Symbol)| {
+        let noise = super::residues::noise(draw * 1_000 + i as u64);
+        let negative = draw % 4 == 1 || draw % 4 > 1 && noise & 64 != 0;
+        let sign = if negative { -1 } else { 1 };
+        (*symbol, Ratio::new(sign * (i128::from(noise % 16) + 1), 8).unwrap_or(Ratio::ONE))
+    };
+    symbols.iter().enumerate().map(coordinate).collect()
 }

@@ -1,11 +1,9 @@
 //! Where the energy is infinite: what vanishes there, and what its structure says of zeros on a straight line.
 
-mod sign;
 mod structure;
 
 use super::enclosable::enclosable;
-use crate::ir::{Function, Graph, Id, Node, Partial, Relation, Symbol};
-use sign::Sign;
+use crate::ir::{Function, Graph, Id, Node, Partial, Relation, Sign, Symbol};
 use std::collections::HashSet;
 pub(crate) use structure::Quick;
 use structure::Zeros;
@@ -180,17 +178,11 @@ fn denominators(graph: &mut Graph, node: Id) -> Vec<Denominator> {
 
 /// Whether a node is not defined on one side of a place at which it may be: a root of x, not of x².
 pub(crate) fn has_edge(graph: &Graph, node: Id) -> bool {
-    let signs = sign::signs(graph);
     match graph.node(node) {
-        Node::Power(base, exponent) => !exponent.is_integer() && signs[base.index()] == Sign::Unknown,
+        Node::Power(base, exponent) => !exponent.is_integer() && graph.sign(*base) == Sign::Unknown,
         Node::Call(Function::Tan, _) => false,
         Node::Call(Function::Asin | Function::Acos | Function::Acosh | Function::Atanh | Function::Ln1p, _) => true,
-        Node::Call(_, args) => signs[args[0].index()] == Sign::Unknown,
+        Node::Call(_, args) => graph.sign(args[0]) == Sign::Unknown,
         _ => false,
     }
-}
-
-/// Whether a node is positive by its form, whatever its symbols are.
-pub(crate) fn is_positive(graph: &Graph, node: Id) -> bool {
-    sign::signs(graph)[node.index()] == Sign::Positive
 }

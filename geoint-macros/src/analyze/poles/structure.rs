@@ -1,8 +1,7 @@
 //! The zeros of a node, from its form: where they are those of smaller nodes, and how they are excluded on a straight line.
 
 use super::super::degree::Degrees;
-use super::sign::{Sign, signs};
-use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Symbol};
+use crate::ir::{Function, Graph, HashMap, Id, Node, Number, Ratio, Sign, Symbol};
 use std::collections::{BTreeSet, HashSet};
 
 /// A test that excludes zeros on a straight line, from values at both of its ends.
@@ -53,7 +52,6 @@ impl Signs {
 
 /// Finds zeros.
 pub(super) struct Zeros {
-    signs: Vec<Sign>,
     /// In coordinates and time.
     degrees: Degrees,
 }
@@ -72,7 +70,7 @@ type Forms = Option<(BTreeSet<Id>, Signs)>;
 impl Zeros {
     pub(super) fn new(graph: &Graph) -> Self {
         let degrees = Degrees::of(graph, |symbol| symbol.is_coordinate() || symbol == Symbol::T);
-        Zeros { signs: signs(graph), degrees }
+        Zeros { degrees }
     }
 
     /// Nodes of which one vanishes where `root` does, those left out that do not move.
@@ -80,7 +78,7 @@ impl Zeros {
         use Function::{Abs, Asin, Asinh, Atan, Cbrt, Cos, ExpM1, Sin, Sinh, Tanh};
         let (mut open, mut seen, mut zeros) = (vec![root], HashSet::new(), vec![]);
         while let Some(id) = open.pop() {
-            if self.sign(id) == Sign::Positive || !graph.reads(id).moves() || !seen.insert(id) {
+            if graph.is_positive(id) || !graph.reads(id).moves() || !seen.insert(id) {
                 continue;
             }
             match graph.node(id) {
@@ -162,7 +160,7 @@ impl Zeros {
                     terms.iter().map(|(_, term)| term).partition(|id| !graph.reads(**id).moves());
                 let (forms, mut signs) =
                     moving.iter().all(|id| self.is_square(graph, *id)).then(|| together(&moving))??;
-                signs.not_negative.extend(constant.iter().filter(|id| self.sign(**id) == Sign::Unknown));
+                signs.not_negative.extend(constant.iter().filter(|id| graph.sign(**id) == Sign::Unknown));
                 Some((forms, signs))
             }
             Node::Product(factors) => {
@@ -182,12 +180,8 @@ impl Zeros {
     fn is_square(&self, graph: &Graph, id: Id) -> bool {
         match graph.node(id) {
             Node::Product(factors) => factors.iter().all(|id| !graph.reads(*id).moves() || self.is_square(graph, *id)),
-            _ => self.sign(id) != Sign::Unknown,
+            _ => graph.sign(id) != Sign::Unknown,
         }
-    }
-
-    fn sign(&self, id: Id) -> Sign {
-        self.signs[id.index()]
     }
 
     pub(super) fn is_affine(&self, id: Id) -> bool {
@@ -196,7 +190,7 @@ impl Zeros {
 
     /// Whether a node may be negative between two points at which it is not.
     pub(super) fn has_gap(&self, graph: &Graph, id: Id) -> bool {
-        self.sign(id) == Sign::Unknown && graph.reads(id).moves() && !self.is_concave(graph, id)
+        graph.sign(id) == Sign::Unknown && graph.reads(id).moves() && !self.is_concave(graph, id)
     }
 
     /// Whether a node is concave by its form: between two points it is not below the smaller of its values there.
@@ -216,7 +210,7 @@ impl Zeros {
             }
             Node::Product(factors) => {
                 let (constant, moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|id| !graph.reads(**id).moves());
-                let signed = constant.iter().all(|id| self.sign(*id) != Sign::Unknown);
+                let signed = constant.iter().all(|id| graph.sign(*id) != Sign::Unknown);
                 signed && matches!(moving[..], [moving] if self.bends(graph, moving, concave))
             }
             Node::Power(base, exponent) => {

@@ -2,7 +2,7 @@
 
 use super::coordinates;
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
-use crate::analyze::{Identity, Proof, claims, is_positive, search};
+use crate::analyze::{Identity, Proof, claims, search};
 use crate::derive::domain::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
@@ -124,7 +124,7 @@ fn is_defined(graph: &mut Graph, node: Id, field: &[Id], partial: &[Partial]) ->
     conditions(graph, &asked).into_iter().all(|(argument, sign)| {
         let covers =
             |(other, tested): &(Id, Sign)| *other == argument && (*tested == sign || *tested == Sign::NotPositive);
-        is_positive(graph, argument) || tested.iter().any(covers)
+        graph.is_positive(argument) || tested.iter().any(covers)
     })
 }
 

@@ -48,7 +48,7 @@ struct Depths(Vec<u32>);
 
 impl Depths {
     fn of(&mut self, graph: &Graph, id: Id) -> u32 {
-        for id in graph.ids().skip(self.0.len()) {
+        for id in graph.ids_from(self.0.len()) {
             let node = graph.node(id);
             let mut depth = 0;
             node.for_each_child(|child| depth = depth.max(self.0[child.index()]));

@@ -23,7 +23,7 @@ impl Slopes {
     fn secant(&mut self, graph: &mut Graph, id: Id) -> Entries {
         let gradient = sweep::gradient(graph, id);
         let (mut along, mut squares, mut means) = (vec![], vec![], vec![]);
-        for symbol in graph.symbols(id).to_vec() {
+        for symbol in graph.symbols(id) {
             let Some(increment) = coordinate_increment(graph, symbol) else { continue };
             let slope = gradient.get(&symbol).copied().unwrap_or_else(|| graph.zero());
             let mean = self.mean(graph, slope);

@@ -63,11 +63,14 @@ impl Number {
     }
 
     pub(crate) fn is_zero(self) -> bool {
-        self.to_f64() == 0.0
+        self == Number::ZERO
     }
 
     pub(crate) fn is_negative(self) -> bool {
-        self.to_f64() < 0.0
+        match self {
+            Number::Exact(ratio) | Number::Root(ratio, _) => ratio.numerator < 0,
+            Number::Float(bits) => f64::from_bits(bits) < 0.0,
+        }
     }
 
     pub(crate) fn neg(self) -> Number {

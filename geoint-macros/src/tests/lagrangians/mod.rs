@@ -223,6 +223,13 @@ fn what_has_no_energy_says_why() {
         }
     );
     assert!(matches!(flaw(singular), Flaw::Singular(velocities, _) if velocities == [0, 1]));
+    // Of three velocities no energy is made, and what is wrong is found all the same.
+    let full = quote!(
+        fn f(q: [f64; 3], v: [f64; 3]) -> f64 {
+            (v[0] + v[1] * q[0].cos()).powi(2) + (v[1] + v[2] * q[1].sin()).powi(2) - q[2]
+        }
+    );
+    assert!(matches!(flaw(full), Flaw::Singular(velocities, _) if velocities == [0, 1, 2]));
     // Of no known conjugate, and of one combination all the same.
     let quartic = quote!(
         fn f(q: [f64; 2], v: [f64; 2]) -> f64 {

@@ -1,38 +1,32 @@
 //! The sign of a node, from its form, whatever its symbols are.
 
-use crate::ir::{Function, Graph, Id, Node, Number};
+use super::graph::Node;
+use super::id::Id;
+use super::number::Number;
+use super::op::Function;
 
 /// What is known of a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Sign {
+pub(crate) enum Sign {
     Unknown,
     NotNegative,
     Positive,
 }
 
-/// The sign of every node of a graph.
-pub(super) fn signs(graph: &Graph) -> Vec<Sign> {
-    let mut signs = Vec::with_capacity(graph.len());
-    for id in graph.ids() {
-        let own = sign(graph, id, |id| signs[id.index()]);
-        signs.push(own);
-    }
-    signs
-}
-
-/// The sign of a node, from those of its operands.
-fn sign(graph: &Graph, id: Id, of: impl Fn(Id) -> Sign) -> Sign {
+/// The sign of a node, from its operands and their signs.
+pub(super) fn sign(node: &Node, operands: &[Node], signs: &[Sign]) -> Sign {
     use Function::{Abs, Cbrt, Cos, Cosh, Exp, Exp2, Hypot, Max, Min, Sin, Tanh};
     use Sign::{NotNegative, Positive, Unknown};
+    let of = |id: Id| signs[id.index()];
     let largest = |args: &[Id]| args.iter().map(|arg| of(*arg)).max().unwrap_or(Unknown);
     let smallest = |args: &[Id]| args.iter().map(|arg| of(*arg)).min().unwrap_or(Unknown);
-    match graph.node(id) {
+    match node {
         Node::Number(value) if value.is_negative() => Unknown,
         Node::Number(value) if value.is_zero() => NotNegative,
         Node::Number(_) => Positive,
         Node::Linear(constant, terms) => {
             // How far a term may go below zero.
-            let depth = |(c, term): &(Number, Id)| match graph.node(*term) {
+            let depth = |(c, term): &(Number, Id)| match operands[term.index()] {
                 Node::Call(Sin | Cos | Tanh, _) => Some(c.to_f64().abs()),
                 _ if c.is_negative() || of(*term) == Unknown => None,
                 _ => Some(0.0),

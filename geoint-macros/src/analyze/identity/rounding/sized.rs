@@ -1,0 +1,119 @@
+//! Values in floating point, with a bound on what rounding does to them.
+
+use super::super::witness::is_rounded;
+use super::State;
+use crate::ir::{Function, Graph, Id, Node, Number, Table};
+
+/// What is smaller than this part of the terms may be rounding.
+const TOLERANCE: f64 = 1e-10;
+
+/// A value, and how large its terms are: its error is a few roundings of that.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sized {
+    pub(super) value: f64,
+    pub(super) size: f64,
+}
+
+impl Sized {
+    pub(super) fn is_finite(self) -> bool {
+        self.value.is_finite() && self.size.is_finite()
+    }
+
+    /// Whether this is not zero to rounding.
+    pub(super) fn differs(self) -> bool {
+        self.value.abs() > TOLERANCE * self.size
+    }
+
+    pub(super) fn add(self, other: Sized) -> Sized {
+        Sized { value: self.value + other.value, size: self.size + other.size }
+    }
+
+    pub(super) fn mul(self, other: Sized) -> Sized {
+        Sized { value: self.value * other.value, size: self.size * other.size }
+    }
+}
+
+/// The values of nodes at one state after the other.
+pub(super) struct Evaluation<'a> {
+    graph: &'a Graph,
+    order: Vec<Id>,
+    values: Table<Sized>,
+}
+
+impl<'a> Evaluation<'a> {
+    pub(super) fn new(graph: &'a Graph, roots: &[Id]) -> Self {
+        Evaluation { graph, order: graph.reachable(roots), values: Table::default() }
+    }
+
+    /// The values at a state.
+    pub(super) fn at(&mut self, state: &State) -> &Table<Sized> {
+        for id in &self.order {
+            let value = sized(self.graph, *id, &self.values, state);
+            self.values.insert(*id, value);
+        }
+        &self.values
+    }
+
+    /// Σ terms at a state.
+    pub(super) fn sum(&mut self, terms: &[Id], state: &State) -> Sized {
+        let values = self.at(state);
+        terms.iter().fold(Sized { value: 0.0, size: 0.0 }, |sum, term| sum.add(values[*term]))
+    }
+}
+
+fn sized(graph: &Graph, id: Id, values: &Table<Sized>, state: &State) -> Sized {
+    let of = |id: &Id| values[*id];
+    let alone = |value: f64| Sized { value, size: value.abs() };
+    let truth = |holds: bool| alone(f64::from(u8::from(holds)));
+    match graph.node(id) {
+        Node::Number(number) => constant(*number),
+        Node::Symbol(symbol) => {
+            let known = state.iter().find(|(other, _)| other == symbol);
+            alone(known.map_or(f64::NAN, |(_, value)| value.to_f64()))
+        }
+        Node::Linear(c, terms) => terms.iter().fold(constant(*c), |sum, (c, term)| sum.add(constant(*c).mul(of(term)))),
+        Node::Product(ids) => ids.iter().map(of).fold(alone(1.0), Sized::mul),
+        Node::Power(base, exponent) => perturbed(&[of(base)], |x| x[0].powf(exponent.to_f64())),
+        Node::Call(function, args) => {
+            perturbed(&args.iter().map(of).collect::<Vec<_>>(), |x| function_value(*function, x))
+        }
+        Node::Select(condition, first, second) => of(if of(condition).value == 1.0 { first } else { second }),
+        Node::Compare(relation, a, b) => truth(relation.holds(of(a).value, of(b).value)),
+        Node::And(a, b) => truth(of(a).value * of(b).value == 1.0),
+        Node::Or(a, b) => truth(of(a).value + of(b).value > 0.0),
+        Node::Not(a) => truth(of(a).value == 0.0),
+        Node::Truth(holds) => truth(*holds),
+    }
+}
+
+/// What is left when rounded numbers cancel is as uncertain as they were.
+fn constant(number: Number) -> Sized {
+    let value = number.to_f64();
+    let left_over = value.abs() < 1e-14 && is_rounded(number);
+    Sized { value, size: if left_over { 1.0 } else { value.abs() } }
+}
+
+/// A function, and its size: that of its value and of what its arguments contribute.
+fn perturbed(args: &[Sized], function: impl Fn(&[f64]) -> f64) -> Sized {
+    const STEP: f64 = 1e-7;
+    let mut x: Vec<f64> = args.iter().map(|arg| arg.value).collect();
+    let value = function(&x);
+    let mut size = value.abs();
+    for (i, arg) in args.iter().enumerate() {
+        x[i] += STEP * arg.size;
+        let change = (function(&x) - value).abs() / STEP;
+        size += if change.is_finite() { change } else { 0.0 };
+        x[i] = arg.value;
+    }
+    Sized { value, size }
+}
+
+fn function_value(function: Function, x: &[f64]) -> f64 {
+    match function {
+        Function::RecipPositive if x[0] > 0.0 => 1.0 / x[0],
+        Function::NotNegative | Function::Bounded | Function::AtMost | Function::Provided => x[0],
+        Function::Root => x[0].sqrt(),
+        _ if function.entry().public => (function.entry().value)(x),
+        _ => f64::NAN,
+    }
+}
