@@ -171,6 +171,25 @@ fn adaptive_in_all_units() {
     check::<Polar, _>("Projection", Projection(RK4, Energy));
 }
 
+/// What roundings have added up to after 1024 steps is taken away alike.
+#[test]
+fn settled_in_all_units() {
+    fn check<P: Measured, M: Method<P::System, f64>>(method: M) {
+        let run = |units: Units| {
+            let mut sim = P::system(units).integrator(method, P::STEP * power(units.t), start::<P>(units));
+            sim.advance(1030).unwrap();
+            plain::<P, _>(units, &sim.state())
+        };
+        for units in UNITS.iter().chain(P::FURTHER).map(|units| P::possible(*units)) {
+            assert_eq!(run(units), run(PLAIN), "{} in {units:?}", method.name());
+        }
+    }
+    check::<Kepler, _>(DiscreteGradient);
+    check::<Kepler, _>(FourthOrder(DiscreteGradient));
+    check::<Kepler, _>(Projection(RK4, Energy));
+    check::<Polar, _>(DiscreteGradient);
+}
+
 /// Energy in metres, kilograms and seconds: the Earth, and an electron.
 struct Si {
     energies: Vec<(String, f64)>,
