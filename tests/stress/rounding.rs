@@ -39,6 +39,10 @@ fn orbits<M: Method<Kepler>>(method: M, h: f64, starts: u32) -> Vec<Integrator<K
     (0..starts).map(|i| Kepler::system::<f64>().integrator(method, h, start(i))).collect()
 }
 
+fn keeps<S: PhaseSpace, M: Method<S>>(_: &Integrator<S, M>) -> bool {
+    M::KEEPS
+}
+
 /// Numbers of steps, and the errors after them.
 pub(crate) type Growth = Vec<(f64, f64)>;
 
@@ -46,6 +50,8 @@ pub(crate) type Growth = Vec<(f64, f64)>;
 /// first of them.
 pub(crate) struct Walk {
     pub(crate) name: &'static str,
+    /// Whether its energy is settled, so that nothing grows.
+    pub(crate) settled: bool,
     pub(crate) plain: fn((u32, u32), u32) -> Growth,
     pub(crate) compensated: fn((u32, u32), u32) -> Growth,
 }
@@ -55,6 +61,7 @@ pub(crate) fn walks() -> Vec<Walk> {
     macro_rules! walks {
         ($($system:literal, $starts:ident: $($method:expr, $h:literal),+;)*) => { vec![$($( Walk {
             name: concat!($system, ", ", stringify!($method), ", h = ", $h),
+            settled: keeps(&$starts($method, $h, 1)[0]),
             plain: |(most, starts), first| growth($starts($method, $h, starts), most, first),
             compensated: |(most, starts), first| growth($starts($method, $h, starts).into_iter().map(Integrator::compensated).collect(), most, first),
         } ),+),*] };
