@@ -31,7 +31,7 @@ pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
     [f, sign * g, sign * f_rate, g_rate]
 }
 
-/// Takes whole periods off h, to the nearest; how many.
+/// Takes whole periods off h, to the nearest; how many. After so many that no digit of the phase is known, what is left is not a number.
 fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
     let Orbit { beta, mu, h, .. } = *orbit;
     let bound = zero::<R>().less(beta) & zero::<R>().less(mu);
@@ -47,8 +47,9 @@ fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
         periods = either(fits, more, periods);
         power *= 0.5;
     }
+    let known = (periods * R::from_f64(core::f64::consts::TAU)).less(R::from_f64(1.0 / R::epsilon()));
     let [rest] = R::choose(zero::<R>().less(periods), || [h - periods * period], || [h]);
-    orbit.h = rest;
+    orbit.h = either(known, rest, R::from_f64(f64::NAN));
     periods
 }
 
