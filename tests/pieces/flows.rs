@@ -36,6 +36,7 @@ instances! { one_degree_of_freedom, f64, (q p t):
     Field, "uniform field", "p * p / 2.0 + 0.75 * q" => p * p / 2.0 + 0.75 * q;
     Lift, "prolongation" => p * q.sin();
     Geodesic, "geodesic" => (1.0 + 0.5 * q) * p * p;
+    GeodesicBehind, "geodesic" => (0.25 - q) * p * p;
     Conjugate, "Legendre conjugate" => p.sin() * q;
     Shear, "forms in involution" => (q + p).powi(4) / 8.0;
     ShearOfSine, "forms in involution" => (0.75 * q - 1.25 * p).sin();
