@@ -92,6 +92,10 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
         (p[0] - q[0] * q[1] * q[1]).powi(2) / 2.0 + (p[1] - q[0] * q[0] * q[1] - q[1].powi(3)).powi(2) / 3.0;
     OwnFieldUniform, "change of gauge", "(p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0" =>
         (p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0;
+    Independent, "independent parts", "q[0].powi(4) * p[0].powi(3) / 4.0 + (1.0 + p[1] * p[1] + 2.0 * q[1] * q[1]).sqrt()" =>
+        q[0].powi(4) * p[0].powi(3) / 4.0 + (1.0 + p[1] * p[1] + 2.0 * q[1] * q[1]).sqrt();
+    OscillatorBesideMonomial, "independent parts", "(p[0] * p[0] + 2.0 * q[0] * q[0]) / 2.0 + q[1].powi(4) * p[1].powi(3) * t / 4.0" =>
+        (p[0] * p[0] + 2.0 * q[0] * q[0]) / 2.0 + q[1].powi(4) * p[1].powi(3) * t / 4.0;
     SquareOfSpin, "function of a piece" => (q[0] * p[1] - q[1] * p[0]).powi(2) / 2.0;
     SquareOfLandau, "function of a piece" => (1.0 + p[0] * p[0] + (p[1] - 0.5 * q[0]).powi(2)).sqrt();
 }
@@ -104,6 +108,8 @@ instances! { three_degrees_of_freedom, [f64; 3], (q p t):
         (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + (p[2] + 0.5 * q[1]).powi(2)) / 2.0 + 0.5 * q[0] * q[2] - 0.75 * q[1] + 0.25 * p[2];
     Ridge, "coupled oscillators" => p[0] * p[1] - q[1] * q[2] + 0.5 * p[2] * p[2] - q[0] * q[0] + 0.5 * p[0] * q[2];
     Ramp, "coupled oscillators" => t * (p[0] * q[1] - p[1] * q[0] + 0.5 * p[1] * q[2] + p[2] * p[2] / 2.0);
+    GeodesicBesideField, "independent parts" =>
+        (2.0 - q[1]) * p[1] * p[1] + ((p[0] + 0.75 * q[2]).powi(2) + (p[2] - 0.75 * q[0]).powi(2)) / 2.0;
     SquareOfChain, "function of a piece" =>
         (1.0 + (p[0] + 0.5 * q[1]).powi(2) + (p[1] + 0.5 * q[2]).powi(2) + (p[2] - 0.5 * q[0]).powi(2)).sqrt();
 }
