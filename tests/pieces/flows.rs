@@ -26,8 +26,8 @@ macro_rules! instances {
 instances! { one_degree_of_freedom, f64, (q p t):
     Kick, "kick", "q.sin() * (1.5 + t.cos())" => q.sin() * (1.5 + t.cos());
     Drift, "drift", "(1.0 + p * p).sqrt()" => (1.0 + p * p).sqrt();
-    Oscillator, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q" => p * p * 0.6875 + 1.1875 * q * q;
-    Mixed, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p" => p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p;
+    Oscillator, "oscillators", "p * p * 0.6875 + 1.1875 * q * q" => p * p * 0.6875 + 1.1875 * q * q;
+    Mixed, "oscillators", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p" => p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p;
     Shifted, "coupled oscillators", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p" =>
         p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p;
     ShiftedSaddle, "coupled oscillators", "p * p * 0.6875 - 1.1875 * q * q + 0.75 * q - 0.5 * p" =>

@@ -32,8 +32,8 @@ pub(crate) static FAMILIES: &[Family] = &[
         solve: damped::drift,
     },
     Family {
-        name: "damped oscillator",
-        energies: "Σ (a p² + 2e q p + b q²)/2 + c s",
+        name: "oscillators",
+        energies: "Σ (a p² + 2e q p + b q²)/2, damped by c s",
         source: "A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17",
         action: true,
         solve: quadratic::oscillator,
