@@ -122,5 +122,5 @@ pub(crate) const NO_MASS: &str =
 pub(crate) const NO_CENTRE: &str =
     "`coordinates` need centres of mass, and the masses up to that of this term add up to zero";
 
-pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, and here is no \
+pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, c a constant, and here is no \
                                         such term";

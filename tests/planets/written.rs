@@ -38,3 +38,32 @@ fn attraction_in_any_words() {
         Yukawa: "-k·a·exp(-hypot(q[1][0], q[1][1]))/hypot(q[1][0], q[1][1])", |r, k, a| -k * (1.0 + a * (-r).exp()) / r;
     }
 }
+
+/// Charges on a line; those that attract each other come to an end.
+#[test]
+fn bodies_on_a_line() {
+    #[hamiltonian(coordinates = jacobi)]
+    fn charges(q: [[f64; 1]; 3], p: [[f64; 1]; 3], m: [f64; 3], e: [f64; 3]) -> f64 {
+        let mut energy = 0.0;
+        for i in 0..3 {
+            energy += p[i][0] * p[i][0] / (2.0 * m[i]);
+            for j in 0..i {
+                energy += e[i] * e[j] / (q[i][0] - q[j][0]).abs();
+            }
+        }
+        energy
+    }
+    let start = State::new([[0.1], [1.0], [-2.0]], [[0.2], [-0.3], [0.1]]);
+    let system = Charges { m: [2.0, 1.0, 0.5], e: [1.0, 0.5, 0.25] };
+    let mut sim = system.integrator(Aba10_6_4, 0.02, start);
+    sim.advance(100).expect("no collision");
+    let mut exact = system.integrator(Gauss::<4>, 0.005, start);
+    exact.advance(400).expect("no collision");
+    for i in 0..3 {
+        let error = (sim.state().q[i][0] - exact.state().q[i][0]).abs();
+        assert!(error < 1e-11, "q[{i}]: {error:e}");
+    }
+    let mut falling = Charges { e: [1.0, -0.5, 1e-9], ..system }.integrator(WisdomHolman, 0.02, start);
+    let end = falling.advance(1000).expect_err("a collision");
+    assert!(matches!(end, StepError::Pole { piece: "Kepler's motion of q[1]", .. }), "{end}");
+}

@@ -87,13 +87,16 @@ fn square_of(graph: &mut Graph, coefficient: Id, p: Id) -> Id {
     graph.mul(coefficient, square)
 }
 
-/// r² of a power that is 1/r: of r², or of a distance in the plane.
+/// r² of a power that is 1/r: of r², or of a distance in the plane or on a line.
 fn distance_squared(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
     match graph.node(base).clone() {
         _ if exponent == (Ratio { numerator: -1, denominator: 2 }) => Some(base),
         Node::Call(Function::Hypot, args) if exponent == Ratio::integer(-1) => {
             let squares = [args[0], args[1]].map(|x| graph.pow(x, Ratio::integer(2)));
             Some(graph.sum(&squares))
+        }
+        Node::Call(Function::Abs, args) if exponent == Ratio::integer(-1) => {
+            Some(graph.pow(args[0], Ratio::integer(2)))
         }
         _ => None,
     }
