@@ -116,5 +116,11 @@ pub(crate) const NOT_BODIES: &str = "`coordinates` are those of bodies: let `q` 
 pub(crate) const NOT_ONE_MASS: &str =
     "`coordinates` need one constant mass a body, T = Σ |pᵢ|²/2mᵢ, and this term is another one";
 
-pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, and here is no \
+pub(crate) const NO_MASS: &str =
+    "`coordinates` need one constant mass a body, T = Σ |pᵢ|²/2mᵢ, and of this momentum there is no square";
+
+pub(crate) const NO_CENTRE: &str =
+    "`coordinates` need centres of mass, and the masses up to that of this term add up to zero";
+
+pub(crate) const NO_ATTRACTION: &str = "`coordinates` make Kepler's motion of bodies that attract each other by −c/|qᵢ − qⱼ|, c a constant, and here is no \
                                         such term";

@@ -127,11 +127,11 @@ instances! { one_degree_of_freedom, f64, (q p s t):
     LaneEmdenThree, "damped drift" => p * p * 0.6875 + 3.0 / t * s;
     LaneEmdenFour, "damped drift" => p * p * 0.6875 + 4.0 * s / t;
     // 20–22: quadratic in (q, p).
-    Oscillator, "damped oscillator" => p * p / 2.0 + 1.6875 * 1.6875 * q * q / 2.0;
-    Saddle, "damped oscillator" => p * p * 0.6875 - 1.1875 * q * q + 0.3125 * q * p;
-    DampedOscillator, "damped oscillator" => p * p / 2.0 + 1.6875 * 1.6875 * q * q / 2.0 + 0.75 * s;
-    OverdampedOscillator, "damped oscillator" => p * p * 0.6875 + q * q * 0.375 + 6.0 * s;
-    CriticalOscillator, "damped oscillator" => p * p / 2.0 + q * q / 2.0 + 2.0 * s;
+    Oscillator, "oscillators" => p * p / 2.0 + 1.6875 * 1.6875 * q * q / 2.0;
+    Saddle, "oscillators" => p * p * 0.6875 - 1.1875 * q * q + 0.3125 * q * p;
+    DampedOscillator, "oscillators" => p * p / 2.0 + 1.6875 * 1.6875 * q * q / 2.0 + 0.75 * s;
+    OverdampedOscillator, "oscillators" => p * p * 0.6875 + q * q * 0.375 + 6.0 * s;
+    CriticalOscillator, "oscillators" => p * p / 2.0 + q * q / 2.0 + 2.0 * s;
     Gravity, "uniform field" => p * p / 2.0 + 0.75 * q;
     Throw, "uniform field" => p * p * 0.6875 + 0.3125 * p + 0.75 * q - 0.1875;
     // 23: geodesics.
@@ -163,8 +163,8 @@ instances! { stiff, f64, (q p s t):
     StrongTanh, "prolongation" => 15.0 * (2.0 * s).tanh();
     StrongSine, "prolongation" => 25.0 * (2.0 * s).sin();
     StronglyDamped, "damped drift" => p * p * 0.75 + 200.0 * s;
-    FastOscillator, "damped oscillator" => p * p * 0.75 + 1500.0 * q * q + 0.5 * s;
-    StronglyDampedOscillator, "damped oscillator" => p * p * 0.75 + q * q + 100.0 * s;
+    FastOscillator, "oscillators" => p * p * 0.75 + 1500.0 * q * q + 0.5 * s;
+    StronglyDampedOscillator, "oscillators" => p * p * 0.75 + q * q + 100.0 * s;
 }
 
 instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
@@ -192,7 +192,7 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p s t):
     DampedMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 0.75 * s;
     MassesOverShiftedTime, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 1.6875 / (t + 0.75) * s;
     LaneEmdenMasses, "damped drift" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 3.0 / t * s;
-    Oscillators, "damped oscillator" => (p[0] * p[0] + 3.0 * q[0] * q[0]) / 2.0 + p[1] * p[1] * 0.6875 + 0.75 * q[1] * q[1] + 0.75 * s;
+    Oscillators, "oscillators" => (p[0] * p[0] + 3.0 * q[0] * q[0]) / 2.0 + p[1] * p[1] * 0.6875 + 0.75 * q[1] * q[1] + 0.75 * s;
     Fields, "uniform field" => p[0] * p[0] * 0.6875 + 0.3125 * p[0] * p[1] + 0.875 * p[1] * p[1] + 0.40625 * q[0] - 0.75 * q[1] + 0.1875 * p[1];
     Conjugates, "Legendre conjugate" => (p[0] * p[0] + p[0] * p[1] + 1.0) * (s - p[0] * q[0] - p[1] * q[1]);
     ConjugateDecays, "prolongation" => 0.75 * (s - p[0] * q[0] - p[1] * q[1]);

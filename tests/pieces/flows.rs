@@ -26,8 +26,8 @@ macro_rules! instances {
 instances! { one_degree_of_freedom, f64, (q p t):
     Kick, "kick", "q.sin() * (1.5 + t.cos())" => q.sin() * (1.5 + t.cos());
     Drift, "drift", "(1.0 + p * p).sqrt()" => (1.0 + p * p).sqrt();
-    Oscillator, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q" => p * p * 0.6875 + 1.1875 * q * q;
-    Mixed, "damped oscillator", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p" => p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p;
+    Oscillator, "oscillators", "p * p * 0.6875 + 1.1875 * q * q" => p * p * 0.6875 + 1.1875 * q * q;
+    Mixed, "oscillators", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p" => p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p;
     Shifted, "coupled oscillators", "p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p" =>
         p * p * 0.6875 + 1.1875 * q * q + 0.3125 * q * p + 0.75 * q - 0.5 * p;
     ShiftedSaddle, "coupled oscillators", "p * p * 0.6875 - 1.1875 * q * q + 0.75 * q - 0.5 * p" =>
@@ -36,6 +36,7 @@ instances! { one_degree_of_freedom, f64, (q p t):
     Field, "uniform field", "p * p / 2.0 + 0.75 * q" => p * p / 2.0 + 0.75 * q;
     Lift, "prolongation" => p * q.sin();
     Geodesic, "geodesic" => (1.0 + 0.5 * q) * p * p;
+    GeodesicBehind, "geodesic" => (0.25 - q) * p * p;
     Conjugate, "Legendre conjugate" => p.sin() * q;
     Shear, "forms in involution" => (q + p).powi(4) / 8.0;
     ShearOfSine, "forms in involution" => (0.75 * q - 1.25 * p).sin();
@@ -91,6 +92,10 @@ instances! { two_degrees_of_freedom, [f64; 2], (q p t):
         (p[0] - q[0] * q[1] * q[1]).powi(2) / 2.0 + (p[1] - q[0] * q[0] * q[1] - q[1].powi(3)).powi(2) / 3.0;
     OwnFieldUniform, "change of gauge", "(p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0" =>
         (p[0] - 0.5 * q[0] * q[0] + 0.75 * q[1]).powi(2) / 2.0 + (p[1] - 0.75 * q[0]).powi(2) / 3.0;
+    Independent, "independent parts", "q[0].powi(4) * p[0].powi(3) / 4.0 + (1.0 + p[1] * p[1] + 2.0 * q[1] * q[1]).sqrt()" =>
+        q[0].powi(4) * p[0].powi(3) / 4.0 + (1.0 + p[1] * p[1] + 2.0 * q[1] * q[1]).sqrt();
+    OscillatorBesideMonomial, "independent parts", "(p[0] * p[0] + 2.0 * q[0] * q[0]) / 2.0 + q[1].powi(4) * p[1].powi(3) * t / 4.0" =>
+        (p[0] * p[0] + 2.0 * q[0] * q[0]) / 2.0 + q[1].powi(4) * p[1].powi(3) * t / 4.0;
     SquareOfSpin, "function of a piece" => (q[0] * p[1] - q[1] * p[0]).powi(2) / 2.0;
     SquareOfLandau, "function of a piece" => (1.0 + p[0] * p[0] + (p[1] - 0.5 * q[0]).powi(2)).sqrt();
 }
@@ -103,6 +108,8 @@ instances! { three_degrees_of_freedom, [f64; 3], (q p t):
         (p[0] * p[0] + (p[1] - 1.25 * q[0]).powi(2) + (p[2] + 0.5 * q[1]).powi(2)) / 2.0 + 0.5 * q[0] * q[2] - 0.75 * q[1] + 0.25 * p[2];
     Ridge, "coupled oscillators" => p[0] * p[1] - q[1] * q[2] + 0.5 * p[2] * p[2] - q[0] * q[0] + 0.5 * p[0] * q[2];
     Ramp, "coupled oscillators" => t * (p[0] * q[1] - p[1] * q[0] + 0.5 * p[1] * q[2] + p[2] * p[2] / 2.0);
+    GeodesicBesideField, "independent parts" =>
+        (2.0 - q[1]) * p[1] * p[1] + ((p[0] + 0.75 * q[2]).powi(2) + (p[2] - 0.75 * q[0]).powi(2)) / 2.0;
     SquareOfChain, "function of a piece" =>
         (1.0 + (p[0] + 0.5 * q[1]).powi(2) + (p[1] + 0.5 * q[2]).powi(2) + (p[2] - 0.5 * q[0]).powi(2)).sqrt();
 }

@@ -3,4 +3,6 @@
 mod centres;
 mod check;
 mod flows;
+mod lengths;
 mod methods;
+mod time;

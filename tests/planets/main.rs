@@ -3,3 +3,4 @@
 mod both;
 mod errors;
 mod refused;
+mod written;

@@ -1,5 +1,6 @@
 //! Orbits that end, and what is said of them.
 
+use geoint_runtime::Method;
 use geoint_runtime::prelude::*;
 
 /// Three bodies in the plane.
@@ -13,6 +14,70 @@ fn three(q: [[f64; 2]; 3], p: [[f64; 2]; 3], m: [f64; 3], g: f64) -> f64 {
         }
     }
     energy
+}
+
+const START: State<[[f64; 2]; 3]> =
+    State { t: 0.0, q: [[0.0, 0.0], [1.0, 0.0], [0.0, 3.0]], p: [[0.1, 0.0], [0.0, 0.8], [-0.2, 0.1]] };
+
+fn refused<M: Method<Three>>(method: M, m: [f64; 3]) -> StepError {
+    let mut sim = Three { m, g: 1.0 }.integrator(method, 0.01, START);
+    let refused = sim.advance(10).expect_err("no coordinates");
+    assert_eq!(sim.state(), START);
+    refused
+}
+
+/// What a body moves about has to have weight beside it: m/η of sums η is a number whose error is 1/ε otherwise.
+#[test]
+fn masses_that_leave_no_digit_are_refused() {
+    let lost = |sum: &str, mass: &str, found: StepError| {
+        let expected =
+            format!("coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first");
+        assert!(matches!(found, StepError::OutsideDomain { what, .. } if what == expected), "{found}");
+    };
+    for m in [[1e-17, 1.0, 0.1], [-1e-30, 1.0, 1e-30]] {
+        lost("m[0]", "m[1]", refused(WisdomHolman, m));
+        lost("m[0]", "m[1]", refused(WisdomHolmanProcessed, m));
+    }
+    lost("m[0] + m[1]", "m[1]", refused(Aba8_4, [1.0, -1.0, 1.0]));
+    lost("m[0] + m[1]", "m[2]", refused(Aba8_4, [1e-20, 1e-18, 1.0]));
+    lost("m[2] + (m[0] + m[1])", "m[2]", refused(Saba2Gradient, [0.1, 0.2, -0.1 - 0.2]));
+    // Where the energy is not defined, that is said.
+    let zero = refused(WisdomHolman, [0.0, 1.0, 1.0]);
+    assert!(matches!(zero, StepError::OutsideDomain { what: "division by zero: m[0]", .. }), "{zero}");
+}
+
+/// Masses that are negative, and a body in front that is much lighter than others: what is lost is a part of ε for each factor.
+#[test]
+fn masses_of_all_kinds() {
+    for (m, bound) in [([1.0, -0.3, 0.1], 1e-12), ([-1.0, -0.3, -0.1], 1e-12), ([1e-6, 1.0, 1e-3], 1e-8)] {
+        let system = Three { m, g: 1.0 };
+        let start = State { p: std::array::from_fn(|i| START.p[i].map(|v| v * m[i])), ..START };
+        let mut sim = system.integrator(Aba10_6_4, 0.001, start);
+        sim.advance(500).expect("no collision");
+        let mut exact = system.integrator(Gauss::<4>, 0.001, start);
+        exact.advance(500).expect("no collision");
+        for i in 0..3 {
+            for d in 0..2 {
+                let error = (sim.state().q[i][d] - exact.state().q[i][d]).abs();
+                assert!(error < bound, "{m:?}, q[{i}][{d}]: {error:e}");
+            }
+        }
+    }
+}
+
+/// After so many periods that no digit of the phase is known an orbit has no end.
+#[test]
+fn orbits_without_end() {
+    let system = Three { m: [1.0, 1e-3, 1e-30], g: 1.0 };
+    let start = State { p: [[0.0; 2], [0.0, 1e-3], [-0.5e-30, 0.0]], ..START };
+    for h in [1e17, -1e18, 1e100] {
+        let mut sim = system.integrator(WisdomHolman, h, start);
+        let refused = sim.step().expect_err("no digit is known");
+        assert!(matches!(refused, StepError::Pole { piece: "Kepler's motion of q[1]", .. }), "h = {h}: {refused}");
+        assert_eq!(sim.state(), start);
+    }
+    let mut sim = system.integrator(WisdomHolman, 1e12, start);
+    sim.step().expect("a third of the digits");
 }
 
 /// From rest, at distance 1, two bodies meet after π/√8 units of time.

@@ -31,8 +31,8 @@ pub(crate) use jet::JetKernel;
 pub(crate) use poles::{Jumps, Margin, Margins, Poles, Signs};
 pub(crate) use proof::liouville::{Liouville, Multiplier, Recovered, liouville};
 pub(crate) use system::{
-    ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Integrals,
-    KickDrift, Lagrangian, MassKernels, Missing, Modified, Perturbed, PieceKernel, PiecesOf, StageKernel, StepKernel,
-    System, Undamped, VelocityKernels, VelocityStages,
+    ConstraintKernels, ContactStages, FieldKernels, FlowKernel, GradientKick, HerglotzKernels, Implicit, Inner,
+    Integrals, KickDrift, Lagrangian, MassKernels, Missing, Modified, Perturbed, PieceKernel, PiecesOf, StageKernel,
+    StepKernel, System, Undamped, VelocityKernels, VelocityStages,
 };
 pub(crate) use velocities::{herglotz, velocities};

@@ -3,14 +3,12 @@
 use super::families::piece;
 use super::flow::Space;
 use super::linear_motion::{is_quadratic, linear_motion, monomials};
+use super::products::multiplied_out;
 use crate::analyze;
-use crate::ir::{Graph, Id, Node, Ratio, Reads};
+use crate::ir::{Graph, Id, Reads};
 
 /// With more terms than this those that read the same parts of phase space stay together: all subsets are tried.
 const MAX_ATOMS: usize = 7;
-
-/// Sums that couple are taken apart up to this power.
-const MAX_POWER: i128 = 4;
 
 /// The terms of H. Those that read positions alone, momenta alone or the action alone are never parted; without an action those that are
 /// quadratic are parted from the others, or all together where some of them couple.
@@ -106,28 +104,6 @@ impl Classes {
 
 /// A product with a sum that couples, or a power of one, as a sum of products; without an action every polynomial that couples.
 fn distributed(graph: &mut Graph, term: Id, space: Space) -> Option<Vec<Id>> {
-    let (c, rest) = graph.coefficient(term);
-    let factors = graph.factors(rest);
-    let is_coupling_sum = |(base, exponent): &(Id, Ratio)| {
-        exponent.is_integer()
-            && (1..=MAX_POWER).contains(&exponent.numerator)
-            && matches!(graph.node(*base), Node::Linear(..))
-            && graph.reads(*base).kinds() > 1
-    };
-    let Some(sum) = factors.iter().position(is_coupling_sum) else {
-        return if space.action { None } else { monomials(graph, term) };
-    };
-    let mut others = graph.number(c);
-    for (base, exponent) in factors.iter().enumerate().filter(|(i, _)| *i != sum).map(|(_, factor)| *factor) {
-        let factor = graph.pow(base, exponent);
-        others = graph.mul(others, factor);
-    }
-    let (base, exponent) = factors[sum];
-    let terms = analyze::terms(graph, base);
-    let mut products = vec![others];
-    for _ in 0..exponent.numerator {
-        let pairs = products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term)));
-        products = pairs.collect::<Vec<_>>().into_iter().map(|(product, term)| graph.mul(product, term)).collect();
-    }
-    Some(products)
+    multiplied_out(graph, term, |graph, sum| graph.reads(sum).kinds() > 1)
+        .or_else(|| if space.action { None } else { monomials(graph, term) })
 }

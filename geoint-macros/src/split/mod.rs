@@ -4,6 +4,7 @@
 //! P. G. Kevrekidis, arXiv:2605.09103 (2026).
 
 mod polynomial;
+mod products;
 mod time;
 mod flow;
 mod scalar;

@@ -103,7 +103,7 @@ fn van_der_pol() {
 fn cosmology() {
     found(
         quote! { fn f(q: f64, p: f64, s: f64, r: f64) -> f64 { (p * p + q * q + s * s) / 2.0 - r } },
-        &["damped oscillator (Own): p²/2 + q²/2", "prolongation (Own): s²/2 - r"],
+        &["oscillators (Own): p²/2 + q²/2", "prolongation (Own): s²/2 - r"],
     );
 }
 
@@ -111,7 +111,7 @@ fn cosmology() {
 fn quadratic_dissipation() {
     found(
         quote! { fn f(q: f64, p: f64, s: f64, a: f64) -> f64 { p * p / 2.0 + q * q / 2.0 + a * s * s / 2.0 } },
-        &["damped oscillator (Own): p²/2 + q²/2", "prolongation (Own): s²·a/2"],
+        &["oscillators (Own): p²/2 + q²/2", "prolongation (Own): s²·a/2"],
     );
 }
 
@@ -142,7 +142,7 @@ fn charge() {
             }
         },
         &[
-            "damped oscillator (Own): s·g + (q[1]²·b²/2 + q[0]²·b²/2) + (p[0]²/2 + p[1]²/2)",
+            "oscillators (Own): s·g + (q[1]²·b²/2 + q[0]²·b²/2) + (p[0]²/2 + p[1]²/2)",
             "prolongation (Own): q[1]·p[0]·b - q[0]·p[1]·b",
         ],
     );
@@ -172,7 +172,7 @@ fn spin_orbit() {
 fn damped_oscillator() {
     found(
         quote! { fn f(q: f64, p: f64, s: f64, c: f64) -> f64 { p * p / 2.0 + q * q / 2.0 + c * s } },
-        &["damped oscillator (Own): p²/2 + q²/2 + s·c"],
+        &["oscillators (Own): p²/2 + q²/2 + s·c"],
     );
 }
 

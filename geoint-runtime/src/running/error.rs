@@ -67,7 +67,8 @@ pub enum StepError {
         /// Time of the last good state.
         t: f64,
     },
-    /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular.
+    /// The exact flow of a piece of the energy ends within the step: it has a pole there, or its coefficient is singular; or it goes round so
+    /// often that no digit of where is known.
     Pole {
         /// Time of the last good state.
         t: f64,

@@ -32,7 +32,7 @@ pub use jets::Jets;
 pub(crate) use jumps::jump_between;
 pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
-pub use perturbed::{Perturbed, PerturbedGradient};
+pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
 pub(crate) use poles::{Known, Poles, compiled, singular_time};
 pub use rates::Rates;

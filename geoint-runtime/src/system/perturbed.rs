@@ -87,6 +87,22 @@ pub trait Perturbed<R: Real = f64>: Cotangent<R, Action = ()> {
     /// And back.
     #[inline(always)]
     fn leave(&self, _z: &mut Self::Phase) {}
+
+    /// Why there are no such coordinates for these parameters.
+    fn unsuitable(&self) -> Option<&'static str> {
+        None
+    }
+}
+
+/// The first mass beside which no digit is left of the sum of masses that it is divided by. Where a mass is zero the energy is not defined,
+/// which is to be said instead.
+#[cold]
+pub fn unsuitable<R: Real>(masses: &[R], shares: &[([R; 2], &'static str)]) -> Option<&'static str> {
+    if masses.iter().any(|mass| mass.magnitude() == 0.0) {
+        return None;
+    }
+    let lost = |[mass, sum]: [R; 2]| sum.magnitude() < R::epsilon() * mass.magnitude();
+    shares.iter().find(|(share, _)| lost(*share)).map(|(_, what)| *what)
 }
 
 /// A is of degree 2 in p, its squares with constant coefficients a: \[B, \[A, B\]\] = F·aF with F = −∂B/∂q is a function of q alone, and

@@ -164,6 +164,65 @@ fn random_orbits_keep_what_orbits_keep_and_kepler_s_equation() {
     }
 }
 
+/// An orbit of eccentricity 0 to 5, and a time of up to a thousand times that of its pericentre, both ways.
+fn any_orbit(random: &mut Random, decades: f64) -> (Point, f64, f64) {
+    let e = random.between(0.0, 5.0) * random.next();
+    let (mu, pericentre) = (random.decades(-decades, decades), random.decades(-decades, decades));
+    let widest = if e < 1.0 { 3.1 } else { 0.95 * (-1.0 / e).acos() };
+    let start = orbit(e, mu, pericentre, random.between(-widest, widest));
+    let h = (pericentre.powi(3) / mu).sqrt() * random.decades(-3.0, 3.0) * if random.next() < 0.5 { 1.0 } else { -1.0 };
+    (start, mu, h)
+}
+
+#[test]
+fn random_orbits_are_the_same_in_all_units() {
+    let (mut random, mut others) = (Random(2), 0);
+    let (length, time) = (2.0_f64.powi(60), 2.0_f64.powi(-25));
+    let scaled = |(q, v): Point| (q.map(|x| x * length), v.map(|x| x * length / time));
+    for case in 0..100_000 {
+        let (start, mu, h) = any_orbit(&mut random, 3.0);
+        let end = flow(start, mu, h);
+        assert!(end.0.iter().chain(&end.1).all(|x| x.is_finite()), "case {case}: {start:?}, {mu}, {h}");
+        let there = flow(scaled(start), mu * length.powi(3) / time.powi(2), h * time);
+        // Where numbers overflow on the way to the end, the way is another one.
+        if there != scaled(end) {
+            others += 1;
+            let lost = error(&there, &scaled(end)) / condition(start, mu, h, 1e-7).max(1.0);
+            assert!(lost < 4.0 * f64::EPSILON, "case {case}: {start:?}, {mu}, {h}: {lost:e}");
+        }
+    }
+    assert!(others < 1000, "{others}");
+}
+
+/// In single precision, in units of its condition.
+#[test]
+fn random_orbits_of_single_numbers() {
+    let mut random = Random(3);
+    let mut worst = 0.0_f64;
+    for case in 0..100_000 {
+        let (start, mu, h) = any_orbit(&mut random, 2.0);
+        let given = numbers(start, mu, h).map(|x| x as f32);
+        let exact = moved(start, alone(given.map(f64::from)));
+        let found = moved(start, alone(given).map(f64::from));
+        let lost = error(&found, &exact);
+        assert!(lost.is_finite(), "case {case}: {start:?}, {mu}, {h}: {found:?}");
+        // The condition takes as long as ten orbits.
+        if case % 10 == 0 {
+            let small = 1e-9;
+            let condition: f64 = (0..5)
+                .map(|i| {
+                    let mut changed = given.map(f64::from);
+                    changed[i] *= 1.0 + small;
+                    error(&moved(start, alone(changed)), &exact) / small
+                })
+                .sum();
+            worst = worst.max(lost / (1.0 + condition) / f64::from(f32::EPSILON));
+        }
+    }
+    println!("{worst:.1} ε");
+    assert!(worst < 4.0, "{worst} ε of their condition");
+}
+
 #[test]
 fn flows_of_other_fields_and_of_no_time_are_exact_where_formulas_are() {
     let start = ([0.3, -0.4, 1.2], [0.5, 0.1, -0.2]);

@@ -66,6 +66,8 @@ pub(in crate::derive) fn kernels(
             name: inner.name,
             enter: FlowKernel::new(Levels::One, inner.enter.clone()),
             leave: FlowKernel::new(Levels::One, inner.leave.clone()),
+            shares: inner.shares.clone(),
+            weighed: Kernel::new(Levels::One, [&inner.masses, inner.shares.as_flattened()].concat()),
         }),
     })
 }

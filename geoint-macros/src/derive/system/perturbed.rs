@@ -36,6 +36,10 @@ pub(crate) struct Inner<K> {
     pub(crate) name: &'static str,
     pub(crate) enter: FlowKernel<K>,
     pub(crate) leave: FlowKernel<K>,
+    /// Masses, each with the sum that it is divided by.
+    pub(crate) shares: Vec<[Id; 2]>,
+    /// The values of all masses, then those of these, one after the other.
+    pub(crate) weighed: K,
 }
 
 impl<K> Perturbed<K> {
@@ -57,6 +61,8 @@ impl<K> Perturbed<K> {
                 name: inner.name,
                 enter: inner.enter.map(of),
                 leave: inner.leave.map(of),
+                shares: inner.shares,
+                weighed: of(inner.weighed),
             }),
         }
     }

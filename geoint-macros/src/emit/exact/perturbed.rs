@@ -2,7 +2,7 @@
 //! such part.
 
 use super::{assign, flow, slots};
-use crate::derive::{FlowKernel, Missing, Perturbed};
+use crate::derive::{FlowKernel, Inner, Missing, Perturbed};
 use crate::emit::kernel::Context;
 use crate::emit::missing::unsatisfied;
 use crate::emit::structure::self_type;
@@ -42,10 +42,12 @@ fn parts(context: &Context<'_>, graph: &Graph, found: &Perturbed<Plan>) -> Token
     let inner = found.inner.as_ref().map(|inner| {
         let [enter, leave] =
             [("enter", &inner.enter), ("leave", &inner.leave)].map(|(name, map)| way(context, name, map));
+        let unsuitable = unsuitable(context, graph, inner);
         quote! {
             const INNER: bool = true;
             #enter
             #leave
+            #unsuitable
         }
     });
     let gradient = match &found.gradient_kick {
@@ -123,6 +125,28 @@ fn way(context: &Context<'_>, name: &str, map: &FlowKernel<Plan>) -> TokenStream
         #[inline]
         fn #name(&self, z: &mut #phase) {
             #parts
+            #body
+        }
+    }
+}
+
+/// The first mass beside which nothing is left of what it is divided by.
+fn unsuitable(context: &Context<'_>, graph: &Graph, inner: &Inner<Plan>) -> TokenStream {
+    let runtime = &context.energy.runtime;
+    let printer = Printer::new(graph, |symbol| context.user_name(symbol));
+    let body = context.values(&inner.weighed, |mut values| {
+        let shares = values.split_off(values.len() - 2 * inner.shares.len());
+        let shares = inner.shares.iter().zip(shares.chunks(2)).map(|([mass, sum], values)| {
+            let (mass, sum) = (printer.excerpt(*mass), printer.excerpt(*sum));
+            let what =
+                format!("coordinates in which no digit of {sum} is left beside {mass}; let heavy bodies come first");
+            quote!(([#(#values),*], #what))
+        });
+        quote!(#runtime::private::unsuitable(&[#(#values),*], &[#(#shares),*]))
+    });
+    quote! {
+        #[cold]
+        fn unsuitable(&self) -> ::core::option::Option<&'static str> {
             #body
         }
     }

@@ -20,10 +20,13 @@ pub(in super::super) fn geodesic(graph: &mut Graph, group: &Group) -> Option<Flo
     let (c, f) = parted(graph, coefficient, x);
     let weight = group.clock.over_step(graph, c)?;
     let p = graph.symbol(Symbol::P(i));
+    let steady = group.clock == Clock::Stage || is_free(graph, f, &|symbol| symbol == Symbol::T);
     let (end, change) = match factors(graph, f)[..] {
         [(base, k)] if base == graph.symbol(x) => along_power(graph, (base, k), p, weight)?,
-        [(base, k)] if slope(graph, base, x).is_some() => along_shifted_power(graph, (x, base, k), p, weight)?,
-        _ if is_free(graph, coefficient, &|symbol| symbol == Symbol::T) || group.clock == Clock::Stage => {
+        [(base, k)] if steady && slope(graph, base, x).is_some() => {
+            along_shifted_power(graph, (x, base, k), p, weight)?
+        }
+        _ if group.clock == Clock::Stage || is_free(graph, coefficient, &|symbol| symbol == Symbol::T) => {
             let double = graph.scale(Number::integer(2), f);
             let root = smooth_root(graph, double);
             let name = graph.symbol(Symbol::Ds);
@@ -65,33 +68,32 @@ fn along_power(graph: &mut Graph, (q, k): (Id, Ratio), p: Id, weight: Id) -> Opt
     Some((graph.mul(q, grown), shrunk))
 }
 
-/// a of a·x + b, if that is a number but not zero.
-fn slope(graph: &mut Graph, base: Id, x: Symbol) -> Option<Number> {
+/// a of a·x + b, if that does not move.
+fn slope(graph: &mut Graph, base: Id, x: Symbol) -> Option<Id> {
     let slope = diff::partial(graph, base, x);
-    graph.as_number(slope).filter(|slope| !slope.is_zero())
+    is_free(graph, slope, &Symbol::is_coordinate).then_some(slope)
 }
 
-/// The same for f = (a x + b)ᵏ: in u = x + b/a it is aᵏ uᵏ, and x moves as u does. Returned are x at the end, and P/p.
+/// The same for f = uᵏ, u = a x + b: with r = (2 − k) c h uᵏ⁻¹ p and D = 1 + a r, x grows by u (D^(2/(2−k)) − 1)/a, which is a mean of powers
+/// times u r, whatever the signs of a and u, and for a = 0 too. Returned are x at the end, and P/p.
 fn along_shifted_power(graph: &mut Graph, (x, base, k): (Symbol, Id, Ratio), p: Id, weight: Id) -> Option<(Id, Id)> {
     let a = slope(graph, base, x)?;
-    let a = graph.number(a);
-    let (u, scale) = (graph.div(base, a), graph.pow(a, k));
-    let lower = graph.pow(u, k.add(Ratio::integer(-1))?);
-    let rise = graph.product(&[weight, scale, lower, p]);
+    let lower = graph.pow(base, k.add(Ratio::integer(-1))?);
     let left = Ratio::integer(2).add(k.neg())?;
-    let x = graph.symbol(x);
-    let (relative, shrunk) = if left.numerator == 0 {
-        let z = graph.scale(Number::integer(2), rise);
+    let scale = if left.numerator == 0 { Ratio::integer(2) } else { left };
+    let scale = graph.number(Number::Exact(scale));
+    let rise = graph.product(&[scale, weight, lower, p]);
+    let z = graph.mul(a, rise);
+    let (mean, shrunk) = if left.numerator == 0 {
         let back = graph.neg(z);
-        (graph.call(Function::ExpM1, &[z]), graph.call(Function::Exp, &[back]))
+        (graph.call(Function::Phi1, &[z]), graph.call(Function::Exp, &[back]))
     } else {
-        let rise = graph.scale(Number::Exact(left), rise);
         let (one, inverse) = (graph.integer(1), left.recip()?);
-        let d = graph.add(one, rise);
-        let mean = scalar::mean_of_power(graph, rise, inverse.mul(Ratio::integer(2))?)?;
-        (graph.mul(rise, mean), positive_power(graph, d, inverse.mul(k)?.neg()))
+        let d = graph.add(one, z);
+        let mean = scalar::mean_of_power(graph, z, inverse.mul(Ratio::integer(2))?)?;
+        (mean, positive_power(graph, d, inverse.mul(k)?.neg()))
     };
-    let change = graph.mul(u, relative);
+    let (x, change) = (graph.symbol(x), graph.product(&[base, rise, mean]));
     Some((graph.add(x, change), shrunk))
 }
 

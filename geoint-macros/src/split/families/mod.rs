@@ -14,6 +14,7 @@ mod forms;
 mod function;
 mod gauge;
 mod monomial;
+mod independent;
 
 use super::flow::{Family, Flow, Group, Piece, Solve, Space};
 use super::polynomial::is_free;
@@ -31,8 +32,8 @@ pub(crate) static FAMILIES: &[Family] = &[
         solve: damped::drift,
     },
     Family {
-        name: "damped oscillator",
-        energies: "Σ (a p² + 2e q p + b q²)/2 + c s",
+        name: "oscillators",
+        energies: "Σ (a p² + 2e q p + b q²)/2, damped by c s",
         source: "A. Bravetti, H. Cruz & D. Tapias, Ann. Phys. 376 (2017) 17",
         action: true,
         solve: quadratic::oscillator,
@@ -119,6 +120,13 @@ pub(crate) static FAMILIES: &[Family] = &[
         action: false,
         solve: gauge,
     },
+    Family {
+        name: "independent parts",
+        energies: "Σ Aᵢ of other families, without a coordinate in common",
+        source: SEPARATION,
+        action: false,
+        solve: independent,
+    },
 ];
 
 const ARNOLD: &str = "V. I. Arnold, Mathematical Methods of Classical Mechanics (1989), appendix 4";
@@ -143,6 +151,11 @@ fn gauge(graph: &mut Graph, group: &Group) -> Option<Flow> {
         let plain = |family: &&Family| !derived.iter().any(|solve| std::ptr::fn_addr_eq(family.solve, *solve));
         FAMILIES.iter().filter(plain).find_map(|family| (family.solve)(graph, group))
     })
+}
+
+/// Energies of other rules, side by side.
+fn independent(graph: &mut Graph, group: &Group) -> Option<Flow> {
+    independent::solve(graph, group, |graph, group| others(graph, group, independent))
 }
 
 /// The flow by one of the rules before `of`.

@@ -3,13 +3,14 @@
 //! A term that reads only coordinates in involution, S_ij = 0 for i and j among them, leaves these where they are: they are constants of
 //! its flow, and what they move mostly obeys single equations, or a linear field. R. I. McLachlan, Phys. Rev. Lett. 71 (1993) 3043.
 
+use super::super::products::multiplied_out;
 use super::linear::is_zero;
 use super::solve::{Ends, SUMS, solve};
 use super::{Motion, NoPart, Part, clock, read};
 use crate::analyze;
 use crate::diff;
 use crate::diff::flow::times;
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
@@ -42,7 +43,7 @@ pub(crate) fn parts(graph: &mut Graph, energy: Id, structure: &[Vec<Id>]) -> Res
         }
         match system.group(graph, term) {
             Some(group) => groups.push(group),
-            None => match distributed(graph, term) {
+            None => match multiplied_out(graph, term, |graph, sum| graph.reads(sum).state()) {
                 Some(products) => open.extend(products.into_iter().rev()),
                 None => {
                     return Err(NoPart { formula: term, pair: system.not_in_involution(graph, &read(graph, term)) });
@@ -184,34 +185,4 @@ impl System<'_> {
         let pairs: Vec<[u32; 2]> = pairs.collect();
         pairs.into_iter().find(|[i, j]| !self.commute(graph, *i, *j)).map(|pair| pair.map(Symbol::Q))
     }
-}
-
-/// A product with a sum, or with the square of one, as a sum of products.
-fn distributed(graph: &mut Graph, term: Id) -> Option<Vec<Id>> {
-    let (c, rest) = graph.coefficient(term);
-    let factors = graph.factors(rest);
-    let reads_state = |id: Id| graph.reads(id).state();
-    let sum = factors.iter().position(|(base, exponent)| {
-        exponent.is_integer()
-            && (1..=4).contains(&exponent.numerator)
-            && matches!(graph.node(*base), Node::Linear(..))
-            && reads_state(*base)
-    })?;
-    let (base, exponent) = factors[sum];
-    let mut others = graph.number(c);
-    for (other, power) in factors.iter().enumerate().filter(|(i, _)| *i != sum).map(|(_, factor)| *factor) {
-        let factor = graph.pow(other, power);
-        others = graph.mul(others, factor);
-    }
-    let terms = analyze::terms(graph, base);
-    if terms.len() < 2 {
-        return None;
-    }
-    let mut products = vec![others];
-    for _ in 0..exponent.numerator {
-        let pairs: Vec<_> =
-            products.iter().flat_map(|product| terms.iter().map(move |term| (*product, *term))).collect();
-        products = pairs.into_iter().map(|(product, term)| graph.mul(product, term)).collect();
-    }
-    Some(products)
 }

@@ -1,10 +1,11 @@
 //! Bodies that attract each other: their masses, read off T, and what is between each two of them, read off V.
 
-use super::super::polynomial::{Polynomial, is_free, is_momentum, times_powers};
+use super::super::polynomial::{Polynomial, factors, is_free, is_momentum, times_powers};
+use super::super::products::known_terms;
 use super::NoPart;
 use crate::analyze::{self, Parts};
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
-use crate::messages::{NO_ATTRACTION, NOT_BODIES, NOT_ONE_MASS};
+use crate::messages::{NO_ATTRACTION, NO_CENTRE, NO_MASS, NOT_BODIES, NOT_ONE_MASS};
 use crate::parse::Shape;
 use std::collections::BTreeSet;
 
@@ -32,13 +33,10 @@ pub(crate) fn attraction(graph: &mut Graph, parts: &Parts, shape: &Shape) -> Res
         return Err(NoPart { term: parts.potential, why: NOT_BODIES });
     };
     let masses = masses(graph, parts.kinetic, shape.len() / dimensions, dimensions)?;
-    let (mut pairs, mut others) = (vec![], vec![]);
-    for term in analyze::single_terms(graph, parts.potential) {
-        match pair(graph, term, dimensions) {
-            Some((bodies, strength)) => pairs.push(Pair { bodies, strength, term }),
-            None => others.push(term),
-        }
-    }
+    let (pairs, others) = known_terms(graph, parts.potential, |graph, term| {
+        let (bodies, strength) = pair(graph, term, dimensions)?;
+        Some(Pair { bodies, strength, term })
+    });
     if pairs.is_empty() {
         return Err(NoPart { term: parts.potential, why: NO_ATTRACTION });
     }
@@ -61,29 +59,44 @@ fn masses(graph: &mut Graph, kinetic: Id, bodies: usize, dimensions: usize) -> R
             let p = Symbol::P((body * dimensions + i) as u32);
             (powers.coefficient(graph, &[(p, 2)]), p)
         };
-        let (first, _) = of(graph, 0);
+        let (first, p) = of(graph, 0);
         for i in 0..dimensions {
             let (coefficient, p) = of(graph, i);
             let difference = graph.sub(coefficient, first);
-            if graph.is_zero(coefficient) || !analyze::identity(graph, difference).is_zero() {
-                let p = graph.symbol(p);
-                let square = graph.pow(p, Ratio::integer(2));
-                return Err(no(graph.mul(coefficient, square)));
+            let p = graph.symbol(p);
+            if graph.is_zero(coefficient) {
+                return Err(NoPart { term: p, why: NO_MASS });
+            }
+            if !analyze::identity(graph, difference).is_zero() {
+                return Err(no(square_of(graph, coefficient, p)));
             }
         }
         let twice = graph.scale(Number::integer(2), first);
         masses.push(graph.recip(twice));
+        let sum = graph.sum(&masses);
+        if analyze::identity(graph, sum).is_zero() {
+            let p = graph.symbol(p);
+            return Err(NoPart { term: square_of(graph, first, p), why: NO_CENTRE });
+        }
     }
     Ok(masses)
 }
 
-/// r² of a power that is 1/r: of r², or of a distance in the plane.
+fn square_of(graph: &mut Graph, coefficient: Id, p: Id) -> Id {
+    let square = graph.pow(p, Ratio::integer(2));
+    graph.mul(coefficient, square)
+}
+
+/// r² of a power that is 1/r: of r², or of a distance in the plane or on a line.
 fn distance_squared(graph: &mut Graph, base: Id, exponent: Ratio) -> Option<Id> {
     match graph.node(base).clone() {
         _ if exponent == (Ratio { numerator: -1, denominator: 2 }) => Some(base),
         Node::Call(Function::Hypot, args) if exponent == Ratio::integer(-1) => {
             let squares = [args[0], args[1]].map(|x| graph.pow(x, Ratio::integer(2)));
             Some(graph.sum(&squares))
+        }
+        Node::Call(Function::Abs, args) if exponent == Ratio::integer(-1) => {
+            Some(graph.pow(args[0], Ratio::integer(2)))
         }
         _ => None,
     }
@@ -95,7 +108,7 @@ fn pair(graph: &mut Graph, term: Id, dimensions: usize) -> Option<([usize; 2], I
     let (c, rest) = graph.coefficient(term);
     let mut strength = graph.number(c.neg());
     let mut square = None;
-    for (base, exponent) in graph.factors(rest) {
+    for (base, exponent) in factors(graph, rest) {
         if is_free(graph, base, &is_state) {
             let factor = graph.pow(base, exponent);
             strength = graph.mul(strength, factor);

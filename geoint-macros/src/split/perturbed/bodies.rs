@@ -53,7 +53,14 @@ pub(super) fn perturbed(graph: &mut Graph, frame: &Frame, attraction: &Attractio
         parts,
         known: vec![KEPLER.into()],
         velocity,
-        inner: Some(Inner { name: frame.name, enter: bodies.enter(graph), leave: bodies.leave(graph), weights }),
+        inner: Some(Inner {
+            name: frame.name,
+            enter: bodies.enter(graph),
+            leave: bodies.leave(graph),
+            weights,
+            masses: bodies.masses.each.clone(),
+            shares: bodies.shares(),
+        }),
     }
 }
 
@@ -64,6 +71,12 @@ impl Bodies<'_> {
 
     fn coordinates(&self, body: usize) -> Range<usize> {
         body * self.dimensions..(body + 1) * self.dimensions
+    }
+
+    /// Each mass beside those up to it, and beside those that its body moves about.
+    fn shares(&self) -> Vec<[Id; 2]> {
+        let Masses { each, sums } = &self.masses;
+        (1..self.count()).flat_map(|i| [i, (self.frame.inside)(i).end - 1].map(|j| [each[i], sums[j]])).collect()
     }
 
     /// A coordinate of a body.

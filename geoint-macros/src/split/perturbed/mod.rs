@@ -18,7 +18,7 @@ use crate::analyze::{self, Split, Structure};
 use crate::diff;
 use crate::ir::{Graph, Id, Number, Ratio, Symbol};
 use crate::lower::Place;
-use crate::messages::{NO_EXACT_PART, NO_FLOW_OF_EXACT_PART, NOT_A_KICK, NOT_TWO_PARTS};
+use crate::messages::{NO_EXACT_PART, NO_FLOW_OF_EXACT_PART, NOT_A_KICK, NOT_ONE_MASS, NOT_TWO_PARTS};
 use crate::parse::{Coordinates, Energy};
 use attraction::attraction;
 use heliocentric::HELIOCENTRIC;
@@ -74,6 +74,9 @@ pub(crate) struct Inner {
     pub(crate) leave: Vec<(Symbol, Id)>,
     /// What has the place of each momentum is that momentum times this.
     pub(crate) weights: Vec<Id>,
+    pub(crate) masses: Vec<Id>,
+    /// Masses, each with a sum of masses that it is divided by.
+    pub(crate) shares: Vec<[Id; 2]>,
 }
 
 /// Why there is no such part: the term, and what is wrong with it.
@@ -102,6 +105,9 @@ pub(crate) fn divided(
     }
     let parts = match &structure.split {
         Split::Separable(parts) => parts,
+        Split::Coupled(term) if energy.options.coordinates.is_some() => {
+            return Err(NoPart { term: *term, why: NOT_ONE_MASS });
+        }
         Split::Coupled(term) => return coupled(graph, structure.energy, *term, degrees),
     };
     if let Some((coordinates, _)) = energy.options.coordinates {

@@ -46,6 +46,13 @@ use inner::Seen;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Perturbation<M>(pub M);
 
+/// What a table needs, or why there are no coordinates in which it could move.
+#[derive(Clone, Debug)]
+pub struct Prepared<P> {
+    table: P,
+    unsuitable: Option<&'static str>,
+}
+
 /// What a table claims where the rest moves by steps of order 2: no more than that order, whatever the size of the rest.
 fn of_rest<S: Perturbed<R>, R: Real>(claims: Claims) -> Claims {
     if S::REST_IS_EXACT { claims } else { Claims { order: claims.order.min(2), perturbed: &[], ..claims } }
@@ -53,7 +60,7 @@ fn of_rest<S: Perturbed<R>, R: Real>(claims: Claims) -> Claims {
 
 impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturbation<M> {
     type Proof = M::Proof;
-    type Prepared = M::Prepared;
+    type Prepared = Prepared<M::Prepared>;
     type Memory = M::Memory;
     const FORGETFUL: bool = M::FORGETFUL;
     const INNER: bool = S::INNER;
@@ -68,7 +75,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        self.0.prepare(&Inner(*system), h)
+        Prepared { table: self.0.prepare(&Inner(*system), h), unsuitable: system.unsuitable() }
     }
 
     fn memory() -> Self::Memory {
@@ -91,8 +98,9 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         memory: &mut Self::Memory,
         Step { system, t, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
+        Refusal::outside(prepared.unsuitable)?;
         let probe = &mut Seen { system, probe };
-        M::step(prepared, memory, Step { system: &Inner(*system), t, x, probe })
+        M::step(&prepared.table, memory, Step { system: &Inner(*system), t, x, probe })
     }
 
     #[inline(always)]
@@ -104,6 +112,7 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
         steps: u64,
         x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
-        M::advance(prepared, memory, &Inner(*system), clock, steps, x)
+        Refusal::outside(prepared.unsuitable)?;
+        M::advance(&prepared.table, memory, &Inner(*system), clock, steps, x)
     }
 }

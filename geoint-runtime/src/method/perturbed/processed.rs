@@ -95,7 +95,7 @@ fn way<'a, S: Perturbed<R>, R: Real>(
 
 impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Processed<M> {
     type Proof = M::Proof;
-    type Prepared = Prepared<M::Prepared, S::Exact, S::Rest, R>;
+    type Prepared = Prepared<<Perturbation<M> as Method<S, R>>::Prepared, S::Exact, S::Rest, R>;
     type Memory = M::Memory;
     const FORGETFUL: bool = M::FORGETFUL;
     const INNER: bool = true;

@@ -31,7 +31,7 @@ pub(super) fn kepler<R: Real>([square, eta, speed, mu, h]: [R; 5]) -> [R; 4] {
     [f, sign * g, sign * f_rate, g_rate]
 }
 
-/// Takes whole periods off h, to the nearest; how many.
+/// Takes whole periods off h, to the nearest; how many. After so many that no digit of the phase is known, what is left is not a number.
 fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
     let Orbit { beta, mu, h, .. } = *orbit;
     let bound = zero::<R>().less(beta) & zero::<R>().less(mu);
@@ -47,8 +47,9 @@ fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
         periods = either(fits, more, periods);
         power *= 0.5;
     }
+    let known = (periods * R::from_f64(core::f64::consts::TAU)).less(R::from_f64(1.0 / R::epsilon()));
     let [rest] = R::choose(zero::<R>().less(periods), || [h - periods * period], || [h]);
-    orbit.h = rest;
+    orbit.h = either(known, rest, R::from_f64(f64::NAN));
     periods
 }
 
@@ -56,13 +57,16 @@ fn reduced<R: Real>(orbit: &mut Orbit<R>) -> R {
 fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
     let Orbit { recip, beta, h, .. } = *orbit;
     let sign = either(h.less(zero()), R::from_f64(-1.0), R::from_f64(1.0));
-    // How far X is beyond the end: not a number counts as too far.
-    let early = |x: R| zero::<R>().less(sign * orbit.late(x, &functions(orbit, x)));
+    // Whether X is before the end: what overflows, or is not a number, is beyond it.
+    let is_early = |x: R, g: &Functions<R>| {
+        let late = sign * orbit.late(x, g);
+        zero::<R>().less(late) & late.less(R::from_f64(f64::INFINITY))
+    };
     let ellipse = zero::<R>().less(beta);
     let turn = R::from_f64(core::f64::consts::TAU) / beta.abs().sqrt();
     let mut far = either(ellipse, sign * turn, h * recip);
     for _ in 0..DOUBLINGS {
-        let doubled = either(!ellipse & early(far), far + far, far);
+        let doubled = either(!ellipse & is_early(far, &functions(orbit, far)), far + far, far);
         let done = (doubled - far).magnitude() == 0.0;
         far = doubled;
         if done {
@@ -76,7 +80,7 @@ fn anomaly<R: Real>(orbit: &Orbit<R>) -> R {
     let mut x = either(inside(guess, near, far), guess, middle(near, far));
     for _ in 0..ITERATIONS {
         let g = functions(orbit, x);
-        let before = zero::<R>().less(sign * orbit.late(x, &g));
+        let before = is_early(x, &g);
         (near, far) = (either(before, x, near), either(before, far, x));
         let Correction { newton, change: d } = orbit.correction(x, &g);
         // Far beyond the end the slope of time overflows, which looks like a correction of zero.
@@ -98,14 +102,16 @@ fn functions<R: Real>(orbit: &Orbit<R>, x: R) -> Functions<R> {
     let beta = orbit.beta;
     let size = (beta * x * x).abs();
     let halvings = (0..MOST_HALVINGS).find(|n| !size.any_above(reach(*n))).unwrap_or(MOST_HALVINGS);
-    let far = R::from_f64(reach(MOST_HALVINGS)).less(size);
+    let mut known = size.less_equal(R::from_f64(reach(MOST_HALVINGS)));
     let mut y = x * R::from_f64(1.0 / (1_u64 << halvings) as f64);
     let mut g = orbit.functions(y);
     for _ in 0..halvings {
         (g, y) = (g.doubled(y, beta), y + y);
     }
     let Functions(g) = g;
-    Functions(g.map(|g| either(far, R::from_f64(f64::NAN), g)))
+    // One of them alone would be an early or a late end.
+    g.iter().for_each(|g| known = known & g.abs().less(R::from_f64(f64::INFINITY)));
+    Functions(g.map(|g| either(known, g, R::from_f64(f64::NAN))))
 }
 
 /// |β|X² up to which halving X so many times leaves no more than [`RADIUS`].

@@ -17,6 +17,25 @@ mod perturbed_coordinates_of_one_body {
     }
 }
 
+mod perturbed_coordinates_without_centre {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(coordinates = jacobi)]
+    fn pair(q: [[f64; 2]; 2], p: [[f64; 2]; 2]) -> f64 {
+        let kinetic = (p[0][0].powi(2) + p[0][1].powi(2) - p[1][0].powi(2) - p[1][1].powi(2)) / 2.0;
+        kinetic - 1.0 / (q[0][0] - q[1][0]).hypot(q[0][1] - q[1][1])
+    }
+}
+
+mod perturbed_coordinates_without_mass {
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(coordinates = heliocentric)]
+    fn pair(q: [[f64; 2]; 2], p: [[f64; 2]; 2], m: f64) -> f64 {
+        (p[1][0].powi(2) + p[1][1].powi(2)) / (2.0 * m) - m / (q[0][0] - q[1][0]).hypot(q[0][1] - q[1][1])
+    }
+}
+
 mod perturbed_damped {
     use geoint_runtime::prelude::*;
 

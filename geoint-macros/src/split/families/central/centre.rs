@@ -1,6 +1,6 @@
 //! What is a centre? A term of a potential that is a power of a length.
 
-use super::super::super::polynomial::{Polynomial, is_free};
+use super::super::super::polynomial::{Polynomial, factors, is_free};
 use super::dot;
 use crate::analyze;
 use crate::ir::{Function, Graph, Id, Node, Ratio, Symbol};
@@ -45,7 +45,7 @@ impl Form {
 pub(super) fn centre(graph: &mut Graph, term: Id, power: Ratio, degrees: u32) -> Option<Centre> {
     let (c, rest) = graph.coefficient(term);
     let (mut strength, mut found) = (graph.number(c), None);
-    for (base, exponent) in graph.factors(rest) {
+    for (base, exponent) in factors(graph, rest) {
         if is_free(graph, base, &Symbol::is_coordinate) {
             let factor = graph.pow(base, exponent);
             strength = graph.mul(strength, factor);

@@ -10,6 +10,7 @@ mod motion;
 
 use super::super::flow::{Flow, Group};
 use super::super::polynomial::{Polynomial, is_free, is_momentum};
+use super::super::products::known_terms;
 use super::super::time::Clock;
 use crate::analyze;
 use crate::ir::{Function, Graph, Id, Node, Number, Ratio, Symbol};
@@ -78,13 +79,7 @@ impl Central {
                 _ => return None,
             }
         }
-        let (mut centres, mut rest) = (vec![], vec![]);
-        for term in analyze::single_terms(graph, potential) {
-            match centre(graph, term, power, group.degrees) {
-                Some(centre) => centres.push(centre),
-                None => rest.push(term),
-            }
-        }
+        let (centres, rest) = known_terms(graph, potential, |graph, term| centre(graph, term, power, group.degrees));
         let rest = graph.sum(&rest);
         (!centres.is_empty()).then_some(Central { inverse_mass, centres, rest })
     }
