@@ -111,6 +111,7 @@ where
 #[test]
 fn nothing_splits_the_entangled() {
     assert!(Entangled::REPORT.contains("none: no rule knows the flow of"), "{}", Entangled::REPORT);
+    assert!(Entangled::REPORT.contains("- families that were tried: damped drift, "), "{}", Entangled::REPORT);
     for line in ["`ContactMidpoint`, unknowns 3", "`ContactDiscreteGradient`, unknowns 3"] {
         assert!(Entangled::REPORT.contains(line), "{}", Entangled::REPORT);
     }

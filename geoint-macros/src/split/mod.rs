@@ -21,6 +21,7 @@ mod modified;
 mod fields;
 mod perturbed;
 
+pub(crate) use families::tried;
 pub(crate) use fields::{Motion, NoPart, Part, parts, planes, solved_planes};
 pub(crate) use flow::{Family, Flow, Piece, Space, may_end};
 pub(crate) use increment::{increments, steady};

@@ -91,7 +91,7 @@ fn sections<F: Fn(crate::ir::Symbol) -> String>(
 
     for found in &system.pieces {
         writeln!(text, "\nPieces with flows in closed form, in the order of half a step of `PieceSplitting`")?;
-        pieces::of_energy(text, printer, found)?;
+        pieces::of_energy(text, printer, (found, false))?;
         if system.proven.contains(&"NystromPieces") {
             writeln!(
                 text,

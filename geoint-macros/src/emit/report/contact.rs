@@ -108,7 +108,7 @@ pub(super) fn decaying<F: Fn(Symbol) -> String>(
 
 fn pieces<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, F>, system: &System<Plan>) -> Written {
     writeln!(text, "\nPieces with flows in closed form, in the order of half a step")?;
-    system.pieces.iter().try_for_each(|found| super::pieces::of_energy(text, printer, found))
+    system.pieces.iter().try_for_each(|found| super::pieces::of_energy(text, printer, (found, true)))
 }
 
 fn implicit(text: &mut String, degrees: u32, system: &System<Plan>) -> Written {

@@ -4,19 +4,21 @@ use super::counted;
 use crate::derive::{PieceKernel, PiecesOf, System};
 use crate::ir::{Symbol, print::Printer};
 use crate::schedule::Plan;
-use crate::split::{Clock, Rejected};
+use crate::split::{Clock, Rejected, tried};
 use std::fmt::{Result as Written, Write};
 
 /// The pieces of an energy, and what else was found.
 pub(super) fn of_energy<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    found: &PiecesOf<Plan>,
+    (found, action): (&PiecesOf<Plan>, bool),
 ) -> Written {
     let pieces = match &found.pieces {
         Ok(pieces) => pieces,
         Err(missing) => {
-            return writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term));
+            writeln!(text, "- none: no rule knows the flow of {}", printer.excerpt(missing.term))?;
+            let names: Vec<&str> = tried(action).map(|family| family.name).collect();
+            return writeln!(text, "- families that were tried: {}", names.join(", "));
         }
     };
     pieces.iter().try_for_each(|each| piece(text, printer, each))?;

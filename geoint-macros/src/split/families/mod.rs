@@ -166,6 +166,11 @@ fn others(graph: &mut Graph, group: &Group, of: Solve) -> Option<Flow> {
         .find_map(|family| (family.solve)(graph, group))
 }
 
+/// The families in the order in which they are tried, of contact systems if there is an `action`.
+pub(crate) fn tried(action: bool) -> impl Iterator<Item = &'static Family> {
+    FAMILIES.iter().filter(move |family| family.action || !action)
+}
+
 /// A piece with this energy, if some rule knows its flow: exactly in time, or else at frozen time.
 pub(crate) fn piece(graph: &mut Graph, energy: Id, space: Space) -> Option<Piece> {
     // What does not read time is not frozen.
@@ -173,7 +178,7 @@ pub(crate) fn piece(graph: &mut Graph, energy: Id, space: Space) -> Option<Piece
     let clocks = if steady { &[Clock::Own][..] } else { &[Clock::Own, Clock::Stage] };
     clocks.iter().find_map(|clock| {
         let group = Group { energy, degrees: space.degrees, clock: *clock };
-        FAMILIES.iter().filter(|family| family.action || !space.action).find_map(|family| {
+        tried(space.action).find_map(|family| {
             let mut flow = (family.solve)(graph, &group)?;
             if !space.action {
                 flow.s = graph.symbol(Symbol::S);
