@@ -219,6 +219,32 @@ fn velocities_may_have_masses_of_both_signs() -> Result<(), StepError> {
     Ok(())
 }
 
+/// s falls to the pole of 1/s before t = 0.25. Stages of longer steps come to lie behind it, from where s grows again.
+#[test]
+fn no_stage_is_behind_a_pole_of_the_action() {
+    #[lagrangian]
+    fn falling(q: f64, v: f64, s: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q - 1.0 / s - 2.0
+    }
+    #[lagrangian]
+    fn falling_together(q: [f64; 3], v: [f64; 3], s: f64) -> f64 {
+        let [u, w] = [v[0] + 0.2 * v[1] * q[2].cos(), v[1] + 0.3 * v[2] * q[1].sin()];
+        0.5 * (u * u + w * w + v[2] * v[2]) - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]) - 1.0 / s - 2.0
+    }
+    #[contact_hamiltonian]
+    fn rising(q: f64, p: f64, s: f64) -> f64 {
+        0.5 * p * p + 0.5 * q * q + 1.0 / s + 2.0
+    }
+    let start = Falling.at(0.5, 0.2, 1.0);
+    stay!(Falling, start, |state: &ContactState<f64>| state.t > 0.25, ContactGauss::<2>, ContactGauss::<3>);
+    stay!(Rising, start, |state: &ContactState<f64>| state.t > 0.25, ContactGauss::<2>, ContactGauss::<3>);
+    let start = FallingTogether.at([0.5; 3], [0.2; 3], 1.0);
+    for h in [0.17, 0.2, 0.25] {
+        let crossed = |state: &ContactState<[f64; 3]>| state.t > 0.26;
+        assert!(!leads_over((FallingTogether, ContactGauss::<3>, start), h, crossed), "{h}");
+    }
+}
+
 /// q₁²v₀ − H is of first order, with Ω = −2q₁.
 #[test]
 fn no_step_leads_over_a_singular_form() {

@@ -65,6 +65,12 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
         change
     }
 
+    /// Where a stage is: positions and s, with the momenta before the step.
+    #[inline(always)]
+    pub(super) fn stage(&self, i: usize, d: &[Y::Moved; S]) -> (Y::Phase, R) {
+        ([sum(&self.z[0], &self.shift(i, d)), self.z[1]], self.s + self.apart(&d[i]).1)
+    }
+
     /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
     /// would not be multiplied by a positive number.
     #[inline(always)]
@@ -196,10 +202,9 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
         last.d = *d;
         for (i, stage) in last.stages.iter_mut().enumerate() {
-            let (v, ds) = self.apart(&d[i]);
-            let (t, q, s) = (self.t + nodes[i], sum(&self.z[0], &self.shift(i, d)), self.s + ds);
-            probe.visit(t, &[q, self.z[1]], &s);
-            self.system.stage(constants, t, &q, &v, &s, stage);
+            let (t, (z, s)) = (self.t + nodes[i], self.stage(i, d));
+            probe.visit(t, &z, &s);
+            self.system.stage(constants, t, &z[0], &self.apart(&d[i]).0, &s, stage);
         }
         last.factors = match self.known {
             Some(known) => known,
