@@ -257,4 +257,12 @@ fn no_step_leads_over_a_singular_form() {
     let mut sim = Fold.integrator(Gauss::<2>, 0.5, start);
     assert!((0..20).any(|_| sim.step().is_err()));
     assert!(sim.state().x[1] > 0.0);
+    // Where it is singular at the start that is named.
+    macro_rules! named {
+        ($($method:expr),*) => { $(
+            let text = Fold.integrator($method, 0.1, Fold.at([-1.0, 0.0])).step().expect_err("singular").to_string();
+            assert!(text.contains("division by zero: q[1]"), "{}: {text}", stringify!($method));
+        )* };
+    }
+    named!(ImplicitMidpoint, Gauss::<2>, DiscreteGradient, RK4);
 }
