@@ -245,6 +245,39 @@ fn no_stage_is_behind_a_pole_of_the_action() {
     }
 }
 
+/// What a wall 1/q repels at long steps, in all forms of the stages: none lies behind the wall, from where the end would be thrown off.
+#[test]
+fn no_stage_is_behind_a_wall() {
+    #[hamiltonian]
+    fn wall(q: f64, p: f64) -> f64 {
+        0.5 * p * p + 1.0 / q
+    }
+    #[lagrangian]
+    fn in_phase_space(q: [f64; 2], v: [f64; 2]) -> f64 {
+        q[1] * v[0] - 0.5 * q[1] * q[1] - 1.0 / q[0]
+    }
+    #[lagrangian]
+    fn together(q: [f64; 3], v: [f64; 3]) -> f64 {
+        let [u, w] = [v[0] + 0.2 * v[1] * q[2].cos(), v[1] + 0.3 * v[2] * q[1].sin()];
+        0.5 * (u * u + w * w + v[2] * v[2]) - 1.0 / q[0]
+    }
+    /// Steps that are taken, at most 40.
+    fn taken<S: PhaseSpace, M: Method<S>>(system: S, method: M, h: f64, start: S::State) -> u64 {
+        let mut sim = Integrator::new(system, method, h, start);
+        let outcome = sim.advance(40);
+        assert!(outcome.is_ok() || matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?}");
+        sim.steps()
+    }
+    let start = State::new(1.0, -10.0);
+    assert!(taken(Wall, Gauss::<2>, 0.05, start) < 40);
+    assert!(taken(InPhaseSpace, Gauss::<2>, 0.05, InPhaseSpace.at([1.0, -10.0])) < 40);
+    let start = Together.at([1.0, 0.2, 0.1], [-3.0, 0.0, 0.0]);
+    assert!(taken(Together, Gauss::<3>, 2.0, start) < 40);
+    // With shorter steps all come back.
+    assert_eq!(taken(Wall, Gauss::<2>, 0.005, State::new(1.0, -3.0)), 40);
+    assert_eq!(taken(Together, Gauss::<3>, 0.02, start), 40);
+}
+
 /// q₁²v₀ − H is of first order, with Ω = −2q₁.
 #[test]
 fn no_step_leads_over_a_singular_form() {
