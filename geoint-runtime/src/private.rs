@@ -2,7 +2,9 @@
 
 pub use crate::method::constrained::Rattle;
 pub use crate::method::contact::{ContactDiscreteGradient, ContactMidpoint};
-pub use crate::method::corrected::invariants::{CanonicalEnergy, Integral, VelocityEnergy};
+pub use crate::method::corrected::invariants::{
+    CanonicalEnergy, EnergyAndMomenta, Integral, Integrals as KeptIntegrals, VelocityEnergy,
+};
 pub use crate::method::discrete_gradient::DiscreteGradient;
 pub use crate::method::discrete_gradient::canonical as fourth_order;
 pub use crate::method::pieces::{
@@ -23,8 +25,8 @@ pub use crate::system::{
     Constrained as ConstrainedSystem, ConstrainedStep, Contact as ContactSystem, ContactCollocated, ContactGraded,
     ContactPolarised, ContactStage, ContactStages, ContactVelocities, Cotangent as CotangentSpace, DiscreteField,
     FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
-    KeepsEnergy, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact, ModifiedEnergy,
-    NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
+    KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
+    ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
     Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
     SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
     energy_of, from_positions, rate_of, unmet, velocity_of,
@@ -35,10 +37,13 @@ pub use geoint_macros::{put_energy_function_above_it, resume};
 /// What is seldom done is compiled with this crate, where it does not depend on the shape of unknowns, or for usual shapes. Programs take it
 /// from here, since it is never inlined. These are its addresses, because only what somebody names is compiled.
 #[inline(never)]
-pub fn compiled() -> ([[*const (); 2]; 4], [*const (); 4]) {
+pub fn compiled() -> ([[*const (); 2]; 4], [*const (); 6]) {
+    use crate::method::corrected::kept::compiled as kept;
     use crate::solving::newton::compiled as search;
     use crate::solving::noise::compiled as noise;
     use crate::system::compiled as poles;
     let scalars = [poles::<f64>(), poles::<f32>(), noise::<f64>(), noise::<f32>()];
-    (scalars, [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()])
+    let [one, two, three, four] =
+        [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()];
+    (scalars, [one, two, three, four, kept::<f64>(), kept::<f32>()])
 }

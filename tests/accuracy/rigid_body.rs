@@ -97,6 +97,7 @@ impl Collocation for RigidBody {
 impl Graded for RigidBody {
     type Proof = ();
     type Gradient = ByTree;
+    type Kept = ();
 }
 
 /// c g₁ × g₂ with the discrete gradients g of the energy and of half the square of angular momentum, 1/c = the product of all

@@ -19,4 +19,5 @@ mod time;
 mod names;
 mod tolerance;
 mod saved;
+mod settled;
 mod hostile;

@@ -31,7 +31,7 @@ use crate::method::splitting::{DriftFirst, KickFirst, PositionVerlet, Splitting,
 use crate::method::tables::total::adds_up;
 use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
+use crate::space::{Array, Summation};
 use crate::system::PhaseSpace;
 
 /// Weights γ₁, …, γ_K, reading the same from both ends.
@@ -165,6 +165,12 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
     type Memory = [M::Memory; K];
     const SCALES_STEPS: bool = M::SCALES_STEPS;
+    const KEEPS: bool = M::KEEPS;
+
+    #[inline]
+    fn way_back(prepared: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        prepared.first().map_or(S::Phase::zero(), |first| M::way_back(&first.map, system, origin, z))
+    }
 
     fn claims(&self) -> Claims {
         let map = self.map.claims();

@@ -32,7 +32,7 @@ pub use crate::solving::Refusal;
 
 use crate::scalar::Real;
 use crate::space::vector::difference;
-use crate::space::{PerCoordinate, Plain, Point, Record, Summation};
+use crate::space::{Array, PerCoordinate, Plain, Point, Record, Summation};
 use crate::system::PhaseSpace;
 
 /// What a method promises where nothing is damped; the tests run over the list of all methods and hold each to it.
@@ -140,6 +140,16 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     /// Improves the next initial guess by what those of the two substeps before have missed, where this method is composed.
     #[inline(always)]
     fn follow(_memory: &mut Self::Memory, _before: [Earlier<'_, Self::Memory, R>; 2]) {}
+
+    /// Whether steps keep invariants to rounding: [`way_back`](Self::way_back) then leads back to where they were.
+    const KEEPS: bool = false;
+
+    /// What leads from `z` to where the invariants that steps keep are what they were at the `origin` of a run. Steps keep them up to rounding,
+    /// which walks at random, or drifts: once in 1024 steps it is taken away.
+    #[inline]
+    fn way_back(_prepared: &Self::Prepared, _system: &S, _origin: &S::Phase, _z: &S::Phase) -> S::Phase {
+        S::Phase::zero()
+    }
 
     /// Whether a step does not end in a finite state where the energy is not defined.
     #[inline(always)]

@@ -11,6 +11,7 @@ mod output;
 mod run;
 #[cfg(feature = "alloc")]
 mod saved;
+mod settle;
 mod step_size;
 mod taylor;
 mod tolerance;

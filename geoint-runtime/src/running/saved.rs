@@ -21,14 +21,16 @@ pub const FORMAT: u32 = 1;
 /// has an answer before it. An [`Integrator`](crate::Integrator) has, in this order:
 ///
 /// 1. t₀ in two words, h, the number of steps of length h since t₀, and what the present is called, if anything;
-/// 2. the number of steps since the beginning, and whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER));
+/// 2. the number of steps since the beginning, and whether the point is that of the method (see [`Method::INNER`](crate::Method::INNER)); of methods
+///    that keep invariants all coordinates of the state that the user gave;
 /// 3. the point: all coordinates, the action, what the sums of both have lost, by how much time is ahead in two words, 0;
 /// 4. the memory of the method: its [`Record`](crate::space::Record).
 ///
-/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken and rejected; 3; the largest magnitude of each coordinate, errors caused in it, and the
-/// longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and whether the last step was
-/// rejected; for which length the method was prepared last; 4 for whole steps and for halves. A [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, the direction, largest
-/// magnitudes, the length of the last step, and how many in a row went nowhere; its coefficients are computed anew.
+/// An [`Adaptive`](crate::Adaptive) run has 1; steps taken and rejected, and the same coordinates; 3; the largest magnitude of each coordinate, errors
+/// caused in it, and the longest time in which the state changes; the length of the next step by its rung, its direction, the last error, and
+/// whether the last step was rejected; for which length the method was prepared last; 4 for whole steps and for halves. A
+/// [`TaylorIntegrator`](crate::TaylorIntegrator) has 1, 3, steps taken, the direction, largest magnitudes, the length of the last step, and how many
+/// in a row went nowhere; its coefficients are computed anew.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Saved {
@@ -120,7 +122,7 @@ pub(super) trait Recorded: Clone {
     /// Shows everything that changes from step to step.
     fn record(&mut self, tape: &mut impl Tape<Self::Real>);
     /// What follows from that is computed anew; whether the state is finite.
-    fn settle(&mut self) -> bool;
+    fn complete(&mut self) -> bool;
 }
 
 /// The run now.
@@ -148,7 +150,7 @@ pub(super) fn resume<T: Recorded>(run: &mut T, saved: &Saved) -> Result<(), Resu
     if reader.read != words.len() {
         return Err(ResumeError::Words { expected: reader.read, found: words.len() });
     }
-    if !resumed.settle() {
+    if !resumed.complete() {
         return Err(ResumeError::NonFinite);
     }
     *run = resumed;

@@ -1,19 +1,19 @@
 //! What a flow keeps, and the mean velocities that keep it to order 4.
 
-use super::VectorField;
+use super::{Hamiltonian, PhaseSpace, VectorField};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
 /// One or more functions of the coordinates that the flow of `S` keeps.
 ///
-/// Points and increments are arrays of all coordinates: [q, p], or x. Tuples of two or three single invariants are invariants.
+/// Points and increments are arrays of all coordinates: [q, p], or x. Tuples of two or three single invariants are invariants, and `()` is none.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a set of invariants of `{S}`",
     note = "`Energy` is one of every autonomous system whose divided differences are known"
 )]
 pub trait Invariants<S, R: Real = f64>: Copy
 where
-    S: VectorField<R>,
+    S: PhaseSpace<R>,
 {
     /// One scalar an invariant: `R`, or an array.
     type Values: Array<Real = R>;
@@ -78,6 +78,15 @@ pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
     }
 }
 
+/// Momenta of degree 2 at most in all coordinates that a flow keeps beside its energy.
+pub trait KeptMomenta<R: Real = f64>: Hamiltonian<R> {
+    /// One scalar for the energy, and one for each momentum.
+    type Values: Array<Real = R>;
+
+    /// The gradients of momenta, behind an entry that is not read.
+    fn momenta(&self, z: &Self::Phase) -> <Self::Values as Array>::Map<Self::Phase>;
+}
+
 /// The equation of a step of order 4 that keeps first integrals, z₁ − z₀ = h (F − G(GᵀG)⁻¹GᵀF): the tree discrete gradients of the
 /// integrals are the columns of G, and F = (f(z₀) + 4 f(c) + f(z₁))/6 with c = m + h/8 (f(z₀) − f(z₁)) and the middle m.
 ///
@@ -92,6 +101,8 @@ pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {
 pub trait FourthOrderField<R: Real = f64>: VectorField<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
+    /// What of it does not read time: rounding of many steps is taken away from that.
+    type Kept: Invariants<Self, R> + Default;
     /// What depends on parameters and h.
     type FourthParameters: Copy + core::fmt::Debug;
     /// What depends on the start of a step.

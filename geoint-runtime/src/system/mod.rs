@@ -24,8 +24,10 @@ pub use implicit::{
     DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Unmet, VelocityForm,
     contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
 };
-pub(crate) use implicit::{Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near};
-pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, SteadyIntegrals};
+pub(crate) use implicit::{
+    KeptBy, Regular, acceleration, held, on_one_side, projected, row_scale, tangent, velocity_near,
+};
+pub use integrals::{FirstIntegrals, FourthOrderField, Invariants, KeepsEnergy, KeptMomenta, SteadyIntegrals};
 pub use jets::Jets;
 pub(crate) use jumps::jump_between;
 pub use lagrangian::{Lagrangian, from_positions};

@@ -72,6 +72,7 @@ pub(super) fn constraints(context: &Context<'_>, graph: &Graph, kernels: &Constr
         impl<R: Real> Graded<R> for #name {
             type Proof = ();
             type Gradient = ByConstraint;
+            type Kept = ();
         }
         #(#steps)*
         #inherent

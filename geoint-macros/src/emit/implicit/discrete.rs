@@ -13,7 +13,11 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 /// `impl DiscreteField`.
-pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+pub(super) fn discrete_field(
+    context: &Context<'_>,
+    field: &FieldKernels<Plan>,
+    (plan, kept): (&Plan, TokenStream),
+) -> TokenStream {
     let name = self_type(context);
     let FieldKernels { increments, .. } = field;
     let unknown = context.unknown_type(increments.len());
@@ -59,6 +63,7 @@ pub(super) fn discrete_field(context: &Context<'_>, field: &FieldKernels<Plan>, 
         impl<R: Real> Graded<R> for #name {
             type Proof = ();
             type Gradient = ByTree;
+            type Kept = #kept;
         }
         impl<R: Real> DiscreteField<R> for #name {
             type Proof = ();
@@ -99,6 +104,7 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
         impl<R: Real + #marker> Graded<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Gradient = ByTree;
+            type Kept = ();
         }
         impl<R: Real + #marker> DiscreteField<R> for #name {
             type Proof = <R as #marker>::Proof;
@@ -122,11 +128,16 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
+pub(super) fn canonical_fourth_order(
+    context: &Context<'_>,
+    momenta: &Plan,
+    (autonomous, kept): (bool, TokenStream),
+) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
     let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
     let count = momenta.last[0].results.len() / (2 * degrees);
     let columns = Literal::usize_unsuffixed(1 + count);
+    let kept = if count > 0 { quote!(EnergyAndMomenta<#autonomous>) } else { kept };
     let places: Vec<Vec<usize>> = (0..count)
         .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
         .collect();
@@ -140,8 +151,20 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
         }
     });
     quote! {
+        impl<R: Real> KeptMomenta<R> for #name {
+            type Values = [R; #columns];
+
+            #[inline(always)]
+            fn momenta(&self, z: &#phase) -> [#phase; #columns] {
+                let mut slopes = [<#phase as Array>::zero(); #columns];
+                #parts
+                #slopes
+                slopes
+            }
+        }
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
+            type Kept = #kept;
             type FourthParameters = fourth_order::ParametersOf<Self, R>;
             type FourthStart = fourth_order::Begun<#array>;
 
@@ -162,12 +185,7 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 image: &mut #phase,
                 matrix: &mut Square<#phase>,
             ) {
-                let momenta = |z: &#phase| {
-                    let mut slopes = [<#phase as Array>::zero(); #columns];
-                    #parts
-                    #slopes
-                    slopes
-                };
+                let momenta = |z: &#phase| self.momenta(z);
                 fourth_order::slope::<#autonomous, #columns, _, _>(self, parameters, start, momenta, d, (image, matrix));
             }
             #loosen
@@ -176,7 +194,11 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
 }
 
 /// `impl FourthOrderField`.
-pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
+pub(super) fn fourth_order(
+    context: &Context<'_>,
+    field: &FieldKernels<Plan>,
+    (plan, kept): (&Plan, TokenStream),
+) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
     let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
@@ -187,6 +209,7 @@ pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, pl
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
+            type Kept = #kept;
             #types
 
             #functions

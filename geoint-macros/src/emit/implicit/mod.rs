@@ -12,16 +12,17 @@ mod velocities;
 
 use super::kernel::{Context, write};
 use super::structure::self_type;
-use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::derive::{ContactStages, ENERGY, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
+use crate::parse::Form;
 use crate::schedule::{Block, Operand, Plan};
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::{format_ident, quote};
 
 /// The implementations for implicit methods, of any form.
 pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Plan>) -> TokenStream {
     match &system.implicit {
-        Implicit::Field(kernels) => field(context, graph, (kernels, &system.proven)),
+        Implicit::Field(kernels) => field(context, graph, (kernels, system)),
         Implicit::Constrained(kernels) => constraints::constraints(context, graph, kernels),
         Implicit::Velocities(kernels) => velocities::velocities(context, graph, kernels),
         Implicit::Herglotz(kernels) => herglotz::herglotz(context, graph, kernels),
@@ -46,18 +47,39 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
     }
 }
 
-fn field(context: &Context<'_>, graph: &Graph, (field, proven): (&FieldKernels<Plan>, &[&'static str])) -> TokenStream {
-    let discrete = field.discrete.as_ref().map(|plan| discrete::discrete_field(context, field, plan));
+fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<Plan>, &System<Plan>)) -> TokenStream {
+    let proven = &system.proven;
+    let [by_gradient, to_order_four] = kept(context, system);
+    let discrete = field.discrete.as_ref().map(|plan| discrete::discrete_field(context, field, (plan, by_gradient)));
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, graph, missing));
     let fourth = match &field.fourth {
-        Some(plan) => Some(discrete::fourth_order(context, field, plan)),
-        None => proven
-            .contains(&"Conservative")
-            .then(|| discrete::canonical_fourth_order(context, &field.momenta, proven.contains(&"Autonomous"))),
+        Some(plan) => Some(discrete::fourth_order(context, field, (plan, to_order_four))),
+        None => proven.contains(&"Conservative").then(|| {
+            let autonomous = proven.contains(&"Autonomous");
+            discrete::canonical_fourth_order(context, &field.momenta, (autonomous, to_order_four))
+        }),
     };
     let collocation = collocation::collocation(context, field);
     let canonical = field.canonical.as_ref().map(|plan| canonical::canonical(context, plan));
     quote!(#discrete #nothing_kept #fourth #collocation #canonical)
+}
+
+/// What `DiscreteGradient` and `FourthOrder` keep of what does not read time: the energy, or all integrals of a field. Of a structure the first one
+/// keeps H, and leaves Casimirs to the middle of its steps.
+fn kept(context: &Context<'_>, system: &System<Plan>) -> [TokenStream; 2] {
+    let (nothing, all) = (quote!(()), quote!(KeptIntegrals));
+    match &system.integrals {
+        None if system.proven.contains(&"Autonomous") => [quote!(CanonicalEnergy), quote!(CanonicalEnergy)],
+        Some(integrals) if !integrals.steady.is_empty() => match context.energy.form {
+            Form::Structured => {
+                let energy = integrals.steady.iter().position(|i| integrals.names[*i] == ENERGY);
+                let energy = energy.map(Literal::usize_unsuffixed).map(|k| quote!(Integral<#k>));
+                [energy.unwrap_or(nothing), all]
+            }
+            _ => [all.clone(), all],
+        },
+        _ => [nothing.clone(), nothing],
+    }
 }
 
 /// The places of a square matrix, row by row.

@@ -26,7 +26,7 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
     let stage = context
         .planned(&stage.last[0], (&[], ""), |values| write_derivatives(&places, (&DERIVED, &DERIVATIVES), &values));
     let polarised = match polarised {
-        Ok(plan) => self::polarised(context, increments, plan),
+        Ok(plan) => self::polarised(context, increments, (plan, *keeps)),
         Err(missing) => not_polarised(context, graph, *missing),
     };
     let cotangent = cotangent(context);
@@ -105,7 +105,7 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> T
 }
 
 /// `impl PolarisedForm`.
-fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> TokenStream {
+fn polarised(context: &Context<'_>, increments: &[Symbol], (plan, keeps): (&Plan, bool)) -> TokenStream {
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let (phase, parts) = (context.phase(), context.parts());
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
@@ -114,10 +114,12 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], plan: &Plan) -> Token
     let equation = context.planned(&plan.last[0], (increments, "d"), |values| {
         write_derivatives(&places, (&["residual", "impulse"], &["matrix", "impulse_by_d"]), &values)
     });
+    let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
     quote! {
         impl<R: Real> Graded<R> for #name {
             type Proof = ();
             type Gradient = ByPolarisation;
+            type Kept = #kept;
         }
         impl<R: Real> PolarisedForm<R> for #name {
             type Proof = ();
@@ -149,6 +151,7 @@ fn not_polarised(context: &Context<'_>, graph: &Graph, missing: Missing) -> Toke
         impl<R: Real + #marker> Graded<R> for #name {
             type Proof = <R as #marker>::Proof;
             type Gradient = ByPolarisation;
+            type Kept = ();
         }
         impl<R: Real + #marker> PolarisedForm<R> for #name {
             type Proof = <R as #marker>::Proof;

@@ -76,13 +76,13 @@ const _: () = {
         contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
-        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
-        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
-        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
-        VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
+        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, EnergyAndMomenta,
+        KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy, Inverted, Jets,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
+        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
+        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
         is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
         recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
@@ -549,6 +549,7 @@ const _: () = {
     impl<R: Real> Graded<R> for Coupled {
         type Proof = ();
         type Gradient = ByTree;
+        type Kept = CanonicalEnergy;
     }
     impl<R: Real> DiscreteField<R> for Coupled {
         type Proof = ();
@@ -692,8 +693,18 @@ const _: () = {
             drift
         }
     }
+    impl<R: Real> KeptMomenta<R> for Coupled {
+        type Values = [R; 1];
+        #[inline(always)]
+        fn momenta(&self, z: &[[R; 2]; 2]) -> [[[R; 2]; 2]; 1] {
+            let mut slopes = [<[[R; 2]; 2] as Array>::zero(); 1];
+            let [q, p] = z;
+            slopes
+        }
+    }
     impl<R: Real> FourthOrderField<R> for Coupled {
         type Proof = ();
+        type Kept = CanonicalEnergy;
         type FourthParameters = fourth_order::ParametersOf<Self, R>;
         type FourthStart = fourth_order::Begun<[R; 2]>;
         #[inline]
@@ -718,11 +729,7 @@ const _: () = {
             image: &mut [[R; 2]; 2],
             matrix: &mut Square<[[R; 2]; 2]>,
         ) {
-            let momenta = |z: &[[R; 2]; 2]| {
-                let mut slopes = [<[[R; 2]; 2] as Array>::zero(); 1];
-                let [q, p] = z;
-                slopes
-            };
+            let momenta = |z: &[[R; 2]; 2]| self.momenta(z);
             fourth_order::slope::<
                 true,
                 1,

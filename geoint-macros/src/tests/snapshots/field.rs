@@ -84,13 +84,13 @@ const _: () = {
         contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
-        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
-        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
-        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
-        VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
+        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, EnergyAndMomenta,
+        KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy, Inverted, Jets,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
+        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
+        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
         is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
         recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
@@ -887,6 +887,7 @@ const _: () = {
     impl<R: Real> Graded<R> for Turning<R> {
         type Proof = ();
         type Gradient = ByTree;
+        type Kept = KeptIntegrals;
     }
     impl<R: Real> DiscreteField<R> for Turning<R> {
         type Proof = ();
@@ -1190,6 +1191,7 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Turning<R> {
         type Proof = ();
+        type Kept = KeptIntegrals;
         type FourthParameters = [R; 12];
         type FourthStart = [R; 8];
         #[inline]

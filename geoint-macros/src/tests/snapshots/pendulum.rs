@@ -80,13 +80,13 @@ const _: () = {
         contact_gradient_of, ContactState, ContactSystem, Coordinates, CotangentSpace,
         QuadraticField, DifferentialEquation, DiscreteField, DiscreteGradient,
         FirstIntegrals, SteadyIntegrals, FlowState, ForceGradient, FourthOrderField,
-        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, Integral,
-        Integrator, KeepsEnergy, Inverted, Jets, LagrangianSystem, Mean,
-        MechanicalContact, Method, ModifiedEnergy, NystromPieces, PerCoordinate,
-        PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock, PrincipalAxes,
-        ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator, TaylorMethod,
-        Separable, Snapshot, Square, State, VelocityEnergy, StepError, Unmet,
-        VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
+        Graded, Gradients, Hamiltonian, ImplicitStep, CanonicalEnergy, EnergyAndMomenta,
+        KeptMomenta, Integral, KeptIntegrals, Integrator, KeepsEnergy, Inverted, Jets,
+        LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
+        PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
+        PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
+        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
+        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
         is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
         recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
@@ -376,6 +376,7 @@ const _: () = {
     impl<R: Real> Graded<R> for Pendulum<R> {
         type Proof = ();
         type Gradient = ByTree;
+        type Kept = CanonicalEnergy;
     }
     impl<R: Real> DiscreteField<R> for Pendulum<R> {
         type Proof = ();
@@ -541,8 +542,18 @@ const _: () = {
             drift
         }
     }
+    impl<R: Real> KeptMomenta<R> for Pendulum<R> {
+        type Values = [R; 1];
+        #[inline(always)]
+        fn momenta(&self, z: &[[R; 1]; 2]) -> [[[R; 1]; 2]; 1] {
+            let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
+            let [q, p] = z;
+            slopes
+        }
+    }
     impl<R: Real> FourthOrderField<R> for Pendulum<R> {
         type Proof = ();
+        type Kept = CanonicalEnergy;
         type FourthParameters = fourth_order::ParametersOf<Self, R>;
         type FourthStart = fourth_order::Begun<[R; 1]>;
         #[inline]
@@ -567,11 +578,7 @@ const _: () = {
             image: &mut [[R; 1]; 2],
             matrix: &mut Square<[[R; 1]; 2]>,
         ) {
-            let momenta = |z: &[[R; 1]; 2]| {
-                let mut slopes = [<[[R; 1]; 2] as Array>::zero(); 1];
-                let [q, p] = z;
-                slopes
-            };
+            let momenta = |z: &[[R; 1]; 2]| self.momenta(z);
             fourth_order::slope::<
                 true,
                 1,

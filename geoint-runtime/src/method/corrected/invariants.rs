@@ -3,10 +3,11 @@
 use crate::method::And;
 use crate::scalar::{Real, zero};
 use crate::space::Array;
-use crate::space::vector::{dot, opposite, sum, sum_of_products};
+use crate::space::vector::{dot, moved, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
 use crate::system::{
-    DiscreteField, Hamiltonian, KeepsEnergy, SteadyIntegrals, VectorField, VelocityForm, energy_of, velocity_of,
+    DiscreteField, Hamiltonian, KeepsEnergy, KeptMomenta, PhaseSpace, SteadyIntegrals, VectorField, VelocityForm,
+    energy_of, velocity_of,
 };
 
 /// H itself.
@@ -64,6 +65,36 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
         let mut gradient = S::Phase::zero();
         system.gradient(zero(), z, &mut gradient);
         gradient
+    }
+}
+
+/// H(q, p) if `ENERGY`, and the momenta beside it: their changes are those along the gradients in the middle.
+#[doc(hidden)]
+#[derive(Clone, Copy, Debug, Default)]
+pub struct EnergyAndMomenta<const ENERGY: bool>;
+
+impl<S: DiscreteField<R> + KeptMomenta<R>, R: Real, const ENERGY: bool> Invariants<S, R> for EnergyAndMomenta<ENERGY> {
+    type Values = S::Values;
+    const KEEP_ENERGY: bool = ENERGY;
+
+    fn changes(&self, system: &S, z: &S::Phase, dz: &S::Phase) -> S::Values {
+        let mut changes = S::Values::zero();
+        let gradients = system.momenta(&moved(z, R::from_f64(0.5), dz));
+        for (change, gradient) in changes.as_mut_slice().iter_mut().zip(S::Values::entries_of(&gradients)) {
+            *change = dot(gradient, dz);
+        }
+        if ENERGY {
+            changes.as_mut_slice()[0] = CanonicalEnergy.changes(system, z, dz);
+        }
+        changes
+    }
+
+    fn gradients(&self, system: &S, z: &S::Phase) -> <S::Values as Array>::Map<S::Phase> {
+        let mut gradients = system.momenta(z);
+        if ENERGY {
+            S::Values::entries(&mut gradients)[0] = CanonicalEnergy.gradients(system, z);
+        }
+        gradients
     }
 }
 
@@ -132,6 +163,21 @@ where
     }
 }
 
+/// None.
+impl<S: PhaseSpace<R>, R: Real> Invariants<S, R> for () {
+    type Values = [R; 0];
+
+    #[inline]
+    fn changes(&self, _: &S, _: &S::Phase, _: &S::Phase) -> [R; 0] {
+        []
+    }
+
+    #[inline]
+    fn gradients(&self, _: &S, _: &S::Phase) -> [S::Phase; 0] {
+        []
+    }
+}
+
 /// A type that is known where those of all are.
 macro_rules! known {
     ($last:ty;) => { $last };
@@ -141,7 +187,7 @@ macro_rules! known {
 /// Single invariants side by side.
 macro_rules! tuples {
     ($($n:literal: $($I:ident $i:tt)*;)*) => { $(
-        impl<S: crate::system::VectorField<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
+        impl<S: PhaseSpace<R>, R: Real, $($I: Invariants<S, R, Values = R>),*> Invariants<S, R> for ($($I,)*) {
             type Values = known!([R; $n]; $($I)*);
             const KEEP_ENERGY: bool = $($I::KEEP_ENERGY)||*;
 

@@ -26,7 +26,9 @@
 //!
 //! Invariants of one's own implement [`Invariants`]: the front page of the crate has an example.
 
+mod frame;
 pub mod invariants;
+pub(crate) mod kept;
 pub mod projection;
 pub mod relaxation;
 mod scales;

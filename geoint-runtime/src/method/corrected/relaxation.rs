@@ -1,6 +1,7 @@
 //! x₁ = x₀ + γ(y − x₀): a step of any method, shortened or lengthened until the energy is what it was.
 
 use crate::method::corrected::invariants::Invariants;
+use crate::method::corrected::kept;
 use crate::method::{And, Claims, Method, Name, Probe, Refusal, Step, check_conditions, check_poles, outer_step};
 use crate::scalar::{Real, zero};
 use crate::solving::rounding::MAX_ITERATIONS;
@@ -63,6 +64,12 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
     type Prepared = Prepared<M::Prepared, R>;
     type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = true;
+    const KEEPS: bool = true;
+
+    #[inline]
+    fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        kept::way_back(system, &<S as KeepsEnergy<R>>::Kept::default(), origin, z)
+    }
 
     fn claims(&self) -> Claims {
         let Claims { order, .. } = self.0.claims();

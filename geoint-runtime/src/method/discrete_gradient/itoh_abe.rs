@@ -4,11 +4,12 @@ use super::energy::{Energy, Slope, Staircase};
 use super::matrix::Matrix;
 use super::mean::{MeanGradient, Memory, Prepared};
 use crate::method::composition::substeps;
+use crate::method::corrected::kept;
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
 use crate::space::vector::{moved, opposite, scaled, sum};
-use crate::system::{Conservative, DiscreteField};
+use crate::space::{Array, Summation};
+use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
 /// x₁ = x₀ + h J g with gᵢ = H\[…, x₁ᵢ₋₁, (x₀ᵢ, x₁ᵢ), x₀ᵢ₊₁, …\], the divided difference in one coordinate after the other:
 /// all of q, then all of p. The energy is kept to rounding for every h.
@@ -93,6 +94,12 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
     /// Both halves, and h/2.
     type Prepared = (Prepared<ItohAbe, S, R>, Prepared<ItohAbeAdjoint, S, R>, R);
     type Memory = Memory<S::Array>;
+    const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+
+    #[inline]
+    fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        kept::way_back(system, &KeptBy::<S, R>::default(), origin, z)
+    }
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }

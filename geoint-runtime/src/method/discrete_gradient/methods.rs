@@ -3,11 +3,12 @@
 use super::mean::{Corrected, MeanGradient, Memory, Prepared};
 use super::{CoordinateIncrement, FourthOrder, Gonzalez, ItohAbe, ItohAbeAdjoint, MeanValue, SymmetrisedItohAbe};
 use crate::method::composition::SymmetricMap;
+use crate::method::corrected::kept;
 use crate::method::gauss::{Gauss, GaussTableau};
 use crate::method::{Claims, Method, Name, Probe, Refusal, Step};
 use crate::scalar::Real;
-use crate::space::Summation;
-use crate::system::{Conservative, DiscreteField};
+use crate::space::{Array, Summation};
+use crate::system::{Conservative, DiscreteField, Invariants, KeptBy};
 
 impl Corrected for Gonzalez {}
 impl<const K: usize> Corrected for MeanValue<K> where MeanValue<K>: MeanGradient + SymmetricMap {}
@@ -25,6 +26,14 @@ macro_rules! methods {
             type Proof = <$system as Conservative<R>>::Proof;
             type Prepared = Prepared<Self, $system, R>;
             type Memory = Memory<$system::Array>;
+            const KEEPS: bool = <KeptBy<$system, R> as Invariants<$system, R>>::Values::LEN > 0;
+
+            #[inline]
+            fn way_back(_: &Self::Prepared, system: &$system, origin: &$system::Phase, z: &$system::Phase) -> $system::Phase {
+                // A mean that is no discrete gradient of the system keeps nothing.
+                let keeps: bool = $energy;
+                if keeps { kept::way_back(system, &KeptBy::<$system, R>::default(), origin, z) } else { $system::Phase::zero() }
+            }
 
             fn claims(&self) -> Claims {
                 Claims { order: $order, symmetric: $symmetric, symplectic: $symplectic, conserves_energy: $energy, perturbed: &[], forces: None }

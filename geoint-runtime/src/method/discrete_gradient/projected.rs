@@ -2,13 +2,14 @@
 
 use super::mean::MeanGradient;
 use super::{DiscreteGradient, FourthOrder};
+use crate::method::corrected::kept;
 use crate::method::{Claims, Deciding, Method, Name, Probe, Refusal, Step, check_conditions, check_end, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
-use crate::system::{FourthOrderField, Poles};
+use crate::system::{FourthOrderField, Invariants, Poles};
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -97,6 +98,12 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     type Proof = <S as FourthOrderField<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S::Phase>;
+    const KEEPS: bool = <<S as FourthOrderField<R>>::Kept as Invariants<S, R>>::Values::LEN > 0;
+
+    #[inline]
+    fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        kept::way_back(system, &<S as FourthOrderField<R>>::Kept::default(), origin, z)
+    }
 
     fn claims(&self) -> Claims {
         Claims { order: 4, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }

@@ -19,7 +19,7 @@ type Coordinates<S, R> = PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseS
 #[derive(Clone, Debug)]
 pub(super) struct Prepared<P> {
     pub(super) h: f64,
-    whole: P,
+    pub(super) whole: P,
     half: P,
 }
 
@@ -69,7 +69,7 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     }
 
     /// Whether the point at which a step, or a half of it, ends is one: `h` after the start.
-    fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
+    pub(super) fn check(&self, h: R, x: &Carried<S, R>) -> Result<(), Reason> {
         if !x.is_finite() {
             return Err(Reason::NonFinite);
         }

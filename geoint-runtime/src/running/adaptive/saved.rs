@@ -35,6 +35,9 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
         tape.steps(&mut steps.rejections);
+        if M::KEEPS {
+            tape.array(&mut steps.origin);
+        }
         steps.x.record(tape);
         steps.tolerance.record(tape);
         steps.controller.record(tape);
@@ -42,7 +45,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Bits> Recorded for Adaptiv
         steps.memory.record(tape);
     }
 
-    fn settle(&mut self) -> bool {
+    fn complete(&mut self) -> bool {
         let Steps { system, method, prepared, .. } = &mut self.steps;
         *prepared = Prepared::new(system, method, prepared.h);
         self.steps.x.is_finite() && self.time().magnitude() < f64::INFINITY

@@ -3,12 +3,12 @@
 use super::attempt::{Attempt, Carried, Prepared};
 use crate::method::{Clock, Method, Unwatched};
 use crate::running::error::{Reason, StepError};
-use crate::running::integrator::STEPS_BETWEEN_LOOKS;
+use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::step_size::{Bounds, Controller};
 use crate::running::tolerance::Tolerance;
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{DoubleWord, PerCoordinate, Snapshot, normalisation, wrong_length};
+use crate::space::{DoubleWord, PerCoordinate, Snapshot, wrong_length};
 use crate::system::{PhaseSpace, Rates};
 
 /// A system under a method, and all that decides on the next step.
@@ -23,6 +23,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real> {
     /// Of steps as a whole, and of their halves.
     pub(super) memory: [M::Memory; 2],
     pub(super) clock: Clock<R>,
+    /// Where it began: what steps keep is what it is there.
+    pub(super) origin: S::Phase,
     pub(super) x: Carried<S, R>,
     pub(super) taken: u64,
     /// How many there were when the user gave a state.
@@ -41,6 +43,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             prepared: Prepared::new(&system, &method, 1.0),
             memory: [M::memory(), M::memory()],
             clock: Clock::new(t, zero()),
+            origin: x.z,
             x,
             taken: 0,
             given: 0,
@@ -53,7 +56,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
     /// Goes on from another point.
     pub(super) fn restart(&mut self, t: R, x: Carried<S, R>) {
         (self.clock, self.x, self.memory) = (Clock::new(t, zero()), x, [M::memory(), M::memory()]);
-        self.given = self.taken;
+        (self.given, self.origin) = (self.taken, self.x.z);
         let backwards = self.size() < 0.0;
         self.controller.start(self.guess(), self.tolerance.relative);
         self.controller.turn(backwards);
@@ -144,10 +147,20 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
             self.x = x;
             self.x.ahead = DoubleWord::new(zero());
             self.taken += 1;
-            if S::State::ATTITUDES && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
-                self.x.add(&normalisation::<S, R>(&self.x.z));
+            if const { settles::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+                self.settle();
             }
             return Ok(());
+        }
+    }
+
+    /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    #[cold]
+    #[inline(never)]
+    fn settle(&mut self) {
+        let x = settled::<S, M, R, _>((&self.system, &self.prepared.whole), &self.origin, &self.x);
+        if self.attempt().check(zero(), &x).is_ok() {
+            self.x = x;
         }
     }
 

@@ -14,7 +14,6 @@ use crate::space::{Action, Snapshot};
 use crate::space::{Compensated, DoubleWord, Plain, Point, Summation, WithoutAction};
 use crate::system::{Conformal, FirstIntegrals, Lagrangian, PhaseSpace, StateOf};
 use core::fmt::{self, Debug, Formatter};
-pub(super) use steps::STEPS_BETWEEN_LOOKS;
 use steps::Steps;
 
 /// A system under a method with a step size: a plain value, no borrow, no allocation.
@@ -41,6 +40,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real> Integrator<S, M, R> {
                 clock: Clock::new(t0, h),
                 taken: 0,
                 given: 0,
+                origin: z,
                 x: Point::with_action(z, s),
                 inside: false,
             },
@@ -122,7 +122,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
         let steps = &mut self.steps;
         (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
         steps.clock = Clock::new(t, steps.clock.step_size());
-        steps.given = steps.taken;
+        (steps.given, steps.origin) = (steps.taken, z);
     }
 
     /// The step size.
@@ -200,8 +200,9 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     }
 
     fn with_sums<D: Summation<S::Phase>>(self) -> Integrator<S, M, R, D> {
-        let Steps { system, method, prepared, memory, clock, taken, given, x, inside } = self.steps;
-        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, x: x.with_sums(), inside } }
+        let Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside } = self.steps;
+        let x = x.with_sums();
+        Integrator { steps: Steps { system, method, prepared, memory, clock, taken, given, origin, x, inside } }
     }
 }
 

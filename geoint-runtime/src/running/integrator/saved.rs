@@ -55,11 +55,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Bits, C: Summation<S::Phase>> Recorde
         steps.clock.record(tape);
         tape.steps(&mut steps.taken);
         tape.flag(&mut steps.inside);
+        if M::KEEPS {
+            tape.array(&mut steps.origin);
+        }
         steps.x.record(tape);
         steps.memory.record(tape);
     }
 
-    fn settle(&mut self) -> bool {
+    fn complete(&mut self) -> bool {
         let steps = &mut self.steps;
         steps.prepared = steps.method.prepare(&steps.system, steps.clock.step_size());
         steps.x.is_finite() && steps.time().magnitude() < f64::INFINITY

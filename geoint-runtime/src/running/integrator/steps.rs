@@ -2,14 +2,11 @@
 
 use crate::method::{Clock, Method, Probe, Step, Unwatched};
 use crate::running::error::StepError;
+use crate::running::settle::{STEPS_BETWEEN_LOOKS, settled, settles};
 use crate::running::watch::Watch;
 use crate::scalar::{Real, signed};
-use crate::space::{Array, Point, Snapshot, Summation, normalisation, wrong_length};
+use crate::space::{Array, Point, Snapshot, Summation, wrong_length};
 use crate::system::{PhaseSpace, Unmet, singular_time};
-
-/// Steps between two looks at whether the state is still finite. A number that is not finite stays so under every flow
-/// q ← q + …, p ← p + …, so looking now and then misses nothing; the price of a look is paid once in so many steps.
-pub(in crate::running) const STEPS_BETWEEN_LOOKS: u64 = 1024;
 
 /// A system under a method, and where it is.
 #[derive(Clone)]
@@ -23,6 +20,8 @@ pub(super) struct Steps<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C> {
     pub(super) taken: u64,
     /// How many there were when the user gave a state.
     pub(super) given: u64,
+    /// Where that was: what steps keep is what it is there.
+    pub(super) origin: S::Phase,
     /// The point of a state, or where there is another one that the method moves, that one from the first step on.
     pub(super) x: Point<S::Phase, C, S::Action>,
     /// Whether it is the one that the method moves.
@@ -93,8 +92,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     /// Steps until the state is kept, to go back to.
     #[inline(always)]
     fn steps_to_look(&self) -> u64 {
-        if S::State::ATTITUDES {
-            // They are normalised after the same steps, in whatever numbers those are asked for.
+        if const { settles::<S, M, R>() } {
+            // It is settled after the same steps, in whatever numbers those are asked for.
             STEPS_BETWEEN_LOOKS - self.taken % STEPS_BETWEEN_LOOKS
         } else {
             STEPS_BETWEEN_LOOKS
@@ -262,8 +261,18 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn pass(&mut self, steps: u64) {
         self.clock.pass(steps);
         self.taken += steps;
-        if S::State::ATTITUDES && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
-            self.x.add(&normalisation::<S, R>(&self.x.z));
+        if const { settles::<S, M, R>() } && self.taken.is_multiple_of(STEPS_BETWEEN_LOOKS) {
+            self.settle();
+        }
+    }
+
+    /// Takes away what rounding has changed over many steps, if that leads to a point of the domain.
+    #[cold]
+    #[inline(never)]
+    fn settle(&mut self) {
+        let x = settled::<S, M, R, C>((&self.system, &self.prepared), &self.origin, &self.x);
+        if self.is_good(0, &x) {
+            self.x = x;
         }
     }
 

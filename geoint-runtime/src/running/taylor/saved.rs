@@ -34,7 +34,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Bits> Recorded for TaylorIntegrator<S
         self.steps.record(tape);
     }
 
-    fn settle(&mut self) -> bool {
+    fn complete(&mut self) -> bool {
         self.steps.forget();
         self.steps.x.is_finite() && self.steps.time().magnitude() < f64::INFINITY
     }

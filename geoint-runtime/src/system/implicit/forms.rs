@@ -1,7 +1,7 @@
 //! How the equations of implicit steps are posed: by a field in positions and momenta, or by a Lagrangian in velocities.
 
 use crate::scalar::Real;
-use crate::system::{Contact, PhaseSpace};
+use crate::system::{Contact, Invariants, PhaseSpace};
 
 /// A system whose steps of Gauss collocation can be solved for.
 #[diagnostic::on_unimplemented(
@@ -41,7 +41,12 @@ pub trait Graded<R: Real = f64>: PhaseSpace<R> {
     type Proof;
     /// [`ByTree`], [`ByPolarisation`] or [`ByConstraint`].
     type Gradient;
+    /// What steps along it keep, and does not read time: rounding of many steps is taken away from that. `()` where damping takes it.
+    type Kept: Invariants<Self, R> + Default;
 }
+
+/// What steps along the discrete gradient of a system keep.
+pub(crate) type KeptBy<S, R> = <S as Graded<R>>::Kept;
 
 /// The tree discrete gradient: see [`DiscreteField`](super::DiscreteField).
 #[derive(Clone, Copy, Debug)]

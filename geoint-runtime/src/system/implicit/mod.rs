@@ -13,6 +13,7 @@ pub use constraints::{Constrained, ConstrainedStep, Gradients, Unmet, unmet};
 pub(crate) use constraints::{held, on_one_side, projected, tangent};
 pub use contact::{ContactPolarised, ContactStage, ContactVelocities, contact_gradient_of};
 pub use fields::{Collocation, DiscreteField, Mean, QuadraticField};
+pub(crate) use forms::KeptBy;
 pub use forms::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, Collocated, ContactCollocated,
     ContactGraded, Graded,

@@ -7,10 +7,11 @@ mod polarised;
 use super::energy::{Energy, Slope};
 use super::mean::MeanGradient;
 use crate::method::composition::substeps;
+use crate::method::corrected::kept;
 use crate::method::{Claims, Earlier, Method, Name, Probe, Refusal, Step, StepsOf};
 use crate::scalar::Real;
-use crate::space::Summation;
-use crate::system::{Conservative, DiscreteField, Graded};
+use crate::space::{Array, Summation};
+use crate::system::{Conservative, DiscreteField, Graded, Invariants, KeptBy};
 
 /// x₁ = x₀ + h J ∇̄H(x₀, x₁) with the tree discrete gradient: the energy is kept to rounding for every h.
 ///
@@ -31,6 +32,12 @@ where
     type Prepared = <S::Gradient as StepsOf<Self, S, R>>::Prepared;
     type Memory = <S::Gradient as StepsOf<Self, S, R>>::Memory;
     const COMPOSES_TO: u32 = <S::Gradient as StepsOf<Self, S, R>>::COMPOSES_TO;
+    const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
+
+    #[inline]
+    fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
+        kept::way_back(system, &KeptBy::<S, R>::default(), origin, z)
+    }
 
     fn claims(&self) -> Claims {
         Claims { order: 2, symmetric: true, symplectic: false, conserves_energy: true, perturbed: &[], forces: None }

@@ -1,0 +1,158 @@
+//! What steps keep to rounding is kept so over long runs: what roundings add up to is taken away once in 1024 steps.
+
+use geoint_runtime::prelude::*;
+use geoint_runtime::system::StateOf;
+use geoint_runtime::{Method, PhaseSpace, Real};
+use geoint_tests::problems::{HenonHeiles, Kepler, QuarticChain, ShortPendulum, Spherical};
+
+/// Predators and prey.
+#[vector_field(keeps(wealth = b * x[0] - c * x[0].ln() + b * x[1] - a * x[1].ln()))]
+fn predators(x: [f64; 2], a: f64, b: f64, c: f64) -> [f64; 2] {
+    [x[0] * (a - b * x[1]), x[1] * (b * x[0] - c)]
+}
+
+/// Two links on a motor's axis: H has no formula that is worth writing down.
+#[lagrangian]
+fn links(q: [f64; 2], v: [f64; 2], m: f64, g: f64) -> f64 {
+    m * (v[0] * v[0] + v[1] * v[1] / 2.0 + v[0] * v[1] * (q[0] - q[1]).cos()) + m * g * (2.0 * q[0].cos() + q[1].cos())
+}
+
+const CHAIN: QuarticChain = QuarticChain { w: [0.7, 1.4], k: [1.0, 0.8, 1.3] };
+const HEILES: HenonHeiles = HenonHeiles { m: [1.3, 0.8], lambda: 1.0 };
+const ORBIT: Kepler = Kepler { mass: 1.3, mu: 1.3 };
+
+/// The largest changes of what is kept over 10⁵ steps, relative to its value at the start: of a run, and of one whose state is given anew before
+/// it is settled.
+fn changes<S, M, R, const N: usize>(
+    (system, method, h): (S, M, R),
+    start: StateOf<S, R>,
+    value: impl Fn(&S, &StateOf<S, R>) -> [R; N],
+) -> [[f64; N]; 2]
+where
+    S: PhaseSpace<R>,
+    M: Method<S, R>,
+    R: Real,
+{
+    let first = value(&system, &start).map(Real::magnitude);
+    [false, true].map(|anew| {
+        let mut sim = Integrator::new(system, method, h, start);
+        let mut largest = [0.0; N];
+        for _ in 0..100 {
+            sim.advance(1000).unwrap_or_else(|error| panic!("{error}"));
+            let now = value(&system, &sim.state());
+            for ((largest, now), first) in largest.iter_mut().zip(now).zip(value(&system, &start)) {
+                *largest = f64::max(*largest, (now - first).magnitude());
+            }
+            if anew {
+                sim.set_state(sim.state());
+            }
+        }
+        core::array::from_fn(|k| largest[k] / first[k])
+    })
+}
+
+/// Fails where a run walks, and where one does not that should.
+fn stays<S, M, R, const N: usize>(
+    case: (S, M, R),
+    start: StateOf<S, R>,
+    value: impl Fn(&S, &StateOf<S, R>) -> [R; N],
+    roundings: f64,
+) where
+    S: PhaseSpace<R>,
+    M: Method<S, R>,
+    R: Real,
+{
+    let name = case.1.name();
+    let [settled, anew] = changes(case, start, value).map(|changes| changes.map(|change| change / R::epsilon()));
+    println!("{name}: {settled:.1?}, begun anew {anew:.1?}");
+    assert!(settled.iter().all(|change| *change <= roundings), "{name}: {settled:?} of {roundings} roundings");
+    assert!(anew.iter().any(|change| *change > 2.0 * roundings), "{name}: nothing walks, {anew:?}");
+}
+
+#[test]
+fn energies() {
+    let energy = |system: &QuarticChain, state: &State<[f64; 2]>| [system.energy(state)];
+    let start = State::new([0.3, 1.0], [0.2, 0.5]);
+    stays((CHAIN, DiscreteGradient, 0.05), start, energy, 6.0);
+    stays((CHAIN, Gonzalez, 0.05), start, energy, 6.0);
+    stays((CHAIN, Projection(RK4, Energy), 0.05), start, energy, 8.0);
+    stays((CHAIN, Relaxation(RK4), 0.05), start, energy, 9.0);
+    stays((CHAIN, Suzuki4.of(DiscreteGradient), 0.05), State::new([0.7, -0.4], [1.0, 0.1]), energy, 9.0);
+    let links = Links { m: 1.3, g: 2.0 };
+    stays((links, DiscreteGradient, 0.05), links.at([0.3, 1.4], [0.5, 0.1]), |s, x| [s.energy(x)], 5.0);
+}
+
+#[test]
+fn momenta_beside_the_energy() {
+    let momentum = |_: &Kepler, s: &State<[f64; 2]>| [s.q[0] * s.p[1] - s.q[1] * s.p[0]];
+    stays((ORBIT, FourthOrder(DiscreteGradient), 0.05), State::new([0.5, 0.0], [0.3, 2.2]), momentum, 5.0);
+}
+
+#[test]
+fn integrals_of_fields() {
+    let field = Predators { a: 2.0, b: 1.0, c: 1.0 };
+    let wealth = |system: &Predators, state: &FlowState<[f64; 2]>| [system.wealth(state)];
+    stays((field, DiscreteGradient, 0.1), FlowState::new([1.0, 0.5]), wealth, 8.0);
+    stays((field, FourthOrder(DiscreteGradient), 0.1), FlowState::new([1.0, 0.5]), wealth, 8.0);
+}
+
+#[test]
+fn single_precision() {
+    let system = ShortPendulum { m: 1.3, l: 0.9, g: 2.0 };
+    stays((system, DiscreteGradient, 0.05_f32), State::new(1.0, 0.5), |s, x| [s.energy(x)], 6.0);
+}
+
+/// A momentum that nothing changes, and a coordinate that has not moved, are the same to the last bit.
+#[test]
+fn what_does_not_move() {
+    let system = Spherical { m: 1.3, v: 0.7 };
+    let mut sim = Integrator::new(system, DiscreteGradient, 0.1, State::new([1.1, 0.9, 0.2], [0.1, 0.3, 0.7]));
+    sim.advance(5000).expect("a regular orbit");
+    assert_eq!(sim.state().p[2], 0.7);
+    let mut sim = Integrator::new(HEILES, DiscreteGradient, 0.1, State::new([0.0, 0.3], [0.0, 0.1]));
+    sim.advance(5000).expect("a motion in a plane");
+    assert_eq!([sim.state().q[0], sim.state().p[0]], [0.0; 2]);
+}
+
+/// A run is settled after the same steps, in whatever numbers those are asked for, and when it goes on elsewhere.
+#[test]
+fn by_the_same_steps() {
+    let new = || Integrator::new(HEILES, DiscreteGradient, 0.1, State::new([0.1, 0.2], [0.3, 0.1]));
+    let (mut at_once, mut singly, mut begun_anew) = (new(), new(), new());
+    at_once.advance(2500).expect("a regular orbit");
+    for _ in 0..2500 {
+        singly.step().expect("a regular orbit");
+    }
+    assert_eq!(at_once.state(), singly.state());
+    let mut elsewhere = Integrator::new(HEILES, DiscreteGradient, -0.3, State::new([0.2, 0.0], [0.0, 0.1]));
+    elsewhere.resume(&at_once.saved()).expect("a run of the same kind");
+    at_once.advance(1000).expect("a regular orbit");
+    elsewhere.advance(1000).expect("a regular orbit");
+    assert_eq!(at_once.saved(), elsewhere.saved());
+    // What differs is where the run began.
+    begun_anew.advance(2500).expect("a regular orbit");
+    begun_anew.set_state(begun_anew.state());
+    begun_anew.advance(1000).expect("a regular orbit");
+    assert_ne!(at_once.state(), begun_anew.state());
+}
+
+/// Steps that adapt are settled as others are.
+#[test]
+fn steps_that_adapt() {
+    let start = State::new([0.4, 0.0], [0.0, 2.6]);
+    let mut largest = [0.0_f64; 2];
+    for (anew, largest) in largest.iter_mut().enumerate() {
+        let mut sim = Adaptive::new(ORBIT, DiscreteGradient, 1e-4, start);
+        let first = ORBIT.energy(&start);
+        for _ in 0..50 {
+            for _ in 0..1000 {
+                sim.step().expect("a regular orbit");
+            }
+            *largest = largest.max((sim.energy() / first - 1.0).abs());
+            if anew == 1 {
+                sim.set_state(sim.state());
+            }
+        }
+    }
+    assert!(largest[0] < 15.0 * f64::EPSILON && largest[1] > 2.0 * largest[0], "{largest:?}");
+}
