@@ -38,6 +38,20 @@ fn a_state_off_a_constraint_is_named() -> Result<(), StepError> {
     Ok(())
 }
 
+/// At the tip of a cone a constraint has no gradient: all ways lead on from there.
+#[test]
+fn a_tip_is_on_a_cone() {
+    #[lagrangian(constraint = [(q[0] * q[0] + q[1] * q[1]).sqrt() - q[2]])]
+    fn cone(q: [f64; 3], v: [f64; 3]) -> f64 {
+        0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) - q[2]
+    }
+    let tip = Cone.at([0.0; 3], [0.0; 3]);
+    let expected = StepError::DependentConstraints { t: 0.0, what: "√(q[0]² + q[1]²) - q[2]" };
+    assert_eq!(Cone.integrator(Rattle, 0.1, tip).step(), Err(expected));
+    assert_eq!(Cone.integrator(DiscreteGradient, 0.1, tip).step(), Err(expected));
+    assert_eq!(Cone.state_on_constraint(&tip), Err(expected));
+}
+
 /// A state that rounding has moved is on the constraint, wherever the origin is.
 #[test]
 fn rounding_is_no_departure() -> Result<(), StepError> {

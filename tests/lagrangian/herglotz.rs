@@ -4,7 +4,8 @@ use crate::references::BRAKED;
 use crate::systems::*;
 use geoint_runtime::Contact;
 use geoint_runtime::prelude::*;
-use geoint_runtime::space::{Array, Snapshot};
+use geoint_runtime::space::{Array, Snapshot, Square};
+use geoint_runtime::system::{ContactStage, ContactVelocities};
 
 /// The talk's damped oscillator.
 #[lagrangian]
@@ -235,4 +236,51 @@ fn reports_say_what_is_unusual() -> Result<(), StepError> {
     sim.advance(40)?;
     assert!((sim.state().q - 2_f64.cos()).abs() < 1e-10);
     Ok(())
+}
+
+/// Where the action acts on the force, and on nothing else that moves.
+#[lagrangian]
+fn pulled(q: f64, v: f64, s: f64) -> f64 {
+    0.5 * v * v - 0.5 * q * q - 0.1 * s * q
+}
+
+/// Second derivatives of all kinds.
+#[lagrangian]
+fn woven(q: f64, v: f64, s: f64) -> f64 {
+    0.5 * v * v * (1.0 + q * q) * (1.0 + 0.2 * s) - 0.5 * q * q - 0.1 * s * q
+}
+
+/// What L is said to have no second derivatives by is not multiplied by.
+#[test]
+fn second_derivatives_that_are_left_out_are_zero() {
+    fn check<S: ContactVelocities>(system: S, expected: [bool; 3]) {
+        let none = S::Array::zero();
+        let mut stage = ContactStage {
+            lagrangian: 0.0,
+            momentum: none,
+            force: none,
+            decay: 0.0,
+            derivatives: [S::Array::fill(none); 4],
+            by_action: [none; 2],
+            decay_by_action: 0.0,
+        };
+        let (mut q, mut v) = (none, none);
+        for (i, (q, v)) in q.as_mut_slice().iter_mut().zip(v.as_mut_slice()).enumerate() {
+            (*q, *v) = (0.7 + 0.5 * i as f64, 0.4 - 0.9 * i as f64);
+        }
+        system.stage(&system.stage_constants(), 0.2, &q, &v, &0.3, &mut stage);
+        let moves = |matrix: &Square<S::Array>| {
+            S::Array::entries_of::<S::Array>(matrix).iter().any(|row| row.as_slice().iter().any(|x| *x != 0.0))
+        };
+        let [by_q, _, _, by_v] = &stage.derivatives;
+        let [momentum, force] = stage.by_action.map(|by| by.as_slice().iter().any(|x| *x != 0.0));
+        assert_eq!([moves(by_q), momentum, force], expected);
+        assert_eq!(moves(by_v), expected[0]);
+        assert_eq!(S::MIXED, expected);
+    }
+    check(Fading { a: 0.1 }, [false, false, false]);
+    check(BRAKED, [true, false, false]);
+    check(Growing { a: 0.1 }, [false, true, false]);
+    check(Pulled, [false, false, true]);
+    check(Woven, [true, true, true]);
 }

@@ -219,6 +219,65 @@ fn velocities_may_have_masses_of_both_signs() -> Result<(), StepError> {
     Ok(())
 }
 
+/// s falls to the pole of 1/s before t = 0.25. Stages of longer steps come to lie behind it, from where s grows again.
+#[test]
+fn no_stage_is_behind_a_pole_of_the_action() {
+    #[lagrangian]
+    fn falling(q: f64, v: f64, s: f64) -> f64 {
+        0.5 * v * v - 0.5 * q * q - 1.0 / s - 2.0
+    }
+    #[lagrangian]
+    fn falling_together(q: [f64; 3], v: [f64; 3], s: f64) -> f64 {
+        let [u, w] = [v[0] + 0.2 * v[1] * q[2].cos(), v[1] + 0.3 * v[2] * q[1].sin()];
+        0.5 * (u * u + w * w + v[2] * v[2]) - 0.5 * (q[0] * q[0] + q[1] * q[1] + q[2] * q[2]) - 1.0 / s - 2.0
+    }
+    #[contact_hamiltonian]
+    fn rising(q: f64, p: f64, s: f64) -> f64 {
+        0.5 * p * p + 0.5 * q * q + 1.0 / s + 2.0
+    }
+    let start = Falling.at(0.5, 0.2, 1.0);
+    stay!(Falling, start, |state: &ContactState<f64>| state.t > 0.25, ContactGauss::<2>, ContactGauss::<3>);
+    stay!(Rising, start, |state: &ContactState<f64>| state.t > 0.25, ContactGauss::<2>, ContactGauss::<3>);
+    let start = FallingTogether.at([0.5; 3], [0.2; 3], 1.0);
+    for h in [0.17, 0.2, 0.25] {
+        let crossed = |state: &ContactState<[f64; 3]>| state.t > 0.26;
+        assert!(!leads_over((FallingTogether, ContactGauss::<3>, start), h, crossed), "{h}");
+    }
+}
+
+/// What a wall 1/q repels at long steps, in all forms of the stages: none lies behind the wall, from where the end would be thrown off.
+#[test]
+fn no_stage_is_behind_a_wall() {
+    #[hamiltonian]
+    fn wall(q: f64, p: f64) -> f64 {
+        0.5 * p * p + 1.0 / q
+    }
+    #[lagrangian]
+    fn in_phase_space(q: [f64; 2], v: [f64; 2]) -> f64 {
+        q[1] * v[0] - 0.5 * q[1] * q[1] - 1.0 / q[0]
+    }
+    #[lagrangian]
+    fn together(q: [f64; 3], v: [f64; 3]) -> f64 {
+        let [u, w] = [v[0] + 0.2 * v[1] * q[2].cos(), v[1] + 0.3 * v[2] * q[1].sin()];
+        0.5 * (u * u + w * w + v[2] * v[2]) - 1.0 / q[0]
+    }
+    /// Steps that are taken, at most 40.
+    fn taken<S: PhaseSpace, M: Method<S>>(system: S, method: M, h: f64, start: S::State) -> u64 {
+        let mut sim = Integrator::new(system, method, h, start);
+        let outcome = sim.advance(40);
+        assert!(outcome.is_ok() || matches!(outcome, Err(StepError::OutsideDomain { .. })), "{outcome:?}");
+        sim.steps()
+    }
+    let start = State::new(1.0, -10.0);
+    assert!(taken(Wall, Gauss::<2>, 0.05, start) < 40);
+    assert!(taken(InPhaseSpace, Gauss::<2>, 0.05, InPhaseSpace.at([1.0, -10.0])) < 40);
+    let start = Together.at([1.0, 0.2, 0.1], [-3.0, 0.0, 0.0]);
+    assert!(taken(Together, Gauss::<3>, 2.0, start) < 40);
+    // With shorter steps all come back.
+    assert_eq!(taken(Wall, Gauss::<2>, 0.005, State::new(1.0, -3.0)), 40);
+    assert_eq!(taken(Together, Gauss::<3>, 0.02, start), 40);
+}
+
 /// q₁²v₀ − H is of first order, with Ω = −2q₁.
 #[test]
 fn no_step_leads_over_a_singular_form() {
@@ -231,4 +290,12 @@ fn no_step_leads_over_a_singular_form() {
     let mut sim = Fold.integrator(Gauss::<2>, 0.5, start);
     assert!((0..20).any(|_| sim.step().is_err()));
     assert!(sim.state().x[1] > 0.0);
+    // Where it is singular at the start that is named.
+    macro_rules! named {
+        ($($method:expr),*) => { $(
+            let text = Fold.integrator($method, 0.1, Fold.at([-1.0, 0.0])).step().expect_err("singular").to_string();
+            assert!(text.contains("division by zero: q[1]"), "{}: {text}", stringify!($method));
+        )* };
+    }
+    named!(ImplicitMidpoint, Gauss::<2>, DiscreteGradient, RK4);
 }

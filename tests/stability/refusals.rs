@@ -275,3 +275,12 @@ fn messages_say_why() {
     let error: Box<dyn std::error::Error> = Box::new(StepError::InvalidStepSize { h: 0.0 });
     assert!(error.to_string().contains("step size"));
 }
+
+/// How many iterations an equation was given is said in words that fit.
+#[test]
+fn messages_count() {
+    let text = |iterations| StepError::NotConverged { t: 0.5, iterations, correction: 0.25 }.to_string();
+    assert!(text(100).contains("in 100 iterations (last correction 2.5e-1)"), "{}", text(100));
+    assert!(text(1).contains("in 1 iteration (last"), "{}", text(1));
+    assert!(text(0).contains("has no value") && !text(0).contains("inf"), "{}", text(0));
+}

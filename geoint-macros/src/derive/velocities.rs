@@ -8,7 +8,7 @@ use super::system::{
 use crate::analyze::{self, Damping, Forces, Spared};
 use crate::diff::lagrangian::{self, Given};
 use crate::ir::collect::collected;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Reads, Symbol};
 use crate::legendre::{Definite, Kinetic, Legendre, definite};
 use crate::messages::{
     FULL_MASS, FULL_MASS_OF_ACTION, NO_PIECES_OF_VELOCITIES, NOT_POLARISED, NOT_POLARISED_OF_ACTION,
@@ -130,8 +130,12 @@ fn velocity_stages(graph: &mut Graph, legendre: &Legendre) -> VelocityStages<Ker
     let n = momenta.len();
     let varying = analyze::acts_back(graph, force[n], force[..n].iter().chain(momenta).copied());
     let [stage, force] = [stage, force].map(|roots| collected(graph, &roots));
+    let reads = |ids: &[Id], of: fn(Reads) -> bool| ids.iter().any(|id| of(graph.reads(*id)));
+    let mixed =
+        [reads(momenta, |momentum| momentum.q), reads(momenta, |momentum| momentum.s), reads(forces, |force| force.s)];
     VelocityStages {
         varying,
+        mixed,
         mass: mass_kernels(graph, legendre),
         stage: Kernel { levels: Levels::Prepared, routines: vec![stage, force] },
     }

@@ -10,7 +10,7 @@ use crate::analyze;
 use crate::analyze::liouville::{self, Logarithm};
 use crate::diff;
 use crate::ir::{Graph, Id, Partial, Symbol};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// What belongs to such a Lagrangian.
 #[derive(Debug)]
@@ -72,9 +72,17 @@ pub(crate) fn first_order(
     let rest = at_rest(graph, lagrangian, |_| true);
     let energy = graph.neg(rest);
     let form = form(graph, &momenta);
+    // What Ω⁻¹ is divided by must not vanish either.
+    graph.take_partial();
     let structure = inverse(graph, &form)?;
+    let divided = graph.take_partial();
+    graph.stop_recording();
     let canonical = canonical(graph, &momenta, (energy, &form, &structure));
-    let partial = at_points(graph, written);
+    let mut partial = at_points(graph, written);
+    let read: HashSet<Id> = graph.reachable(&structure.concat()).into_iter().collect();
+    let known: HashSet<Id> = partial.iter().map(|partial| partial.node).collect();
+    let new = divided.into_iter().filter(|node| read.contains(node) && !known.contains(node));
+    partial.extend(new.map(|node| Partial { node, condition: None }));
     Ok(FirstOrder { lagrangian, momenta, energy, form, structure, canonical, partial })
 }
 

@@ -24,7 +24,7 @@ pub use clock::Clock;
 pub use explicit::tableau;
 pub use form::StepsOf;
 pub use name::Name;
-pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, start};
+pub(crate) use probe::{Deciding, check_conditions, check_end, check_poles, check_way, start};
 pub use probe::{Probe, Unwatched};
 pub use splitting::{gradient_kick, modified_verlet};
 

@@ -5,7 +5,7 @@ use crate::scalar::Real;
 use crate::solving::Refusal;
 use crate::solving::equation::Observer;
 use crate::space::{Array, Point};
-use crate::system::{Known, PhaseSpace, Poles, jump_between};
+use crate::system::{Ends, Known, PhaseSpace, Poles, jump_between};
 
 /// Is shown every point at which a step evaluates the energy.
 pub trait Probe<S: PhaseSpace<R>, R: Real>: Observer {
@@ -91,11 +91,23 @@ pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     (z, s): &Start<S, R>,
     Step { system, x, .. }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
-    let ends = (times, [z, &x.z], [s, &x.s]);
+    let Point { z: end, s: end_s, doubtful, .. } = x;
+    check_way::<S, R, P>(poles, divided, system, (times, [z, end], [s, end_s]), doubtful)
+}
+
+/// The same of any way: that to a stage need not be between the ends of a step.
+#[inline(always)]
+pub(crate) fn check_way<S: PhaseSpace<R>, R: Real, P: Probe<S, R>>(
+    poles: &Poles,
+    divided: bool,
+    system: &S,
+    ends: Ends<'_, S, R>,
+    doubtful: &mut bool,
+) -> Result<(), Refusal> {
     if P::PATIENT || Known::<S, R>::SEARCHED {
         return Refusal::outside(poles.between(system, divided, ends));
     }
-    x.doubtful |= !poles.is_clear(system, divided, ends);
+    *doubtful |= !poles.is_clear(system, divided, ends);
     Ok(())
 }
 

@@ -243,10 +243,17 @@ impl fmt::Display for StepError {
             StepError::Pole { t, piece } => {
                 write!(f, "the flow of the piece {piece} ends within the step from t = {t}; try a smaller step")
             }
+            StepError::NotConverged { t, iterations: 0, .. } => {
+                write!(
+                    f,
+                    "the equation of the step from t = {t} has no value where its solution is looked for; try a smaller step"
+                )
+            }
             StepError::NotConverged { t, iterations, correction } => write!(
                 f,
-                "the step from t = {t} was not solved in {iterations} iterations \
-                 (last correction {correction:.1e}); try a smaller step"
+                "the step from t = {t} was not solved in {iterations} iteration{} \
+                 (last correction {correction:.1e}); try a smaller step",
+                if iterations == 1 { "" } else { "s" }
             ),
             StepError::InvalidTolerance { tolerance } => {
                 write!(f, "the tolerance {tolerance} is not a positive number")

@@ -135,38 +135,16 @@ fn of_two<A: Array>(rows: &[A], b: &mut [A::Real]) -> Option<bool> {
 #[inline(always)]
 pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bool> {
     let n = A::LEN;
-    let one = A::Real::from_f64(1.0);
     let mut positive = true;
-    for k in (0..n / 2).map(|pair| 2 * pair) {
-        let (upper, lower) = rows.split_at_mut(k + 2);
-        let (above, pair) = upper.split_at_mut(k + 1);
-        let (top, next) = (above[k].as_mut_slice(), pair[0].as_mut_slice());
-        let terms = [top[k] * next[k + 1], top[k + 1] * next[k]];
-        let determinant = terms[0] - terms[1];
-        let size = determinant.magnitude();
-        let large = size > SMALL * (terms[0].magnitude() + terms[1].magnitude()) && size > SMALL * SMALL;
-        if !large || !is_finite(size) {
-            return None;
-        }
-        positive ^= determinant.any_below(0.0);
-        let reciprocal = one / determinant;
-        let inverse = [next[k + 1], -top[k + 1], -next[k], top[k]].map(|entry| entry * reciprocal);
-        let both = |x: A::Real, y: A::Real| {
-            (inverse[0].multiply_add(x, inverse[1] * y), inverse[2].multiply_add(x, inverse[3] * y))
-        };
-        for j in k + 2..n {
-            (top[j], next[j]) = both(top[j], next[j]);
-        }
-        (b[k], b[k + 1]) = both(b[k], b[k + 1]);
-        for (i, row) in lower.iter_mut().enumerate() {
-            let row = row.as_mut_slice();
-            let factors = [-row[k], -row[k + 1]];
-            for j in k + 2..n {
-                row[j] = factors[0].multiply_add(top[j], factors[1].multiply_add(next[j], row[j]));
-            }
-            let i = k + 2 + i;
-            b[i] = factors[0].multiply_add(b[k], factors[1].multiply_add(b[k + 1], b[i]));
-        }
+    // Two rounds the compiler unrolls itself; of more it knows the indices only if they are written.
+    let written = if n < 6 { 0 } else { 3 };
+    if written > 0 {
+        positive ^= eliminate_pair(rows, b, 0)?;
+        positive ^= eliminate_pair(rows, b, 2)?;
+        positive ^= eliminate_pair(rows, b, 4)?;
+    }
+    for k in (written..n / 2).map(|pair| 2 * pair) {
+        positive ^= eliminate_pair(rows, b, k)?;
     }
     if n % 2 == 1 {
         let last = rows[n - 1].as_slice()[n - 1];
@@ -184,6 +162,43 @@ pub(super) fn of_pairs<A: Array>(rows: &mut [A], b: &mut [A::Real]) -> Option<bo
         }
     }
     Some(positive)
+}
+
+/// Eliminates unknowns k and k + 1. Whether their determinant is negative; nothing where its terms cancel.
+#[inline(always)]
+fn eliminate_pair<A: Array>(rows: &mut [A], b: &mut [A::Real], k: usize) -> Option<bool> {
+    let n = A::LEN;
+    let one = A::Real::from_f64(1.0);
+    let (upper, lower) = rows.split_at_mut(k + 2);
+    let (above, pair) = upper.split_at_mut(k + 1);
+    let (top, next) = (above[k].as_mut_slice(), pair[0].as_mut_slice());
+    let terms = [top[k] * next[k + 1], top[k + 1] * next[k]];
+    let determinant = terms[0] - terms[1];
+    let size = determinant.magnitude();
+    let large = size > SMALL * (terms[0].magnitude() + terms[1].magnitude()) && size > SMALL * SMALL;
+    if !large || !is_finite(size) {
+        return None;
+    }
+    let negative = determinant.any_below(0.0);
+    let reciprocal = one / determinant;
+    let inverse = [next[k + 1], -top[k + 1], -next[k], top[k]].map(|entry| entry * reciprocal);
+    let both = |x: A::Real, y: A::Real| {
+        (inverse[0].multiply_add(x, inverse[1] * y), inverse[2].multiply_add(x, inverse[3] * y))
+    };
+    for j in k + 2..n {
+        (top[j], next[j]) = both(top[j], next[j]);
+    }
+    (b[k], b[k + 1]) = both(b[k], b[k + 1]);
+    for (i, row) in lower.iter_mut().enumerate() {
+        let row = row.as_mut_slice();
+        let factors = [-row[k], -row[k + 1]];
+        for j in k + 2..n {
+            row[j] = factors[0].multiply_add(top[j], factors[1].multiply_add(next[j], row[j]));
+        }
+        let i = k + 2 + i;
+        b[i] = factors[0].multiply_add(b[k], factors[1].multiply_add(b[k + 1], b[i]));
+    }
+    Some(negative)
 }
 
 /// Three unknowns, by the adjugate: one division, where elimination has three that wait for each other. Nothing where the terms of the

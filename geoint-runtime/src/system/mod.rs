@@ -34,7 +34,7 @@ pub use lagrangian::{Lagrangian, from_positions};
 pub use modified::ModifiedEnergy;
 pub use perturbed::{Perturbed, PerturbedGradient, unsuitable};
 pub use poles::Pole;
-pub(crate) use poles::{Known, Poles, compiled, singular_time};
+pub(crate) use poles::{Ends, Known, Poles, compiled, singular_time};
 pub use rates::Rates;
 pub use separable::{FlowPart, ForceGradient, QuadraticKinetic, Separable};
 

@@ -91,3 +91,25 @@ chains! {
     3: chain3, chain3_energy;
     6: chain6, chain6_energy;
 }
+
+/// The double pendulum that loses energy by the action.
+#[lagrangian]
+pub(crate) fn braked(q: [f64; 2], v: [f64; 2], s: f64, m: [f64; 2], l: [f64; 2], g: f64, gamma: f64) -> f64 {
+    let x = [l[0] * v[0], l[1] * v[1]];
+    let coupling = 2.0 * x[0] * x[1] * (q[0] - q[1]).cos();
+    let kinetic = 0.5 * m[0] * x[0].powi(2) + 0.5 * m[1] * (x[0].powi(2) + x[1].powi(2) + coupling);
+    kinetic + (m[0] + m[1]) * g * l[0] * q[0].cos() + m[1] * g * l[1] * q[1].cos() - gamma * s
+}
+
+/// A mass that grows with the action.
+#[lagrangian]
+pub(crate) fn growing(q: f64, v: f64, s: f64, t: f64, a: f64) -> f64 {
+    0.5 * v * v * (1.0 + s / 5.0) + q.cos() - a * s * s - t.sin() * s / 4.0
+}
+
+/// A quartic oscillator in the plane with dissipation that is not linear.
+#[lagrangian]
+pub(crate) fn fading(q: [f64; 2], v: [f64; 2], s: f64, a: f64) -> f64 {
+    let r = q[0] * q[0] + q[1] * q[1];
+    0.5 * (v[0] * v[0] + v[1] * v[1]) - 0.25 * r * r - a * s - 0.5 * a * s * s
+}

@@ -35,6 +35,8 @@ pub(crate) struct MassKernels<K> {
 pub(crate) struct VelocityStages<K> {
     /// Whether ∂L/∂s reads the state, so that s is solved for.
     pub(crate) varying: bool,
+    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
+    pub(crate) mixed: [bool; 3],
     pub(crate) mass: MassKernels<K>,
     /// ∂L/∂v and ∂L/∂q, with their derivatives by q and v; L, σ = −∂L/∂s, and the derivatives of all by s; ∂L/∂q and σ.
     pub(crate) stage: K,
@@ -196,7 +198,8 @@ impl<K> Implicit<K> {
 
 impl<K> VelocityStages<K> {
     fn map<L>(self, of: &mut impl FnMut(K) -> L) -> VelocityStages<L> {
-        VelocityStages { varying: self.varying, mass: self.mass.map(of), stage: of(self.stage) }
+        let VelocityStages { varying, mixed, mass, stage } = self;
+        VelocityStages { varying, mixed, mass: mass.map(of), stage: of(stage) }
     }
 }
 

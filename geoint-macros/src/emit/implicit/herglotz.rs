@@ -37,7 +37,7 @@ pub(super) fn herglotz(context: &Context<'_>, graph: &Graph, kernels: &HerglotzK
 
 /// `impl ContactVelocities`, for `ContactGauss`; and how `ContactMidpoint` is solved.
 pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpoint: &TokenStream) -> TokenStream {
-    let VelocityStages { varying, mass, stage } = stages;
+    let VelocityStages { varying, mixed, mass, stage } = stages;
     let (name, array, places) = (self_type(context), context.array(), context.coordinates());
     let n = places.len();
     let mass = mass_form(context, mass);
@@ -76,6 +76,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &VelocityStages<Plan>, midpo
             type Proof = ();
             type Moved = #moved;
             #types
+            const MIXED: [bool; 3] = [#(#mixed),*];
 
             #functions
             #[inline(always)]

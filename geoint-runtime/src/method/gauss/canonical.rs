@@ -4,7 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::equation::StepEquation;
 use crate::solving::newton::Newton;
@@ -49,7 +49,10 @@ where
 
         let mut change = Y::Phase::zero();
         for i in 0..S {
-            let stage = At::new(system, &prepared.constants, t + prepared.nodes[i], sum(&x.z, &d[i]));
+            let (time, point) = (t + prepared.nodes[i], sum(&x.z, &d[i]));
+            let way = ([t, time], [&equation.z, &point], [&(), &()]);
+            check_way::<Y, R, P>(&prepared.poles, false, system, way, &mut x.doubtful)?;
+            let stage = At::new(system, &prepared.constants, time, point);
             change.add_scaled(prepared.weights[i], &stage.rate);
         }
         let end = equation.end(&change, d[S - 1])?;

@@ -4,7 +4,7 @@ use super::prepared::Prepared;
 use super::stages::Stages;
 use super::{Gauss, GaussTableau};
 use crate::method::explicit::tableau::Tableau;
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::newton::{Found, Newton};
 use crate::space::{Array, Snapshot, Summation};
@@ -61,11 +61,15 @@ where
         let (y0, changed) = Y::start(&x.z);
         let velocity = system.velocity(&prepared.stages.constants, &changed);
         probe.visit(t, &x.z, &());
-        let Found { x: k, outcome, .. } =
-            newton.solve(&Stages { system, prepared, t, z: x.z, y0, changed, velocity }, probe);
+        let equation = Stages { system, prepared, t, z: x.z, y0, changed, velocity };
+        let Found { x: k, outcome, .. } = newton.solve(&equation, probe);
         outcome?;
 
-        let PreparedFields { stages: Prepared { poles, constants, h, weights, .. }, increments, .. } = prepared;
+        let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } = prepared;
+        for (i, node) in nodes.iter().enumerate() {
+            let way = ([t, t + *node], [&equation.z, &equation.point(i, &k)], [&(), &()]);
+            check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
+        }
         let (mut change, mut impulse) = (zero, zero);
         change.add_scaled(*h, &velocity);
         for i in 0..S {

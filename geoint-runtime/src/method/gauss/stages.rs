@@ -30,6 +30,23 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Clone for Stages<'_, Y, R, S> {
 impl<Y: Collocation<R>, R: Real, const S: usize> Copy for Stages<'_, Y, R, S> {}
 
 impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
+    /// Yᵢ − y₀.
+    #[inline(always)]
+    fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
+        let PreparedFields { stages: Prepared { constants, nodes, .. }, coupling, .. } = self.prepared;
+        let mut change = scaled(nodes[i], &self.velocity);
+        for j in 0..S {
+            self.system.add(constants, coupling[i][j], &k[j], &mut change);
+        }
+        change
+    }
+
+    /// Where a stage is, with the momenta before the step if they are not solved for.
+    #[inline(always)]
+    pub(super) fn point(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Phase {
+        sum(&self.z, &Y::increments(&self.change(i, k), &Y::Unknown::zero()))
+    }
+
     /// f(Yᵢ) and f'(Yᵢ).
     #[inline(always)]
     fn stage<P: Probe<Y, R>>(
@@ -39,14 +56,10 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
         k: &[Y::Unknown; S],
         slope: &mut Square<Y::Unknown>,
     ) -> Y::Unknown {
-        let PreparedFields { stages: Prepared { constants, nodes, .. }, coupling, .. } = self.prepared;
-        let (mut change, mut f) = (scaled(nodes[i], &self.velocity), Y::Unknown::zero());
-        for j in 0..S {
-            self.system.add(constants, coupling[i][j], &k[j], &mut change);
-        }
-        let t = self.t + nodes[i];
-        probe.visit(t, &sum(&self.z, &Y::increments(&change, &Y::Unknown::zero())), &());
-        self.system.field(constants, t, &sum(&self.y0, &change), &mut f, slope);
+        let Prepared { constants, nodes, .. } = &self.prepared.stages;
+        let (t, mut f) = (self.t + nodes[i], Y::Unknown::zero());
+        probe.visit(t, &self.point(i, k), &());
+        self.system.field(constants, t, &sum(&self.y0, &self.change(i, k)), &mut f, slope);
         f
     }
 }

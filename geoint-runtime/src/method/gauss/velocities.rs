@@ -4,7 +4,7 @@
 
 use super::prepared::Prepared;
 use super::{Gauss, GaussTableau};
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
@@ -70,7 +70,11 @@ where
         let mut seen = Seen { probe, v: [none; S], stages: [Stage::none(); S] };
         let (v, _) = newton.solve(&equation, &mut seen).checked()?;
 
-        let Prepared { poles, h, coupling, weights, .. } = prepared;
+        let Prepared { poles, h, coupling, nodes, weights, .. } = prepared;
+        for (i, node) in nodes.iter().enumerate() {
+            let way = ([t, t + *node], [&z, &[equation.position(i, &v), z[1]]], [&(), &()]);
+            check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
+        }
         // Forces where they were evaluated last, and what the last correction changes them by: its square is rounding.
         let corrections: [Y::Array; S] = core::array::from_fn(|i| difference(&v[i], &seen.v[i]));
         let (mut change, mut impulse) = (none, none);

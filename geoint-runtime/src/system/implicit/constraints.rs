@@ -77,7 +77,7 @@ pub trait ConstrainedStep<M, R: Real = f64>: Constrained<R> {
 pub enum Unmet {
     /// This is not zero.
     Off(&'static str),
-    /// The gradient of this constraint depends on those of the constraints before it.
+    /// The gradient of this constraint depends on those of the constraints before it, or there is none.
     Dependent(&'static str),
 }
 
@@ -92,9 +92,12 @@ pub fn unmet<S: Constrained<R>, R: Real>(system: &S, t: R, h: R, z: &S::Phase) -
     let numbers = |x: &S::Multipliers, k: usize| x.as_slice()[k].magnitude();
     for (k, [formula, rate]) in S::CONSTRAINTS.iter().enumerate() {
         let reach = rounding * numbers(&sizes, k);
-        // What is not a number is off as well.
-        let on = numbers(&values, k) <= reach;
+        // What is not a number is off as well. Zero is on, also where the gradient, and with it all rounding, is none, as at the tip of a cone.
+        let on = numbers(&values, k) <= reach || numbers(&values, k) == 0.0;
         let moves = numbers(&rates, k);
+        if on && moves.is_nan() {
+            return Some(Unmet::Dependent(formula));
+        }
         let stays = moves <= rounding * numbers(&sizes_of_rates, k) || moves * h.magnitude() <= reach;
         if !on || !stays {
             return Some(Unmet::Off(if on { rate } else { formula }));

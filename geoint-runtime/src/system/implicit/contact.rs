@@ -55,6 +55,8 @@ pub trait ContactVelocities<R: Real = f64>: MassForm<R> + ContactCollocated<R, S
     type Moved: Array<Real = R>;
     /// What depends on parameters only.
     type StageConstants: Copy + core::fmt::Debug;
+    /// Whether L has second derivatives by q and v, by v and s, and by q and s.
+    const MIXED: [bool; 3];
 
     /// What depends on parameters only.
     fn stage_constants(&self) -> Self::StageConstants;

@@ -5,7 +5,7 @@ use super::factors::Factors;
 use crate::method::explicit::tableau::Tableau;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::solving::linear;
@@ -51,6 +51,15 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Copy for StagePoints<'_, Y, R, S> {}
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
+    /// Where a stage is.
+    #[inline(always)]
+    fn stage(&self, d: &Y::Moved) -> (Y::Phase, R) {
+        let x = sum(&self.origin, d);
+        let (mut z, phase) = (Y::Phase::zero(), Y::Phase::LEN);
+        Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..phase]);
+        (z, x.as_slice().get(phase).copied().unwrap_or_else(zero))
+    }
+
     #[inline(always)]
     fn evaluated(&self, t: R, x: &Y::Moved) -> At<Y::Moved> {
         let none = Y::Moved::zero();
@@ -150,8 +159,13 @@ where
         };
         let equation = StagePoints { system, prepared, t, origin, known };
         let (d, _) = newton.solve(&equation, probe).checked()?;
-        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
+        for i in 0..if varying::<Y, R>() { S } else { 0 } {
+            let (z, s) = equation.stage(&d[i]);
+            let way = ([t, t + nodes[i]], [&before.0, &z], [&before.1, &s]);
+            check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
+        }
+        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
         x.add_everywhere(&end);
         check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
     }
@@ -202,13 +216,9 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
         let coupling = &self.prepared.stages.coupling;
         let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
         let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {
-            let x = sum(&self.origin, &d[i]);
-            let mut z = Y::Phase::zero();
-            Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..2 * n]);
-            let s = x.as_slice().get(2 * n).copied().unwrap_or_else(zero);
-            let t = self.t + self.prepared.stages.nodes[i];
+            let ((z, s), t) = (self.stage(&d[i]), self.t + self.prepared.stages.nodes[i]);
             probe.visit(t, &z, &s);
-            self.evaluated(t, &x)
+            self.evaluated(t, &sum(&self.origin, &d[i]))
         });
         let Factors { r, by_decay, .. } = match self.known {
             Some(known) => known,

@@ -65,6 +65,12 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
         change
     }
 
+    /// Where a stage is: positions and s, with the momenta before the step.
+    #[inline(always)]
+    pub(super) fn stage(&self, i: usize, d: &[Y::Moved; S]) -> (Y::Phase, R) {
+        ([sum(&self.z[0], &self.shift(i, d)), self.z[1]], self.s + self.apart(&d[i]).1)
+    }
+
     /// What the step adds, from stages at `last` and what the last correction changes them by: its square is rounding. `None` where the form
     /// would not be multiplied by a positive number.
     #[inline(always)]
@@ -81,7 +87,7 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
         let (mut forces, mut decay, mut rates) = ([Y::Array::zero(); S], [zero(); S], [zero(); S]);
         for i in 0..S {
             let moved = (self.shift(i, &corrections), self.apart(&corrections[i]));
-            (forces[i], decay[i], rates[i]) = after(&last.stages[i], &moved.0, moved.1);
+            (forces[i], decay[i], rates[i]) = after::<Y, R>(&last.stages[i], &moved.0, moved.1);
         }
         let factors = self.known.unwrap_or_else(|| last.factors.after(&decay));
         let grown = factors.growth(weights)?;
@@ -100,15 +106,29 @@ impl<Y: ContactVelocities<R>, R: Real, const S: usize> StageVelocities<'_, Y, R,
 
 /// f, σ and L after small changes of q, v and s.
 #[inline(always)]
-fn after<A: Array>(stage: &ContactStage<A>, dq: &A, (dv, ds): (A, A::Real)) -> (A, A::Real, A::Real) {
+fn after<Y: ContactVelocities<R>, R: Real>(
+    stage: &ContactStage<Y::Array>,
+    dq: &Y::Array,
+    (dv, ds): (Y::Array, R),
+) -> (Y::Array, R, R) {
+    let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
     let [.., by_q, by_v] = &stage.derivatives;
     let [momentum_by_s, force_by_s] = &stage.by_action;
-    let mut force = moved(&stage.force, ds, force_by_s);
-    let rows = A::entries_of::<A>(by_q).iter().zip(A::entries_of::<A>(by_v));
+    let mut force = if by_q_and_s { moved(&stage.force, ds, force_by_s) } else { stage.force };
+    let rows = Y::Array::entries_of::<Y::Array>(by_q).iter().zip(Y::Array::entries_of::<Y::Array>(by_v));
     for (f, (by_q, by_v)) in force.as_mut_slice().iter_mut().zip(rows) {
-        *f += dot(by_q, dq) + dot(by_v, &dv);
+        *f += dot(by_q, dq);
+        if by_q_and_v {
+            *f += dot(by_v, &dv);
+        }
     }
-    let decay = stage.decay - dot(momentum_by_s, &dv) - dot(force_by_s, dq) + stage.decay_by_action * ds;
+    let mut decay = stage.decay_by_action.multiply_add(ds, stage.decay);
+    if by_v_and_s {
+        decay -= dot(momentum_by_s, &dv);
+    }
+    if by_q_and_s {
+        decay -= dot(force_by_s, dq);
+    }
     let lagrangian = stage.lagrangian + dot(&stage.momentum, &dv) + dot(&stage.force, dq) - stage.decay * ds;
     (force, decay, lagrangian)
 }
@@ -182,10 +202,9 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
         let (n, length, one) = (Y::Array::LEN, Y::Moved::LEN, R::from_f64(1.0));
         last.d = *d;
         for (i, stage) in last.stages.iter_mut().enumerate() {
-            let (v, ds) = self.apart(&d[i]);
-            let (t, q, s) = (self.t + nodes[i], sum(&self.z[0], &self.shift(i, d)), self.s + ds);
-            probe.visit(t, &[q, self.z[1]], &s);
-            self.system.stage(constants, t, &q, &v, &s, stage);
+            let (t, (z, s)) = (self.t + nodes[i], self.stage(i, d));
+            probe.visit(t, &z, &s);
+            self.system.stage(constants, t, &z[0], &self.apart(&d[i]).0, &s, stage);
         }
         last.factors = match self.known {
             Some(known) => known,
@@ -195,12 +214,17 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
             }
         };
         let (stages, Factors { r, by_decay, .. }) = (&last.stages, &last.factors);
+        // What L has no second derivatives by is not multiplied.
+        let [by_q_and_v, by_v_and_s, by_q_and_s] = Y::MIXED;
         // −∂σ/∂v: how the velocities of stages move the decay at each.
+        let moves_decay = varying::<Y, R>() && (by_v_and_s || by_q_and_s);
         let mut decays = [[Y::Array::zero(); S]; S];
-        for m in 0..if varying::<Y, R>() { S } else { 0 } {
+        for m in 0..if moves_decay { S } else { 0 } {
             for k in 0..S {
-                decays[m][k] = scaled(coupling[m][k], &stages[m].by_action[1]);
-                if m == k {
+                if by_q_and_s {
+                    decays[m][k] = scaled(coupling[m][k], &stages[m].by_action[1]);
+                }
+                if m == k && by_v_and_s {
                     decays[m][k].add_scaled(one, &stages[m].by_action[0]);
                 }
             }
@@ -234,19 +258,23 @@ impl<Y: ContactVelocities<R>, R: Real, P: Probe<Y, R>, const S: usize>
                 });
                 for k in 0..S {
                     let mut by_v = if i == k { scaled(r[i], &mass) } else { Y::Array::zero() };
-                    by_v.add_scaled(coupling[i][k] * r[i], &entry(&stages[i], MOMENTUM_BY_Q));
-                    by_v.add_scaled(-(coupling[i][k] * r[k]), &entry(&stages[k], FORCE_BY_V));
+                    if by_q_and_v {
+                        by_v.add_scaled(coupling[i][k] * r[i], &entry(&stages[i], MOMENTUM_BY_Q));
+                        by_v.add_scaled(-(coupling[i][k] * r[k]), &entry(&stages[k], FORCE_BY_V));
+                    }
                     for j in 0..S {
                         by_v.add_scaled(-(coupling[i][j] * r[j] * coupling[j][k]), &entry(&stages[j], FORCE_BY_Q));
                     }
                     let mut by_s = zero();
                     if varying::<Y, R>() {
-                        by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
-                        if i == k {
+                        if by_q_and_s {
+                            by_s = -(coupling[i][k] * r[k] * stages[k].by_action[1].as_slice()[row]);
+                        }
+                        if i == k && by_v_and_s {
                             by_s = r[i].multiply_add(stages[i].by_action[0].as_slice()[row], by_s);
                         }
                         // What σ of all stages does by all factors.
-                        for m in 0..S {
+                        for m in 0..if moves_decay { S } else { 0 } {
                             by_v.add_scaled(-by_decay_of[m], &decays[m][k]);
                         }
                         by_s = by_decay_of[k].multiply_add(stages[k].decay_by_action, by_s);

@@ -10,7 +10,7 @@ use crate::method::contact::ContactMidpoint;
 use crate::method::gauss::prepared::Prepared;
 use crate::method::gauss::velocities::{Memory, PreparedVelocities};
 use crate::method::gauss::{Gauss, GaussTableau};
-use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, start};
+use crate::method::{Earlier, Probe, Refusal, Step, StepsOf, check_end, check_way, start};
 use crate::scalar::Real;
 use crate::solving::newton::Newton;
 use crate::space::{Array, Summation};
@@ -90,6 +90,11 @@ where
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
 
         let Seen { probe, last } = seen;
+        for i in 0..if varying::<Y, R>() { S } else { 0 } {
+            let (stage_z, stage_s) = equation.stage(i, &d);
+            let way = ([t, t + nodes[i]], [&z, &stage_z], [&s, &stage_s]);
+            check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
+        }
         let end = equation.end(&d, &last).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
         x.add_everywhere(&end);
