@@ -1,14 +1,11 @@
 //! What steps keep to rounding, kept so for ever: what rounding adds up to is taken away now and then.
 
+use super::scales::STEPS;
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
 use crate::space::Array;
 use crate::space::vector::difference;
 use crate::system::{Invariants, PhaseSpace};
-
-/// Steps in which rounding adds up. A coordinate is worth no more than what it has moved by, in so many runs: its distance from zero may mean
-/// nothing.
-const STEPS: f64 = 1024.0;
 
 /// A correction of one invariant changes the others, which are corrected again (S. Kaczmarz, Bull. Acad. Polon. Sci. A 35 (1937) 355).
 const SWEEPS: usize = 8;
@@ -52,7 +49,7 @@ fn undo<R: Real>((gradient, change): (&[R], R), [origin, moved]: [&[R]; 2], back
         terms += unit * slope.magnitude();
         rest += *slope * back[i];
     }
-    // Not a number is no rounding either.
+    // Rounding of as many steps. Not a number is no rounding either.
     if !(change.magnitude() <= STEPS * ROUNDINGS * R::epsilon() * rounding && terms.is_finite()) {
         return false;
     }

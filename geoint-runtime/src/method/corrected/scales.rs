@@ -12,7 +12,7 @@ pub struct Scales<A> {
 }
 
 /// A coordinate that has moved is worth no more than what it moves by in so many steps: its distance from zero may mean nothing.
-const STEPS: f64 = 1024.0;
+pub(super) const STEPS: f64 = 1024.0;
 
 impl<A: Array> Scales<A> {
     pub(super) fn new() -> Self {

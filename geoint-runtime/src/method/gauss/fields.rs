@@ -67,7 +67,7 @@ where
 
         let PreparedFields { stages: Prepared { poles, constants, h, nodes, weights, .. }, increments, .. } = prepared;
         for (i, node) in nodes.iter().enumerate() {
-            let way = ([t, t + *node], [&equation.z, &equation.point(i, &k)], [&(), &()]);
+            let way = ([t, t + *node], [&equation.z, &equation.point(&equation.change(i, &k))], [&(), &()]);
             check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
         }
         let (mut change, mut impulse) = (zero, zero);

@@ -32,7 +32,7 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Copy for Stages<'_, Y, R, S> {}
 impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
     /// Yᵢ − y₀.
     #[inline(always)]
-    fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
+    pub(super) fn change(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Unknown {
         let PreparedFields { stages: Prepared { constants, nodes, .. }, coupling, .. } = self.prepared;
         let mut change = scaled(nodes[i], &self.velocity);
         for j in 0..S {
@@ -41,10 +41,10 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
         change
     }
 
-    /// Where a stage is, with the momenta before the step if they are not solved for.
+    /// Where a stage with this change is, with the momenta before the step if they are not solved for.
     #[inline(always)]
-    pub(super) fn point(&self, i: usize, k: &[Y::Unknown; S]) -> Y::Phase {
-        sum(&self.z, &Y::increments(&self.change(i, k), &Y::Unknown::zero()))
+    pub(super) fn point(&self, change: &Y::Unknown) -> Y::Phase {
+        sum(&self.z, &Y::increments(change, &Y::Unknown::zero()))
     }
 
     /// f(Yᵢ) and f'(Yᵢ).
@@ -57,9 +57,9 @@ impl<Y: Collocation<R>, R: Real, const S: usize> Stages<'_, Y, R, S> {
         slope: &mut Square<Y::Unknown>,
     ) -> Y::Unknown {
         let Prepared { constants, nodes, .. } = &self.prepared.stages;
-        let (t, mut f) = (self.t + nodes[i], Y::Unknown::zero());
-        probe.visit(t, &self.point(i, k), &());
-        self.system.field(constants, t, &sum(&self.y0, &self.change(i, k)), &mut f, slope);
+        let (t, change, mut f) = (self.t + nodes[i], self.change(i, k), Y::Unknown::zero());
+        probe.visit(t, &self.point(&change), &());
+        self.system.field(constants, t, &sum(&self.y0, &change), &mut f, slope);
         f
     }
 }

@@ -51,10 +51,9 @@ impl<Y: ContactStages<R>, R: Real, const S: usize> Clone for StagePoints<'_, Y, 
 impl<Y: ContactStages<R>, R: Real, const S: usize> Copy for StagePoints<'_, Y, R, S> {}
 
 impl<Y: ContactStages<R>, R: Real, const S: usize> StagePoints<'_, Y, R, S> {
-    /// Where a stage is.
+    /// The state at a point, without s if it is not solved for.
     #[inline(always)]
-    fn stage(&self, d: &Y::Moved) -> (Y::Phase, R) {
-        let x = sum(&self.origin, d);
+    fn state(x: &Y::Moved) -> (Y::Phase, R) {
         let (mut z, phase) = (Y::Phase::zero(), Y::Phase::LEN);
         Array::as_mut_slice(&mut z).copy_from_slice(&x.as_slice()[..phase]);
         (z, x.as_slice().get(phase).copied().unwrap_or_else(zero))
@@ -161,7 +160,7 @@ where
         let (d, _) = newton.solve(&equation, probe).checked()?;
         let before = start::<Y, R, C>(x);
         for i in 0..if varying::<Y, R>() { S } else { 0 } {
-            let (z, s) = equation.stage(&d[i]);
+            let (z, s) = StagePoints::<Y, R, S>::state(&sum(&origin, &d[i]));
             let way = ([t, t + nodes[i]], [&before.0, &z], [&before.1, &s]);
             check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
         }
@@ -216,9 +215,10 @@ impl<Y: ContactStages<R>, R: Real, P: Probe<Y, R>, const S: usize> StepEquation<
         let coupling = &self.prepared.stages.coupling;
         let (n, length) = (Y::Array::LEN, Y::Moved::LEN);
         let stages: [At<Y::Moved>; S] = core::array::from_fn(|i| {
-            let ((z, s), t) = (self.stage(&d[i]), self.t + self.prepared.stages.nodes[i]);
+            let (x, t) = (sum(&self.origin, &d[i]), self.t + self.prepared.stages.nodes[i]);
+            let (z, s) = Self::state(&x);
             probe.visit(t, &z, &s);
-            self.evaluated(t, &sum(&self.origin, &d[i]))
+            self.evaluated(t, &x)
         });
         let Factors { r, by_decay, .. } = match self.known {
             Some(known) => known,
