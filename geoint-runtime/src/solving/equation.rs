@@ -20,6 +20,8 @@ impl Observer for () {
 pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
     /// Whether all is done to find a solution: a search from afar, and a measure of what is rounding.
     const PATIENT: bool;
+    /// Whether what steps keep is settled now and then: then a solution may be off by a part of the last digit, which elsewhere adds up.
+    const SETTLED: bool = false;
 
     /// At this multiple of the origin nothing moves: the energy is defined there if it is at the start of the step.
     fn standstill(&self) -> f64 {

@@ -85,6 +85,19 @@ pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &
     }
 }
 
+/// The second term of the series r + Ar + A²r + … for the solution x of x = r + Ax, where `matrix` is 1 − A (C. Neumann, 1877): no division, and
+/// nothing waits for a determinant.
+#[inline(always)]
+pub(crate) fn second_term<A: Array>(matrix: &Square<A>, r: &A) -> A {
+    let mut term = *r;
+    for (term, row) in term.as_mut_slice().iter_mut().zip(A::entries_of::<A>(matrix)) {
+        for (entry, r) in row.as_slice().iter().zip(r.as_slice()) {
+            *term = (-*entry).multiply_add(*r, *term);
+        }
+    }
+    term
+}
+
 /// The determinant, by elimination with partial pivoting; destroys `matrix`.
 pub(crate) fn determinant<A: Array>(matrix: &mut Square<A>) -> f64 {
     let rows = A::entries::<A>(matrix);

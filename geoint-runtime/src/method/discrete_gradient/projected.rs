@@ -58,6 +58,7 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     for Equation<'_, S, R>
 {
     const PATIENT: bool = P::PATIENT;
+    const SETTLED: bool = <<S as FourthOrderField<R>>::Kept as Invariants<S, R>>::Values::LEN > 0;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {

@@ -9,7 +9,7 @@ mod predictor;
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
-use crate::space::vector::difference;
+use crate::space::vector::{difference, sum};
 use crate::space::{Array, Record, Tape};
 use iteration::Iteration;
 pub(crate) use iteration::compiled;
@@ -44,6 +44,13 @@ impl<A: Array> Found<A> {
     #[inline(always)]
     pub(crate) fn checked(self) -> Result<(A, A), Refusal> {
         self.outcome.map(|()| (self.x, self.lost))
+    }
+
+    /// x − delta.
+    #[inline(always)]
+    fn corrected(mut x: A, delta: &A) -> Self {
+        let lost = subtract(&mut x, delta);
+        Found::solution(x, lost)
     }
 
     #[inline(always)]
@@ -126,15 +133,20 @@ impl<A: Array> Newton<A> {
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
             let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
+            // The factor by which terms of the series shrink is small, and so is the next term.
+            if E::SETTLED && A::LEN > 1 {
+                let second = linear::second_term(&matrix, &delta);
+                if self.iteration.is_last_term(&second) {
+                    return Found::corrected(guess, &sum(&delta, &second));
+                }
+            }
             let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
                 break 'start (Some(guess), None);
             };
             if !(self.iteration.is_last(&delta) && positive) {
                 break 'start (Some(guess), Some((delta, positive)));
             }
-            let mut x = guess;
-            let lost = subtract(&mut x, &delta);
-            return Found::solution(x, lost);
+            return Found::corrected(guess, &delta);
         };
         let found;
         (self.iteration, found) = self.iteration.search(start, *equation, watch);

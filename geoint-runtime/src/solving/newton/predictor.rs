@@ -31,10 +31,10 @@ pub(crate) struct Predictor<A> {
 }
 
 impl<A: Array> Predictor<A> {
-    /// Whether terms stay where they are while the sequence goes on. Terms that fill whole registers, or half of one, are shifted by one place
-    /// instead: then all addresses are known, which is 1.5 ns a step. Of others a register reaches over two, so that one is read just after
-    /// both were written: the processor waits until they are in memory, 9 of the 35 ns of a step of Euler's top.
-    const SLIDES: bool = A::LEN > 1 && A::LEN % 2 == 1;
+    /// Whether terms stay where they are while the sequence goes on. Terms that fill whole registers are shifted by one place instead: then all
+    /// addresses are known, which is 1.5 ns a step. Of others a register reaches over two, so that one is read just after both were written: the
+    /// processor waits until they are in memory, 9 of the 35 ns of a step of Euler's top.
+    const SLIDES: bool = A::LEN % 2 == 1;
 
     pub(crate) fn new() -> Self {
         Predictor { terms: [A::zero(); SPARE + POINTS], latest: 0, expected: A::zero() }

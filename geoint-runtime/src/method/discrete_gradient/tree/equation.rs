@@ -8,7 +8,7 @@ use crate::scalar::{Real, zero};
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Point, Square, Summation, exact_sum};
-use crate::system::DiscreteField;
+use crate::system::{DiscreteField, Invariants, KeptBy};
 
 /// What depends on parameters and h.
 #[derive(Clone, Debug)]
@@ -161,6 +161,7 @@ impl<S: DiscreteField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Unknown, Deci
     for Equation<'_, S, R>
 {
     const PATIENT: bool = P::PATIENT;
+    const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     /// −2p as an impulse turns p round, and the mean of p is 0.
     fn standstill(&self) -> f64 {

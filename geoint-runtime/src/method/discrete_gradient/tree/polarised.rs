@@ -7,7 +7,9 @@ use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::newton::Newton;
 use crate::space::vector::{difference, dot, moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Square, Summation, Tape};
-use crate::system::{ByPolarisation, PolarisedForm, Poles, Regular, acceleration, row_scale, velocity_near};
+use crate::system::{
+    ByPolarisation, Invariants, KeptBy, PolarisedForm, Poles, Regular, acceleration, row_scale, velocity_near,
+};
 
 /// Coefficients of a step.
 #[derive(Clone, Copy, Debug)]
@@ -183,6 +185,7 @@ impl<S: PolarisedForm<R>, R: Real, P: Probe<S, R>> StepEquation<S::Array, Seen<'
     for Equation<'_, S, R>
 {
     const PATIENT: bool = P::PATIENT;
+    const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     /// −2v₀ turns v round: nothing moves.
     fn standstill(&self) -> f64 {
