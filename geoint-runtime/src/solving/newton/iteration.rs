@@ -41,6 +41,9 @@ pub(super) struct Iteration<A> {
     /// The square of a correction after which the next one is nothing, from C as last seen.
     reach: f64,
     pub(super) steps: u32,
+    /// Two terms of a series are tried in place of an elimination: until they are not enough, and again where a step looks a second time. To ask
+    /// in every step would be in vain in as many as not, which nobody can foretell.
+    pub(super) by_series: bool,
     /// The fixed point attracts too weakly.
     pub(super) stiff: bool,
 }
@@ -51,13 +54,14 @@ pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
         // Kinds follow from the method.
-        let Iteration { sizes, kinds: _, guesses, reach, steps, stiff } = self;
+        let Iteration { sizes, kinds: _, guesses, reach, steps, by_series, stiff } = self;
         sizes.record(tape);
         guesses.record(tape);
         let mut count = u64::from(*steps);
         tape.count(&mut count);
         *steps = count as u32;
         tape.number(reach);
+        tape.flag(by_series);
         tape.flag(stiff);
     }
 }
@@ -71,6 +75,7 @@ impl<A: Array> Iteration<A> {
             guesses: Guesses::new(),
             reach: A::Real::epsilon() * REMAINDER,
             steps: 0,
+            by_series: false,
             stiff: A::LEN <= MOST_UNKNOWNS,
         }
     }
@@ -135,6 +140,7 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> (Self, Found<A>) {
         let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
+        self.by_series |= self.looks();
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
             let mut scale = self.sizes;
@@ -270,8 +276,8 @@ impl<A: Array> Iteration<A> {
 }
 
 /// The addresses of what is compiled once for a shape of unknowns.
-pub(crate) fn compiled<A: Array>() -> *const () {
-    Iteration::<A>::search::<dyn Residual<A>, Distant<'_, A>> as *const ()
+pub(crate) fn compiled<A: Array>() -> [*const (); 2] {
+    [Iteration::<A>::search::<dyn Residual<A>, Distant<'_, A>> as *const (), Iteration::<A>::choose as *const ()]
 }
 
 /// Where an iteration starts.

@@ -133,12 +133,13 @@ impl<A: Array> Newton<A> {
             let guess = equation.unknown(&point);
             let mut matrix = A::fill(A::zero());
             let mut delta = equation.residual_at(watch, &guess, &point, &mut matrix);
-            // The factor by which terms of the series shrink is small, and so is the next term.
-            if E::SETTLED && A::LEN > 1 {
+            // The factor by which terms of the series shrink is small, and so is the next term. Of two unknowns Cramer's rule is as fast.
+            if E::SETTLED && A::LEN > 2 && self.iteration.by_series {
                 let second = linear::second_term(&matrix, &delta);
                 if self.iteration.is_last_term(&second) {
                     return Found::corrected(guess, &sum(&delta, &second));
                 }
+                self.iteration.by_series = false;
             }
             let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
                 break 'start (Some(guess), None);
