@@ -141,10 +141,12 @@ impl<S: Jets<R>, R: Real> TaylorMethod<S, R> for Taylor {
     type Series = Series<R, 20>;
     type Memory = ();
 
+    #[inline(always)]
     fn steps(&self) -> Steps {
         Steps::Tolerance(self.tolerance)
     }
     as_it_is!();
+    #[inline(always)]
     fn order(&self) -> usize {
         match S::CONVOLUTIONS {
             LARGE.. if self.tolerance >= 1e-8 => 12,
@@ -201,11 +203,13 @@ macro_rules! of_one_order {
             type Series = Series<R, P>;
             type Memory = ();
 
+            #[inline(always)]
             fn steps(&self) -> Steps {
                 let steps: fn(&Self) -> Steps = $steps;
                 steps(self)
             }
             as_it_is!();
+            #[inline(always)]
             fn order(&self) -> usize {
                 P
             }

@@ -8,32 +8,40 @@ use crate::space::{Action, Array, PerCoordinate};
 #[inline(always)]
 pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
     let [h, square] = [h, h * h].map(Z::Real::from_f64);
-    let mut sums = [PerCoordinate::<Z, S>::zero(); 2];
-    for (k, coefficient) in jet.iter().enumerate().rev() {
-        times_and_add(&mut sums[k % 2], square, coefficient);
+    let (pairs, rest) = jet.as_chunks();
+    let (mut odd, mut even) = (rest.first().copied().unwrap_or(PerCoordinate::zero()), PerCoordinate::zero());
+    for [first, second] in pairs.iter().rev() {
+        times_and_add(&mut odd, square, first);
+        times_and_add(&mut even, square, second);
     }
-    let [mut odd, even] = sums;
     odd.add_scaled(h, &even);
     odd.times(h);
     odd
 }
 
-/// The same, with its derivative by h.
+/// The same, with its derivative by h: that of h·o(h²) + h²·e(h²) is o + 2h(e + h·o' + h²·e').
 #[inline(always)]
 pub(crate) fn increment_and_rate<Z: Array, S: Action<Z::Real>>(
     jet: &[PerCoordinate<Z, S>],
     h: f64,
 ) -> (PerCoordinate<Z, S>, PerCoordinate<Z, S>) {
-    let [length, square] = [h, h * h].map(Z::Real::from_f64);
-    let mut rates = [PerCoordinate::<Z, S>::zero(); 2];
-    for (k, coefficient) in jet.iter().enumerate().rev() {
-        let mut scaled = *coefficient;
-        scaled.times(Z::Real::from_f64((k + 1) as f64));
-        times_and_add(&mut rates[k % 2], square, &scaled);
+    let [h, square] = [h, h * h].map(Z::Real::from_f64);
+    let (pairs, rest) = jet.as_chunks();
+    let (mut odd, mut even) = (rest.first().copied().unwrap_or(PerCoordinate::zero()), PerCoordinate::zero());
+    let [mut odd_rate, mut even_rate] = [PerCoordinate::zero(); 2];
+    for [first, second] in pairs.iter().rev() {
+        times_and_add(&mut odd_rate, square, &odd);
+        times_and_add(&mut even_rate, square, &even);
+        times_and_add(&mut odd, square, first);
+        times_and_add(&mut even, square, second);
     }
-    let [mut rate, even] = rates;
-    rate.add_scaled(length, &even);
-    (increment(jet, h), rate)
+    times_and_add(&mut even_rate, square, &even);
+    even_rate.add_scaled(h, &odd_rate);
+    let mut rate = odd;
+    rate.add_scaled(h + h, &even_rate);
+    odd.add_scaled(h, &even);
+    odd.times(h);
+    (odd, rate)
 }
 
 /// y ← w·y + x.

@@ -25,9 +25,11 @@ where
     type Series = M::Series;
     type Memory = Scales<S::Phase>;
 
+    #[inline(always)]
     fn steps(&self) -> Steps {
         self.0.steps()
     }
+    #[inline(always)]
     fn order(&self) -> usize {
         self.0.order()
     }

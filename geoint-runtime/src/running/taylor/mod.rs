@@ -209,7 +209,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
     /// The order of the series.
     pub fn order(&self) -> usize {
-        self.steps.order
+        self.steps.order()
     }
 
     /// The system with its parameters.
@@ -225,9 +225,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
 impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real> Debug for TaylorIntegrator<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Steps { system, method, clock, x, taken, order, .. } = &self.steps;
+        let Steps { system, method, clock, x, taken, .. } = &self.steps;
         let mut run = f.debug_struct("TaylorIntegrator");
-        run.field("system", system).field("method", method).field("order", order).field("clock", clock).field("x", x);
+        run.field("system", system).field("method", method).field("order", &self.order()).field("clock", clock).field("x", x);
         run.field("steps", taken).finish_non_exhaustive()
     }
 }

@@ -26,7 +26,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let unit = power_of_two(h);
         (expansion.x, expansion.unit) = (x, unit);
         let start = [R::from_f64(unit), t];
-        M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
+        M::jet(self.method.order(), &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
     }
 
     /// The coefficients at a state that the user gave, in a unit of time in which none of them overflows, or where a run goes on, in the unit
@@ -43,7 +43,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// The coefficients at the present.
     pub(super) fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
-        &self.expansions[self.present].jet.as_ref()[..self.order]
+        &self.expansions[self.present].jet.as_ref()[..self.order()]
     }
 
     /// A length in the unit of the coefficients at the present.
@@ -79,7 +79,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     /// The state so long after the start of the last step, which is at the time `t`.
     pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
         let expansion = &self.expansions[1 - self.present];
-        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after / expansion.unit);
+        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order()], after / expansion.unit);
         x.add_scaled(R::from_f64(1.0), &expansion.x);
         S::State::of(t, x.z, x.s)
     }

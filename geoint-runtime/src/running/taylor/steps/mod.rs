@@ -7,7 +7,7 @@ use crate::method::Clock;
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
 use crate::scalar::{Real, signed, zero};
-use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point, Snapshot};
+use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
 use crate::system::Jets;
@@ -30,7 +30,6 @@ type Arrival<S, M, R> = (Carried<S, R>, Clock<R>, <M as TaylorMethod<S, R>>::Mem
 pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
     pub(in crate::running) method: M,
-    pub(in crate::running) order: usize,
     pub(in crate::running) bounds: Bounds,
     pub(in crate::running) backwards: bool,
     pub(in crate::running) clock: Clock<R>,
@@ -38,7 +37,7 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     pub(in crate::running) taken: u64,
     /// How many there were when the user gave a state.
     given: u64,
-    estimate: Estimate<S::Phase, S::Action>,
+    estimate: Estimate<S::State>,
     /// Of the method, where it puts ends of steps right.
     memory: M::Memory,
     /// At the start of the last step, and at the present: which of them that is changes with every step.
@@ -67,11 +66,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             taylor::Steps::Tolerance(tolerance) => (tolerance, false),
             taylor::Steps::Length(h) => (0.0, h < 0.0),
         };
-        let mut estimate = Estimate::new(tolerance, S::State::ALIKE);
+        let mut estimate = Estimate::new(tolerance);
         estimate.include(&here);
         let clock = Clock::new(t, zero());
         Steps {
-            order: method.order(),
             memory: M::memory(),
             system,
             method,
@@ -121,6 +119,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
     #[cfg(feature = "alloc")]
     pub(super) fn forget(&mut self) {
         (self.known, self.within) = (false, false);
+    }
+
+    /// The order of the series: a constant wherever the method or the system leave no choice.
+    #[inline(always)]
+    pub(in crate::running) fn order(&self) -> usize {
+        self.method.order()
     }
 
     pub(in crate::running) fn time(&self) -> R {
@@ -273,8 +277,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.taken != self.given {
             return Ok(());
         }
-        if self.order < 2 {
-            return Err(StepError::InvalidOrder { order: self.order });
+        if self.order() < 2 {
+            return Err(StepError::InvalidOrder { order: self.order() });
         }
         match self.method.steps() {
             taylor::Steps::Tolerance(tolerance) if !(tolerance > 0.0 && tolerance < f64::INFINITY) => {
