@@ -88,34 +88,33 @@ impl<X: Snapshot> Estimate<X> {
     /// Log₂ of the longest step at which the term of order m is within the tolerance.
     #[inline(always)]
     fn bound(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
-        let mut least = f64::INFINITY;
+        let (mut excess, smallest) = (i64::MIN, X::Real::smallest());
         for i in 0..Self::GROUPS {
             let (size, term) = (self.size(i), Self::magnitude(&jet[m - 1], i));
-            // What is below the normal numbers has no digits to tell anything by. What is not a number bounds the step as well: nothing is
-            // longer than that.
-            if term < X::Real::smallest() {
-                continue;
+            if term < smallest || size < smallest {
+                return self.bound_by_group(jet, m);
             }
-            let bound = if size >= X::Real::smallest() {
-                (self.tolerance + log2_ratio(size, term)) * (1.0 / m as f64)
-            } else {
-                self.bound_by_first(jet, m, i)
-            };
-            least = smaller(bound, least);
+            excess = excess.max(difference(term, size));
         }
-        least
+        (self.tolerance - log2(excess)) * (1.0 / m as f64)
     }
 
-    /// The same for a group that is zero so far, by its first term that is not.
+    /// The same where a group is zero so far, or its term is.
     #[cold]
-    fn bound_by_first(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize, i: usize) -> f64 {
-        let mut terms = jet[..m].iter().map(|x| Self::magnitude(x, i)).zip(1..);
-        match terms.find(|(term, _)| *term >= X::Real::smallest()) {
-            Some((first, k)) if k < m => {
-                (self.tolerance + log2_ratio(first, Self::magnitude(&jet[m - 1], i))) / (m - k) as f64
-            }
-            _ => f64::INFINITY,
-        }
+    fn bound_by_group(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
+        // What is below the normal numbers has no digits to tell anything by.
+        let smallest = X::Real::smallest();
+        let bound = |i: usize| {
+            let term = Self::magnitude(&jet[m - 1], i);
+            let mut terms = jet[..m].iter().map(|x| Self::magnitude(x, i)).zip(1..);
+            let (size, k) = match self.size(i) {
+                size if size >= smallest => (size, 0),
+                _ => terms.find(|(term, _)| *term >= smallest)?,
+            };
+            let known = term >= smallest && k < m;
+            known.then(|| (self.tolerance - log2(difference(term, size))) / (m - k) as f64)
+        };
+        (0..Self::GROUPS).filter_map(bound).fold(f64::INFINITY, smaller)
     }
 
     /// In how long, roughly, the state changes at these rates.
@@ -139,9 +138,12 @@ impl<X: Snapshot> Estimate<X> {
         gap.add_scaled(X::Real::from_f64(-1.0), rates[1]);
         let mut good = true;
         for i in 0..Self::GROUPS {
-            let gap = Self::magnitude(&gap, i) - Self::magnitude(late, i);
             let scale = larger(Self::magnitude(rates[1], i), Self::magnitude(before, i));
-            good &= h.abs() * gap <= h.abs() * self.part * scale + rounding * self.size(i) + smallest;
+            let most = h.abs() * (self.part * scale + Self::magnitude(late, i)) + rounding * self.size(i) + smallest;
+            // Coordinate by coordinate: the largest of a group would be sought in another order than that of the sums before.
+            for gap in Self::group(&gap, i) {
+                good &= h.abs() * gap.magnitude() <= most;
+            }
         }
         good
     }
@@ -159,10 +161,16 @@ fn smaller(x: f64, y: f64) -> f64 {
     if x < y { x } else { y }
 }
 
-/// Log₂ x/y for positive normal numbers, off by at most 0.0861: exponents and fractions as the bits have them.
+/// How far two positive normal numbers are apart: exponents and fractions as their bits have them.
 #[inline(always)]
-fn log2_ratio(x: f64, y: f64) -> f64 {
-    (x.to_bits() as i64 - y.to_bits() as i64) as f64 * (1.0 / (1_u64 << 52) as f64)
+fn difference(x: f64, y: f64) -> i64 {
+    x.to_bits() as i64 - y.to_bits() as i64
+}
+
+/// Log₂ x/y from the difference of x and y, off by at most 0.0861.
+#[inline(always)]
+fn log2(difference: i64) -> f64 {
+    difference as f64 * (1.0 / (1_u64 << 52) as f64)
 }
 
 /// 2ʸ, off by at most 0.32 %.
