@@ -91,8 +91,8 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
     fn steps(&self) -> Steps;
     /// The order.
     fn order(&self) -> usize;
-    /// The memory before the first step.
-    fn memory() -> Self::Memory;
+    /// The memory before the first step, which begins at `origin`.
+    fn memory(origin: &S::Phase) -> Self::Memory;
     /// What is added to the end `z` of a step from `before` that follows from the series.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ pub trait TaylorMethod<S: Jets<R>, R: Real = f64>: Sealed + Copy + Debug {
 /// Ends of steps that are left as they are.
 macro_rules! as_it_is {
     () => {
-        fn memory() {}
+        fn memory(_: &S::Phase) {}
         #[inline(always)]
         fn correction(&self, (): &mut (), _: &S, _: &S::Phase, _: &S::Phase) -> Result<Option<S::Phase>, Refusal> {
             Ok(None)

@@ -32,7 +32,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
         Expansion {
             x: Point::with_action(z, s),
             clock: Clock::new(t, zero()),
-            memory: M::memory(),
+            memory: M::memory(&z),
             unit: 1.0,
             jet: M::fill(PerCoordinate::zero()),
             switches: M::fill(<S::Switches as crate::space::Array>::zero()),

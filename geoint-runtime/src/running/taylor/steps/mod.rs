@@ -67,9 +67,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Goes on from another point.
     pub(in crate::running) fn restart(&mut self, t: R, x: (S::Phase, S::Action)) {
-        let (unit, memory) = (self.here().unit, self.here().memory);
+        let unit = self.here().unit;
         let here = self.here_mut();
-        *here = Expansion { unit, memory, ..Expansion::new(t, x) };
+        *here = Expansion { unit, ..Expansion::new(t, x) };
         let x = PerCoordinate::of(&here.x);
         self.estimate.include(&x);
         // There is no last step to look into.
