@@ -225,10 +225,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
 impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real> Debug for TaylorIntegrator<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Steps { system, method, taken, .. } = &self.steps;
-        let (clock, x) = (&self.steps.here().clock, &self.steps.here().x);
+        let (Steps { system, method, taken, .. }, here) = (&self.steps, self.steps.here());
         let mut run = f.debug_struct("TaylorIntegrator");
-        run.field("system", system).field("method", method).field("order", &self.order()).field("clock", clock).field("x", x);
+        run.field("system", system).field("method", method).field("order", &self.order());
+        run.field("clock", &here.clock).field("x", &here.x);
         run.field("steps", taken).finish_non_exhaustive()
     }
 }

@@ -3,7 +3,7 @@
 use super::Steps;
 use crate::method::Clock;
 use crate::scalar::{Real, zero};
-use crate::space::{Compensated, PerCoordinate, Point, Snapshot};
+use crate::space::{Array, Compensated, PerCoordinate, Point, Snapshot};
 use crate::system::{Jets, PhaseSpace, StateOf};
 use crate::taylor::{self, TaylorMethod};
 
@@ -35,7 +35,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
             memory: M::memory(&z),
             unit: 1.0,
             jet: M::fill(PerCoordinate::zero()),
-            switches: M::fill(<S::Switches as crate::space::Array>::zero()),
+            switches: M::fill(S::Switches::zero()),
         }
     }
 
