@@ -134,6 +134,23 @@ fn logarithm(q: f64, p: f64) -> f64 {
     p * p / 2.0 + 0.1 * q + q * q.ln()
 }
 
+/// What an attempt overwrites is no last step to look into.
+#[test]
+fn a_refused_step_shows_nothing() {
+    let mut sim = Logarithm.taylor(TaylorFixed::<8> { h: 0.05 }, State::new(1.0, 0.0));
+    let mut before = None;
+    let refused = loop {
+        if let Err(error) = sim.step() {
+            break error;
+        }
+        before = sim.at(sim.time() - 0.025);
+    };
+    assert!(matches!(refused, StepError::OutsideDomain { .. }), "{refused}");
+    assert!(before.is_some_and(|state| state.q > 0.0 && state.p < 0.0));
+    assert_eq!(sim.at(sim.time() - 0.025), None);
+    assert!(sim.state().q > 0.0);
+}
+
 fn first_error<M: TaylorMethod<Logarithm>>(method: M, state: State<f64>) -> StepError {
     let mut sim = Logarithm.taylor(method, state);
     let error = sim.step().unwrap_err();

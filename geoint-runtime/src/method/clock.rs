@@ -61,8 +61,14 @@ impl<R: Real> Clock<R> {
 
     /// One step has been taken that was `ahead` longer than `h`, whatever the length of the others.
     pub(crate) fn pass_step(&mut self, h: R, ahead: DoubleWord<R>) {
-        self.start.add(h);
+        self.pass_length(h);
         self.start.add_both(ahead);
+    }
+
+    /// One step of length `h` has been taken.
+    #[inline(always)]
+    pub(crate) fn pass_length(&mut self, h: R) {
+        self.start.add(h);
         self.named = None;
     }
 

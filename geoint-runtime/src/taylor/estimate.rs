@@ -1,7 +1,7 @@
 //! How long a step may be: from its last two coefficients.
 
 use crate::scalar::Real;
-use crate::space::{Action, Array, PerCoordinate, Record, Tape};
+use crate::space::{Action, Array, PerCoordinate, Record, Snapshot, Tape};
 
 /// Steps for an error so many times smaller than the tolerance, in powers of 2: at the accuracy of the scalar the energy of a Kepler
 /// orbit would drift with what is truncated, 1.7·10⁻¹³ in 10⁴ periods, where it walks 2·10⁻¹⁴ by rounding.
@@ -12,49 +12,58 @@ const LOOSEST: f64 = 1.0 / 16.0;
 
 /// The largest magnitudes that positions, momenta and so on have had, and the tolerance relative to them.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Estimate<Z, S> {
+pub(crate) struct Estimate<X: Snapshot> {
     /// Log₂ of what the last term of a step may be.
     tolerance: f64,
-    /// Coordinates come in groups of so many that have one unit.
-    alike: usize,
+    /// By such a part rates at the end of a step may be off.
+    part: f64,
     /// Of every group, at its first coordinate.
-    sizes: PerCoordinate<Z, S>,
+    sizes: PerCoordinate<X::Phase, X::Action>,
 }
 
-impl<Z: Array, S: Action<Z::Real>> Record<Z::Real> for Estimate<Z, S> {
-    fn record(&mut self, tape: &mut impl Tape<Z::Real>) {
+impl<X: Snapshot> Record<X::Real> for Estimate<X> {
+    fn record(&mut self, tape: &mut impl Tape<X::Real>) {
         self.sizes.record(tape);
     }
 }
 
-impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
-    pub(crate) fn new(tolerance: f64, alike: usize) -> Self {
-        let tolerance = tolerance.max(Z::Real::epsilon()).min(LOOSEST);
-        Estimate { tolerance: Real::log2(tolerance) - BELOW, alike, sizes: PerCoordinate::zero() }
+impl<X: Snapshot> Estimate<X> {
+    /// Groups of coordinates of one unit, the action last.
+    const GROUPS: usize = X::Phase::LEN / X::ALIKE + X::Action::LEN;
+
+    pub(crate) fn new(tolerance: f64) -> Self {
+        let tolerance = Real::log2(tolerance.max(X::Real::epsilon()).min(LOOSEST)) - BELOW;
+        Estimate { tolerance, part: exp2(0.5 * tolerance), sizes: PerCoordinate::zero() }
     }
 
-    /// The largest magnitude in every group, the action last.
+    /// One of the groups.
     #[inline(always)]
-    fn magnitudes<'a>(alike: usize, x: &'a PerCoordinate<Z, S>) -> impl Iterator<Item = f64> + 'a {
-        let largest = |group: &[Z::Real]| group.iter().fold(0.0, |largest: f64, x| largest.max(x.magnitude()));
-        x.z.as_slice().chunks_exact(alike).chain(x.s.numbers().chunks(1)).map(largest)
+    fn group(x: &PerCoordinate<X::Phase, X::Action>, i: usize) -> &[X::Real] {
+        let first = i * X::ALIKE;
+        if first < X::Phase::LEN { &x.z.as_slice()[first..first + X::ALIKE] } else { x.s.numbers() }
     }
 
-    /// The sizes, in the same order.
+    /// The largest magnitude in a group.
     #[inline(always)]
-    fn sizes(&self) -> impl Iterator<Item = f64> + '_ {
-        let first = |group: &[Z::Real]| group[0].magnitude();
-        self.sizes.z.as_slice().chunks_exact(self.alike).chain(self.sizes.s.numbers().chunks(1)).map(first)
+    fn magnitude(x: &PerCoordinate<X::Phase, X::Action>, i: usize) -> f64 {
+        Self::group(x, i).iter().fold(0.0, |largest, x| larger(x.magnitude(), largest))
+    }
+
+    #[inline(always)]
+    fn size(&self, i: usize) -> f64 {
+        Self::group(&self.sizes, i)[0].magnitude()
     }
 
     /// Includes a point.
     #[inline(always)]
-    pub(crate) fn include(&mut self, x: &PerCoordinate<Z, S>) {
-        let Estimate { alike, sizes, .. } = self;
-        let groups = sizes.z.as_mut_slice().chunks_exact_mut(*alike).chain(sizes.s.numbers_mut().chunks_mut(1));
-        for (size, now) in groups.zip(Self::magnitudes(*alike, x)) {
-            if now > size[0].magnitude() {
-                size[0] = Z::Real::from_f64(now);
+    pub(crate) fn include(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
+        for i in 0..Self::GROUPS {
+            let size = X::Real::from_f64(larger(Self::magnitude(x, i), self.size(i)));
+            let first = i * X::ALIKE;
+            if first < X::Phase::LEN {
+                self.sizes.z.as_mut_slice()[first] = size;
+            } else {
+                self.sizes.s.numbers_mut()[0] = size;
             }
         }
     }
@@ -65,9 +74,9 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     /// Two terms, because every other one is zero where a solution is even or odd. Where both are, the last one that is not decides. A
     /// group that is zero so far is measured by its first term that is not.
     #[inline(always)]
-    pub(crate) fn length(&self, jet: &[PerCoordinate<Z, S>]) -> f64 {
+    pub(crate) fn length(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
         let order = jet.len();
-        let mut least = self.bound(jet, order).min(self.bound(jet, order - 1));
+        let mut least = smaller(self.bound(jet, order), self.bound(jet, order - 1));
         let mut m = order - 1;
         while least == f64::INFINITY && m > order / 2 {
             m -= 1;
@@ -78,34 +87,40 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
 
     /// Log₂ of the longest step at which the term of order m is within the tolerance.
     #[inline(always)]
-    fn bound(&self, jet: &[PerCoordinate<Z, S>], m: usize) -> f64 {
-        let mut least = f64::INFINITY;
-        for (group, (size, term)) in self.sizes().zip(Self::magnitudes(self.alike, &jet[m - 1])).enumerate() {
-            // What is below the normal numbers has no digits to tell anything by. What is not a number bounds the step as well: nothing is
-            // longer than that.
-            if term < Z::Real::smallest() {
-                continue;
+    fn bound(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
+        let (mut excess, smallest) = (i64::MIN, X::Real::smallest());
+        for i in 0..Self::GROUPS {
+            let (size, term) = (self.size(i), Self::magnitude(&jet[m - 1], i));
+            if term < smallest || size < smallest {
+                return self.bound_by_group(jet, m);
             }
-            let (size, k) = if size >= Z::Real::smallest() { (size, 0) } else { self.first(jet, group) };
-            if k < m {
-                least = least.min((self.tolerance + log2(size) - log2(term)) * (1.0 / (m - k) as f64));
-            }
+            excess = excess.max(difference(term, size));
         }
-        least
+        (self.tolerance - log2(excess)) * (1.0 / m as f64)
     }
 
-    /// The first term of a group that is not zero, with its order.
+    /// The same where a group is zero so far, or its term is.
     #[cold]
-    fn first(&self, jet: &[PerCoordinate<Z, S>], group: usize) -> (f64, usize) {
-        let terms = jet.iter().map(|x| Self::magnitudes(self.alike, x).nth(group).unwrap_or(0.0));
-        terms.zip(1..).find(|(term, _)| *term >= Z::Real::smallest()).unwrap_or((1.0, usize::MAX))
+    fn bound_by_group(&self, jet: &[PerCoordinate<X::Phase, X::Action>], m: usize) -> f64 {
+        // What is below the normal numbers has no digits to tell anything by.
+        let smallest = X::Real::smallest();
+        let bound = |i: usize| {
+            let term = Self::magnitude(&jet[m - 1], i);
+            let mut terms = jet[..m].iter().map(|x| Self::magnitude(x, i)).zip(1..);
+            let (size, k) = match self.size(i) {
+                size if size >= smallest => (size, 0),
+                _ => terms.find(|(term, _)| *term >= smallest)?,
+            };
+            let known = term >= smallest && k < m;
+            known.then(|| (self.tolerance - log2(difference(term, size))) / (m - k) as f64)
+        };
+        (0..Self::GROUPS).filter_map(bound).fold(f64::INFINITY, smaller)
     }
 
     /// In how long, roughly, the state changes at these rates.
-    pub(crate) fn time(&self, rates: &PerCoordinate<Z, S>) -> f64 {
-        let times =
-            self.sizes().zip(Self::magnitudes(self.alike, rates)).filter(|(size, _)| *size >= Z::Real::smallest());
-        times.map(|(size, rate)| size / rate).fold(f64::INFINITY, f64::min)
+    pub(crate) fn time(&self, rates: &PerCoordinate<X::Phase, X::Action>) -> f64 {
+        let known = (0..Self::GROUPS).filter(|i| self.size(*i) >= X::Real::smallest());
+        known.map(|i| self.size(i) / Self::magnitude(rates, i)).fold(f64::INFINITY, f64::min)
     }
 
     /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding: of coordinates, and of the
@@ -114,27 +129,48 @@ impl<Z: Array, S: Action<Z::Real>> Estimate<Z, S> {
     pub(crate) fn agree(
         &self,
         h: f64,
-        rates: [&PerCoordinate<Z, S>; 2],
-        before: &PerCoordinate<Z, S>,
-        late: &PerCoordinate<Z, S>,
+        rates: [&PerCoordinate<X::Phase, X::Action>; 2],
+        before: &PerCoordinate<X::Phase, X::Action>,
+        late: &PerCoordinate<X::Phase, X::Action>,
     ) -> bool {
-        let part = exp2(0.5 * self.tolerance);
-        let (rounding, smallest) = (64.0 * Z::Real::epsilon(), Z::Real::smallest());
+        let (rounding, smallest) = (64.0 * X::Real::epsilon(), X::Real::smallest());
         let mut gap = *rates[0];
-        gap.add_scaled(Z::Real::from_f64(-1.0), rates[1]);
-        let late = Self::magnitudes(self.alike, late);
-        let groups = Self::magnitudes(self.alike, &gap).zip(late).map(|(gap, late)| gap - late).zip(self.sizes());
-        let scales = Self::magnitudes(self.alike, rates[1]).zip(Self::magnitudes(self.alike, before));
-        groups.zip(scales).fold(true, |good, ((gap, size), (here, before))| {
-            good & (h.abs() * gap <= h.abs() * part * here.max(before) + rounding * size + smallest)
-        })
+        gap.add_scaled(X::Real::from_f64(-1.0), rates[1]);
+        let mut good = true;
+        for i in 0..Self::GROUPS {
+            let scale = larger(Self::magnitude(rates[1], i), Self::magnitude(before, i));
+            let most = h.abs() * (self.part * scale + Self::magnitude(late, i)) + rounding * self.size(i) + smallest;
+            // Coordinate by coordinate: the largest of a group would be sought in another order than that of the sums before.
+            for gap in Self::group(&gap, i) {
+                good &= h.abs() * gap.magnitude() <= most;
+            }
+        }
+        good
     }
 }
 
-/// Log₂ x for a positive normal number, off by at most 0.0431: exponent and fraction as the bits have them.
+/// The larger of two numbers; the second where one is none. An operation of processors, other than [`f64::max`].
 #[inline(always)]
-fn log2(x: f64) -> f64 {
-    x.to_bits() as f64 * (1.0 / (1_u64 << 52) as f64) - (1023.0 - 0.043)
+fn larger(x: f64, y: f64) -> f64 {
+    if x > y { x } else { y }
+}
+
+/// The smaller of two numbers; the second where one is none.
+#[inline(always)]
+fn smaller(x: f64, y: f64) -> f64 {
+    if x < y { x } else { y }
+}
+
+/// How far two positive normal numbers are apart: exponents and fractions as their bits have them.
+#[inline(always)]
+fn difference(x: f64, y: f64) -> i64 {
+    x.to_bits() as i64 - y.to_bits() as i64
+}
+
+/// Log₂ x/y from the difference of x and y, off by at most 0.0861.
+#[inline(always)]
+fn log2(difference: i64) -> f64 {
+    difference as f64 * (1.0 / (1_u64 << 52) as f64)
 }
 
 /// 2ʸ, off by at most 0.32 %.
@@ -143,7 +179,9 @@ fn exp2(y: f64) -> f64 {
     if !(y > -1000.0 && y < 1000.0) {
         return if y > 0.0 { f64::INFINITY } else { 0.0 };
     }
-    let floor = y as i64 - i64::from(y < 0.0);
-    let fraction = y - floor as f64;
-    f64::from_bits(((floor + 1023) as u64) << 52) * (1.0 + fraction * (0.6565 + 0.3435 * fraction))
+    // The last digit of such a number is one: the sum is rounded to a whole number, which its last bits are.
+    const WHOLE: f64 = 1.5 * (1_u64 << 52) as f64;
+    let shifted = (y - 0.5) + WHOLE;
+    let fraction = y - (shifted - WHOLE);
+    f64::from_bits((shifted.to_bits() + 1023) << 52) * (1.0 + fraction * (0.6565 + 0.3435 * fraction))
 }

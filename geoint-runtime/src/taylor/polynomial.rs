@@ -4,46 +4,54 @@ use super::roots::MOST;
 use crate::scalar::Real;
 use crate::space::{Action, Array, PerCoordinate};
 
-/// x(h) − x(0) from the coefficients of orders 1, 2, …: odd and even ones apart, each a polynomial in h².
+/// x(h) − x(0) from the coefficients of orders 1, 2, ….
 #[inline(always)]
 pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
+    let mut increment = sum(jet, h, |_| 1.0);
+    increment.times(Z::Real::from_f64(h));
+    increment
+}
+
+/// Its derivative by h.
+#[inline(always)]
+pub(crate) fn rate<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>], h: f64) -> PerCoordinate<Z, S> {
+    sum(jet, h, |order| order as f64)
+}
+
+/// Σ w(k) xₖ hᵏ⁻¹ from the coefficients x₁, x₂, …: odd and even ones apart, each a polynomial in h².
+#[inline(always)]
+fn sum<Z: Array, S: Action<Z::Real>>(
+    jet: &[PerCoordinate<Z, S>],
+    h: f64,
+    weight: impl Fn(usize) -> f64,
+) -> PerCoordinate<Z, S> {
     let [h, square] = [h, h * h].map(Z::Real::from_f64);
-    let mut sums = [PerCoordinate::<Z, S>::zero(); 2];
-    for (k, coefficient) in jet.iter().enumerate().rev() {
-        times_and_add(&mut sums[k % 2], square, coefficient);
+    let (pairs, rest) = jet.as_chunks();
+    let (mut odd, mut even) = (PerCoordinate::zero(), PerCoordinate::zero());
+    for x in rest {
+        times_and_add(&mut odd, square, Z::Real::from_f64(weight(jet.len())), x);
     }
-    let [mut odd, even] = sums;
+    for (i, [first, second]) in pairs.iter().enumerate().rev() {
+        times_and_add(&mut odd, square, Z::Real::from_f64(weight(2 * i + 1)), first);
+        times_and_add(&mut even, square, Z::Real::from_f64(weight(2 * i + 2)), second);
+    }
     odd.add_scaled(h, &even);
-    odd.times(h);
     odd
 }
 
-/// The same, with its derivative by h.
+/// y ← s·y + w·x.
 #[inline(always)]
-pub(crate) fn increment_and_rate<Z: Array, S: Action<Z::Real>>(
-    jet: &[PerCoordinate<Z, S>],
-    h: f64,
-) -> (PerCoordinate<Z, S>, PerCoordinate<Z, S>) {
-    let [length, square] = [h, h * h].map(Z::Real::from_f64);
-    let mut rates = [PerCoordinate::<Z, S>::zero(); 2];
-    for (k, coefficient) in jet.iter().enumerate().rev() {
-        let mut scaled = *coefficient;
-        scaled.times(Z::Real::from_f64((k + 1) as f64));
-        times_and_add(&mut rates[k % 2], square, &scaled);
-    }
-    let [mut rate, even] = rates;
-    rate.add_scaled(length, &even);
-    (increment(jet, h), rate)
-}
-
-/// y ← w·y + x.
-#[inline(always)]
-fn times_and_add<Z: Array, S: Action<Z::Real>>(y: &mut PerCoordinate<Z, S>, w: Z::Real, x: &PerCoordinate<Z, S>) {
+fn times_and_add<Z: Array, S: Action<Z::Real>>(
+    y: &mut PerCoordinate<Z, S>,
+    s: Z::Real,
+    w: Z::Real,
+    x: &PerCoordinate<Z, S>,
+) {
     for (y, x) in y.z.as_mut_slice().iter_mut().zip(x.z.as_slice()) {
-        *y = w.multiply_add(*y, *x);
+        *y = s.multiply_add(*y, w * *x);
     }
     for (y, x) in y.s.numbers_mut().iter_mut().zip(x.s.numbers()) {
-        *y = w.multiply_add(*y, *x);
+        *y = s.multiply_add(*y, w * *x);
     }
 }
 

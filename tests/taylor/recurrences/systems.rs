@@ -2,6 +2,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::scalar::Real;
+use geoint_runtime::system::Jets;
 use geoint_tests::jets::{BAR, Both, N, by_series, error, of_contact, of_field};
 
 /// Asserts that both ways lead to the same coefficients.
@@ -99,4 +100,16 @@ fn a_recurrence_that_is_wrong_is_seen() {
     assert_eq!(error(&wrong, &right), 0.0);
     wrong[1][12] *= 1.0 + 1e-11;
     assert!(error(&wrong, &right) > BAR);
+}
+
+/// Numbers of the step on either side of a factor.
+#[vector_field]
+fn reaction(x: [f64; 2], a: f64, b: f64) -> [f64; 2] {
+    [-(a * x[0] * x[1]), b * (x[0] * x[1])]
+}
+
+/// There is one product of series, x₀·x₁, whatever stands between its factors.
+#[test]
+fn numbers_are_drawn_out_of_products() {
+    assert_eq!(<Reaction as Jets>::CONVOLUTIONS, 1);
 }

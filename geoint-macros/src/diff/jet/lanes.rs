@@ -103,8 +103,9 @@ impl Lanes {
     pub(crate) fn of(jet: &Jet) -> Option<Lanes> {
         let mut kinds: Vec<(Weight, Vec<Sum>)> = vec![(Weight::One, vec![])];
         let mut known: HashSet<Sum> = HashSet::new();
-        for (own, series) in jet.series.iter().enumerate() {
-            for sum in sums(&series.rule, own).into_iter().filter(|sum| known.insert(*sum)) {
+        // In the order in which they are read: then those of a group are read, and their operands known, at nearly the same time.
+        for own in jet.order.iter().copied() {
+            for sum in sums(&jet.series[own].rule, own).into_iter().filter(|sum| known.insert(*sum)) {
                 match kinds.iter_mut().find(|(weight, _)| *weight == sum.weight) {
                     Some((_, kind)) => kind.push(sum),
                     None => kinds.push((sum.weight, vec![sum])),

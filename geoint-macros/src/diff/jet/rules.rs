@@ -17,18 +17,8 @@ impl Builder<'_> {
         }
         match self.graph.node(id).clone() {
             Node::Symbol(symbol) => Rule::State(symbol),
-            Node::Linear(_, terms) => {
-                let terms = self.factored(terms).into_iter();
-                let terms = terms.filter_map(|(c, term)| Some((Factor::Number(c), self.source(term)?)));
-                let mut terms: Vec<_> = terms.collect();
-                // What is known last is added last.
-                terms.sort_by_key(|(_, source)| {
-                    let id = self.jet.values[self.jet.series[*source].value];
-                    self.depth(id)
-                });
-                Rule::Linear(terms)
-            }
-            Node::Product(factors) => self.product(&factors),
+            Node::Linear(_, terms) => self.linear(terms),
+            Node::Product(_) => self.product(id),
             Node::Power(base, exponent) => self.power(base, exponent),
             Node::Call(function, args) => self.call(id, function, &args),
             Node::Select(condition, first, second) => self.select(condition, first, second),
@@ -67,15 +57,70 @@ impl Builder<'_> {
         }
     }
 
-    fn product(&mut self, factors: &[Id]) -> Rule {
-        let (constant, mut moving): (Vec<Id>, Vec<Id>) = factors.iter().partition(|factor| self.is_constant(**factor));
-        if !constant.is_empty() {
-            let constant = self.graph.product(&constant);
-            let moving = self.graph.product(&moving);
-            let (c, moving) = self.graph.coefficient(moving);
+    fn linear(&mut self, terms: Vec<(Number, Id)>) -> Rule {
+        let mut parts: Vec<(Id, Id)> = vec![];
+        for (c, term) in self.factored(terms) {
+            if self.is_constant(term) {
+                continue;
+            }
+            let (constant, moving) = self.parted(term);
+            let factor = self.graph.scale(c, constant);
+            let (factor, moving) = self.of_one_term(factor, moving);
+            match parts.iter_mut().find(|(_, other)| *other == moving) {
+                Some((sum, _)) => *sum = self.graph.add(*sum, factor),
+                None => parts.push((factor, moving)),
+            }
+        }
+        // What is known last is added last.
+        parts.sort_by_key(|(_, moving)| self.depth(*moving));
+        let terms = parts.into_iter().filter_map(|(factor, moving)| {
+            let source = self.source(moving)?;
+            Some((self.factor(factor), source))
+        });
+        Rule::Linear(terms.collect())
+    }
+
+    /// A node that moves as a number of the step times what moves of it, wherever in products within each other that number stands: what is scaled
+    /// twice would be waited for twice, and products of the same series are one.
+    fn parted(&mut self, id: Id) -> (Id, Id) {
+        let (c, inner) = self.graph.coefficient(id);
+        let mut constant = self.graph.number(c);
+        let Node::Product(factors) = self.graph.node(inner).clone() else { return (constant, inner) };
+        let mut moving = vec![];
+        for factor in factors {
+            if self.is_constant(factor) {
+                constant = self.graph.mul(constant, factor);
+                continue;
+            }
+            let (number, rest) = self.parted(factor);
+            constant = self.graph.mul(constant, number);
+            moving.push(rest);
+        }
+        let moving = self.graph.product(&moving);
+        let (c, moving) = self.graph.coefficient(moving);
+        (self.graph.scale(c, constant), moving)
+    }
+
+    /// A multiple of a sum of which one term moves is a multiple of that term, but for its value.
+    fn of_one_term(&mut self, mut factor: Id, mut moving: Id) -> (Id, Id) {
+        while let Node::Linear(_, terms) = self.graph.node(moving) {
+            let mut terms = terms.iter().copied().filter(|(_, term)| !self.is_constant(*term));
+            let (Some((c, term)), None) = (terms.next(), terms.next()) else { break };
+            let (constant, inner) = self.parted(term);
             let constant = self.graph.scale(c, constant);
+            (factor, moving) = (self.graph.mul(factor, constant), inner);
+        }
+        (factor, moving)
+    }
+
+    fn product(&mut self, id: Id) -> Rule {
+        let (constant, moving) = self.parted(id);
+        if self.graph.as_number(constant) != Some(Number::ONE) {
             return self.scaled(constant, moving);
         }
+        let Node::Product(mut moving) = self.graph.node(moving).clone() else {
+            return self.scaled(constant, moving);
+        };
         // What is constant in a step alone.
         let sign = moving.iter().position(|factor| matches!(self.graph.node(*factor), Node::Call(Function::Signum, _)));
         if let (Some(sign), true) = (sign, moving.len() > 1) {
@@ -97,7 +142,7 @@ impl Builder<'_> {
             }
         }
         moving.sort_by_key(|factor| self.depth(*factor));
-        let last = moving.pop().unwrap_or(factors[0]);
+        let last = moving.pop().unwrap_or(id);
         let first = self.graph.product(&moving);
         self.times(first, last)
     }
@@ -118,6 +163,7 @@ impl Builder<'_> {
 
     /// factor·u for a number of the step.
     pub(super) fn scaled(&mut self, factor: Id, u: Id) -> Rule {
+        let (factor, u) = self.of_one_term(factor, u);
         let factor = self.factor(factor);
         Rule::Linear(self.source(u).map(|source| (factor, source)).into_iter().collect())
     }

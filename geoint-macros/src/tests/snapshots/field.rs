@@ -1507,10 +1507,10 @@ const _: () = {
             #[inline(always)]
             fn order<R: Real, const P: usize>(
                 n: usize,
-                k: &[R; 2],
+                k: &[R; 3],
                 masks: &[R::Mask; 0],
+                u2: &mut [R; P],
                 u3: &mut [R; P],
-                u4: &mut [R; P],
                 jet: &mut [PerCoordinate<[R; 2], ()>; P],
                 switches: &mut [[R; 0]; P],
             ) {
@@ -1518,45 +1518,45 @@ const _: () = {
                     R::from_f64(n as f64),
                     k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
-                let (c4, c2, c0, c3, c1);
-                c4 = u4[n];
-                c2 = k[1] * c4;
-                c0 = -c2;
+                let (c2, c0, c3, c1);
+                c2 = u2[n];
+                c0 = k[1] * c2;
                 c3 = u3[n];
-                c1 = k[1] * c3;
+                c1 = k[2] * c3;
                 jet[n].z[0] = next * c0;
                 if n + 1 < P {
                     u3[n + 1] = jet[n].z[0];
                 }
                 jet[n].z[1] = next * c1;
                 if n + 1 < P {
-                    u4[n + 1] = jet[n].z[1];
+                    u2[n + 1] = jet[n].z[1];
                 }
             }
             let q = z;
-            let (q1, a0, q0, v0, v1, v2);
+            let (q1, a0, q0, v0, v1, v2, v3);
             q1 = q[1];
             a0 = self.w;
             q0 = q[0];
             v0 = q1 * a0;
             v1 = -v0;
             v2 = q0 * a0;
-            let k: [R; 2] = [unit, a0];
+            v3 = -a0;
+            let k: [R; 3] = [unit, v3, a0];
             let masks: [R::Mask; 0] = [];
-            let (mut u3, mut u4) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
+            let (mut u2, mut u3) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
+            u2[0] = q1;
             u3[0] = q0;
-            u4[0] = q1;
             jet[0].z[0] = unit * (v1);
             if P > 1 {
                 u3[1] = jet[0].z[0];
             }
             jet[0].z[1] = unit * (v2);
             if P > 1 {
-                u4[1] = jet[0].z[1];
+                u2[1] = jet[0].z[1];
             }
             macro_rules! orders {
                 ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u3, & mut u4, jet, switches);)*
+                    $(order($n, & k, & masks, & mut u2, & mut u3, jet, switches);)*
                 };
             }
             macro_rules! literal_orders {

@@ -677,10 +677,10 @@ const _: () = {
                 k: &[R; 5],
                 masks: &[R::Mask; 0],
                 u2: &mut [R; P],
+                u3: &mut [R; P],
                 u4: &mut [R; P],
                 u5: &mut [R; P],
-                u6: &mut [R; P],
-                ju6: &mut [R; P],
+                ju5: &mut [R; P],
                 jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
                 switches: &mut [[R; 0]; P],
             ) {
@@ -688,20 +688,19 @@ const _: () = {
                     R::from_f64(n as f64),
                     k[0] * R::from_f64(1.0 / (n + 1) as f64),
                 );
-                let (c2, c0, c6, c4, c3, c1, c5);
+                let (c2, c0, c5, c3, c1, c4);
                 c2 = u2[n];
                 c0 = k[1] * c2;
-                c6 = u6[n];
-                ju6[n] = whole * c6;
-                c4 = recurrence::integral(k[2], c6, recurrence::sum(ju6, u5, n), n);
+                c5 = u5[n];
+                ju5[n] = whole * c5;
+                c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
+                u3[n] = c3;
+                c1 = k[3] * c3;
+                c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
                 u4[n] = c4;
-                c3 = k[3] * c4;
-                c1 = -c3;
-                c5 = -recurrence::integral(k[4], c6, recurrence::sum(ju6, u4, n), n);
-                u5[n] = c5;
                 jet[n].z[0][0] = next * c0;
                 if n + 1 < P {
-                    u6[n + 1] = jet[n].z[0][0];
+                    u5[n + 1] = jet[n].z[0][0];
                 }
                 jet[n].z[1][0] = next * c1;
                 if n + 1 < P {
@@ -709,7 +708,7 @@ const _: () = {
                 }
             }
             let [q, p] = z;
-            let (a1, a0, k2, p0, a2, q0, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9);
+            let (a1, a0, k2, p0, a2, q0, v0, v1, v2, v3, v4, v5, v6, v7, v8, v9, v10);
             a1 = self.l;
             a0 = self.m;
             k2 = R::from_f64(1.0);
@@ -725,9 +724,10 @@ const _: () = {
             (v6, v7) = q0.sin_cos();
             v8 = v5 * v6;
             v9 = -v8;
-            let k: [R; 5] = [unit, v2, v7, v5, v6];
+            v10 = -v5;
+            let k: [R; 5] = [unit, v2, v7, v10, v6];
             let masks: [R::Mask; 0] = [];
-            let (mut u2, mut u4, mut u5, mut u6, mut ju6) = (
+            let (mut u2, mut u3, mut u4, mut u5, mut ju5) = (
                 [R::from_f64(0.0); P],
                 [R::from_f64(0.0); P],
                 [R::from_f64(0.0); P],
@@ -735,12 +735,12 @@ const _: () = {
                 [R::from_f64(0.0); P],
             );
             u2[0] = p0;
-            u4[0] = v6;
-            u5[0] = v7;
-            u6[0] = q0;
+            u3[0] = v6;
+            u4[0] = v7;
+            u5[0] = q0;
             jet[0].z[0][0] = unit * (v3);
             if P > 1 {
-                u6[1] = jet[0].z[0][0];
+                u5[1] = jet[0].z[0][0];
             }
             jet[0].z[1][0] = unit * (v9);
             if P > 1 {
@@ -748,8 +748,8 @@ const _: () = {
             }
             macro_rules! orders {
                 ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u4, & mut u5, & mut u6, &
-                    mut ju6, jet, switches);)*
+                    $(order($n, & k, & masks, & mut u2, & mut u3, & mut u4, & mut u5, &
+                    mut ju5, jet, switches);)*
                 };
             }
             macro_rules! literal_orders {

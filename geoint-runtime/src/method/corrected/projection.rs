@@ -22,8 +22,9 @@ use core::cell::Cell;
 /// which q and p are given, and a coordinate that has always been zero stays zero.
 /// E. Hairer, Ch. Lubich & G. Wanner, *Geometric Numerical Integration* (2006), section IV.4, algorithm 4.2.
 ///
-/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Their energy then has no drift at
-/// any tolerance. States between the ends of steps are those of the series.
+/// Taylor series are projected, too: `system.taylor(Projection(Taylor { tolerance: 1e-8 }, Energy), state)`. Each step is led back to what the
+/// invariants were where the run began: at no tolerance they drift, nor do roundings add up. States between the ends of steps are those of the
+/// series.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Projection<M, I>(pub M, pub I);
 

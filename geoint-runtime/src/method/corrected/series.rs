@@ -6,13 +6,28 @@ use super::scales::Scales;
 use crate::method::Refusal;
 use crate::scalar::Real;
 use crate::sealed::Sealed;
-use crate::space::PerCoordinate;
 use crate::space::vector::difference;
+use crate::space::{Array, PerCoordinate, Record, Tape};
 use crate::system::{Jets, VectorField};
 use crate::taylor::{Steps, TaylorMethod};
 use core::fmt::Debug;
 
 impl<M: Sealed, I> Sealed for Projection<M, I> {}
+
+/// What a projected step hands on to the next one.
+#[derive(Clone, Copy, Debug)]
+pub struct Memory<A> {
+    scales: Scales<A>,
+    /// Where the run began. Steps are long: each is projected to what invariants were there, because rounding would add up from step to step.
+    origin: A,
+}
+
+impl<A: Array> Record<A::Real> for Memory<A> {
+    fn record(&mut self, tape: &mut impl Tape<A::Real>) {
+        self.scales.record(tape);
+        tape.array(&mut self.origin);
+    }
+}
 
 impl<S, R, M, I> TaylorMethod<S, R> for Projection<M, I>
 where
@@ -23,28 +38,29 @@ where
 {
     type Orders<X: Copy + Debug> = M::Orders<X>;
     type Series = M::Series;
-    type Memory = Scales<S::Phase>;
+    type Memory = Memory<S::Phase>;
 
+    #[inline(always)]
     fn steps(&self) -> Steps {
         self.0.steps()
     }
+    #[inline(always)]
     fn order(&self) -> usize {
         self.0.order()
     }
-    fn memory() -> Scales<S::Phase> {
-        Scales::new()
+    fn memory(origin: &S::Phase) -> Memory<S::Phase> {
+        Memory { scales: Scales::new(), origin: *origin }
     }
     #[inline]
     fn correction(
         &self,
-        scales: &mut Scales<S::Phase>,
+        Memory { scales, origin }: &mut Memory<S::Phase>,
         system: &S,
         before: &S::Phase,
         z: &S::Phase,
     ) -> Result<Option<S::Phase>, Refusal> {
-        let moved = difference(z, before);
-        scales.include(before, &moved);
-        way_back(system, &self.1, scales, [before, z], &moved).map(|way| Some(way.back))
+        scales.include(before, &difference(z, before));
+        way_back(system, &self.1, scales, [origin, z], &difference(z, origin)).map(|way| Some(way.back))
     }
     fn series(coefficient: impl FnMut(usize) -> R) -> M::Series {
         M::series(coefficient)

@@ -12,7 +12,7 @@ use crate::running::error::StepError;
 use crate::running::step_size::Bounds;
 use crate::running::trajectory::{Trajectory, adapt_to};
 use crate::scalar::{Real, signed};
-use crate::space::{Array, Point, Snapshot};
+use crate::space::{Array, Snapshot};
 use crate::system::{Jets, StateOf};
 use crate::taylor::TaylorMethod;
 use core::fmt::{self, Debug, Formatter};
@@ -55,7 +55,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// Nothing is checked yet: an unusable tolerance, order or state is reported by the first step.
     pub fn new(system: S, method: M, state: StateOf<S, R>) -> Self {
         let (t, z, s) = state.parts();
-        TaylorIntegrator { steps: Steps::new((system, method), t, Point::with_action(z, s)), most_steps: u64::MAX }
+        TaylorIntegrator { steps: Steps::new((system, method), t, (z, s)), most_steps: u64::MAX }
     }
 
     /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
@@ -106,19 +106,19 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
             return Ok(false);
         }
         self.steps.check_start()?;
-        let left = self.steps.clock.left(t);
+        let left = self.steps.here().clock.left(t);
         if left.is_nan() {
             return Err(StepError::InvalidStepSize { h: left });
         }
         self.steps.backwards = left < 0.0;
         self.steps.take(left.abs())?;
-        if left.is_finite() && self.steps.clock.left(t).abs() <= R::epsilon() * signed(t).abs() {
-            self.steps.clock.name(t);
+        if left.is_finite() && self.steps.here().clock.left(t).abs() <= R::epsilon() * signed(t).abs() {
+            self.steps.here_mut().clock.name(t);
         }
         Ok(true)
     }
 
-    /// The state at a time within the last step, by its polynomial; `None` before and after, or if no step was taken.
+    /// The state at a time within the last step, by its polynomial; `None` before and after, if no step was taken, or one was refused since.
     pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
         self.steps.at(t)
     }
@@ -126,7 +126,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
     /// Goes on from this state.
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
-        self.steps.restart(t, Point::with_action(z, s));
+        self.steps.restart(t, (z, s));
     }
 
     /// Where `g` changes sign: a number, or an array of them, all in order of time, also twice within one step. Without end, unless
@@ -189,17 +189,17 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
     /// The state now.
     pub fn state(&self) -> StateOf<S, R> {
-        S::State::of(self.time(), self.steps.x.z, self.steps.x.s)
+        S::State::of(self.time(), self.steps.here().x.z, self.steps.here().x.s)
     }
 
     /// The energy now.
     pub fn energy(&self) -> R {
-        self.steps.system.hamiltonian(self.time(), &self.steps.x.z, &self.steps.x.s)
+        self.steps.system.hamiltonian(self.time(), &self.steps.here().x.z, &self.steps.here().x.s)
     }
 
     /// The length of the last step; zero before the first one.
     pub fn step_size(&self) -> f64 {
-        self.steps.last_step()
+        self.steps.step
     }
 
     /// The number of steps taken.
@@ -209,7 +209,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
     /// The order of the series.
     pub fn order(&self) -> usize {
-        self.steps.order
+        self.steps.order()
     }
 
     /// The system with its parameters.
@@ -225,9 +225,10 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
 
 impl<S: Jets<R> + Debug, M: TaylorMethod<S, R>, R: Real> Debug for TaylorIntegrator<S, M, R> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Steps { system, method, clock, x, taken, order, .. } = &self.steps;
+        let (Steps { system, method, taken, .. }, here) = (&self.steps, self.steps.here());
         let mut run = f.debug_struct("TaylorIntegrator");
-        run.field("system", system).field("method", method).field("order", order).field("clock", clock).field("x", x);
+        run.field("system", system).field("method", method).field("order", &self.order());
+        run.field("clock", &here.clock).field("x", &here.x);
         run.field("steps", taken).finish_non_exhaustive()
     }
 }

@@ -36,6 +36,6 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Bits> Recorded for TaylorIntegrator<S
 
     fn complete(&mut self) -> bool {
         self.steps.forget();
-        self.steps.x.is_finite() && self.steps.time().magnitude() < f64::INFINITY
+        self.steps.here().x.is_finite() && self.steps.time().magnitude() < f64::INFINITY
     }
 }

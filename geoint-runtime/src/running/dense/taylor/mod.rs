@@ -158,7 +158,7 @@ where
         let (at, which, sign) = first?;
         self.given = (at, which);
         let Some(part) = self.improved(&piece, at, which) else { return self.earliest() };
-        let (start, h) = (self.run.steps.last_expansion().1, self.run.step_size());
+        let (start, h) = (self.run.steps.start().time(), self.run.step_size());
         let after = part * h;
         let state = self.run.steps.inside(after, start + R::from_f64(after));
         Some(Crossing { state, which, rises: sign > 0.0 })

@@ -82,7 +82,7 @@ where
 
     /// The polynomial of a function in parts of a piece of this width.
     pub(super) fn in_parts(&self, values: &G, i: usize, width: f64) -> [f64; taylor::MOST] {
-        let unit = self.run.steps.last_expansion().0.unit;
+        let unit = self.run.steps.start().unit;
         let coefficients = M::coefficients(&values.as_slice()[i]);
         taylor::in_parts(coefficients.iter().map(|c| signed(*c)), width * self.run.step_size() / unit)
     }
@@ -98,7 +98,7 @@ where
 
     /// The series of the functions about a part of the last step; `nudged` is a coordinate that is off by a rounding, the last one time.
     pub(super) fn along(&self, part: f64, nudged: Option<usize>) -> G {
-        let ((expansion, start), order) = (self.run.steps.last_expansion(), self.run.order());
+        let (expansion, order) = (self.run.steps.start(), self.run.order());
         let after = part * self.run.step_size();
         let by = R::from_f64(after / expansion.unit);
         let jet = &expansion.jet.as_ref()[..order];
@@ -106,7 +106,7 @@ where
         let coordinate = |i: usize| {
             let mut x = M::fill(R::from_f64(0.0));
             let x = x.as_mut();
-            x[0] = expansion.x.at(i);
+            x[0] = expansion.coordinate(i);
             for (x, term) in x[1..].iter_mut().zip(jet) {
                 *x = term.at(i);
             }
@@ -118,21 +118,21 @@ where
             M::series(|n| x[n])
         };
         let count = S::Phase::LEN + S::Action::LEN;
-        let now = (start + R::from_f64(after)) * nudge(count);
+        let now = (expansion.time() + R::from_f64(after)) * nudge(count);
         self.functions(coordinate, now, R::from_f64(expansion.unit))
     }
 
     /// The series of the functions at the end of the last step.
     pub(super) fn at_end(&self) -> G {
-        let (expansion, now) = self.run.steps.present_expansion();
+        let expansion = self.run.steps.here();
         let jet = &expansion.jet.as_ref()[..self.run.order()];
         let coordinate = |i: usize| {
             M::series(|n| match n {
-                0 => expansion.x.at(i),
+                0 => expansion.coordinate(i),
                 n => jet.get(n - 1).map_or(R::from_f64(0.0), |x| x.at(i)),
             })
         };
-        self.functions(coordinate, now, R::from_f64(expansion.unit))
+        self.functions(coordinate, expansion.time(), R::from_f64(expansion.unit))
     }
 
     fn functions(&self, coordinate: impl Fn(usize) -> M::Series, now: R, unit: R) -> G {
@@ -154,7 +154,7 @@ where
 
     /// That a function is not a number at a part of the last step.
     fn no_event(&self, part: f64) -> StepError {
-        let start = self.run.steps.last_expansion().1;
+        let start = self.run.steps.start().time();
         StepError::NoEvent { t: signed(start) + part * self.run.step_size() }
     }
 }

@@ -1,86 +1,108 @@
-//! Coefficients of a solution at a point, and the states between it and the end of the step that they give.
+//! An end of a step: the point, and the coefficients of the solution there; and the states between two of them that these give.
 
 use super::Steps;
+use crate::method::Clock;
 use crate::scalar::{Real, zero};
-use crate::space::{PerCoordinate, Snapshot};
-use crate::system::{Jets, StateOf};
+use crate::space::{Array, Compensated, PerCoordinate, Point, Snapshot};
+use crate::system::{Jets, PhaseSpace, StateOf};
 use crate::taylor::{self, TaylorMethod};
 
-/// The coefficients at a point.
-#[derive(Clone, Copy, Debug)]
+/// A point whose sums compensate.
+type Carried<S, R> =
+    Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
+
+/// A point at a time, and the coefficients of the solution there.
+#[derive(Clone, Debug)]
 pub(in crate::running) struct Expansion<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
-    pub(in crate::running) x: PerCoordinate<S::Phase, S::Action>,
+    pub(in crate::running) x: Carried<S, R>,
+    pub(in crate::running) clock: Clock<R>,
+    /// Of the method, where it puts ends of steps right.
+    pub(super) memory: M::Memory,
     /// The unit of time in the coefficients, a power of two.
     pub(in crate::running) unit: f64,
     /// From order 1 on.
     pub(in crate::running) jet: M::Orders<PerCoordinate<S::Phase, S::Action>>,
     /// From order 0 on.
-    pub(in crate::running) switches: M::Orders<S::Switches>,
+    pub(super) switches: M::Orders<S::Switches>,
+}
+
+impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Expansion<S, M, R> {
+    /// A point whose coefficients are not known yet.
+    pub(super) fn new(t: R, (z, s): (S::Phase, S::Action)) -> Self {
+        Expansion {
+            x: Point::with_action(z, s),
+            clock: Clock::new(t, zero()),
+            memory: M::memory(&z),
+            unit: 1.0,
+            jet: M::fill(PerCoordinate::zero()),
+            switches: M::fill(S::Switches::zero()),
+        }
+    }
+
+    pub(in crate::running) fn time(&self) -> R {
+        self.clock.now(zero())
+    }
+
+    /// The coordinate `i`, the action last.
+    pub(in crate::running) fn coordinate(&self, i: usize) -> R {
+        PerCoordinate::of(&self.x).at(i)
+    }
+
+    /// The coefficients, for steps of about this length.
+    #[inline(always)]
+    pub(super) fn expand(&mut self, order: usize, system: &S, h: f64) {
+        self.unit = power_of_two(h);
+        let (start, x) = ([R::from_f64(self.unit), self.time()], (&self.x.z, &self.x.s));
+        M::jet(order, system, start, x, &mut self.jet, &mut self.switches);
+    }
+
+    /// A length in the unit of the coefficients. Nothing waits for the quotient, which is exact, as the product is.
+    #[inline(always)]
+    pub(super) fn in_units(&self, h: f64) -> f64 {
+        h * (1.0 / self.unit)
+    }
+
+    /// Rates in the unit of other coefficients.
+    #[inline(always)]
+    pub(super) fn rates(&self, unit: f64) -> PerCoordinate<S::Phase, S::Action> {
+        let mut rates = self.jet.as_ref()[0];
+        rates.times(R::from_f64(unit / self.unit));
+        rates
+    }
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    /// The coefficients at a point into a place, for steps of about this length.
-    #[inline(always)]
-    pub(super) fn expand(&mut self, place: usize, h: f64, t: R, x: PerCoordinate<S::Phase, S::Action>) {
-        let expansion = &mut self.expansions[place];
-        let unit = power_of_two(h);
-        (expansion.x, expansion.unit) = (x, unit);
-        let start = [R::from_f64(unit), t];
-        M::jet(self.order, &self.system, start, (&x.z, &x.s), &mut expansion.jet, &mut expansion.switches);
-    }
-
     /// The coefficients at a state that the user gave, in a unit of time in which none of them overflows, or where a run goes on, in the unit
     /// before.
     #[cold]
     pub(super) fn begin(&mut self) {
-        let (t, x) = (self.time(), PerCoordinate::of(&self.x));
-        self.expand(self.present, self.expansions[self.present].unit, t, x);
+        let (order, system, unit) = (self.order(), self.system, self.here().unit);
+        self.here_mut().expand(order, &system, unit);
         if self.taken == self.given {
-            self.expand(self.present, self.guess(), t, x);
+            let h = self.guess();
+            self.here_mut().expand(order, &system, h);
         }
         self.known = true;
     }
 
-    /// The coefficients at the present.
-    pub(super) fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
-        &self.expansions[self.present].jet.as_ref()[..self.order]
-    }
-
-    /// A length in the unit of the coefficients at the present.
-    #[inline(always)]
-    pub(super) fn in_units(&self, h: f64) -> f64 {
-        h / self.expansions[self.present].unit
-    }
-
     /// The state at a time within the last step.
     pub(in crate::running) fn at(&self, t: R) -> Option<StateOf<S, R>> {
-        let (start, h) = &self.last;
-        let (after, before) = (start.left(t), self.clock.left(t));
+        let (after, before, h) = (self.start().clock.left(t), self.here().clock.left(t), self.step);
         if !self.within {
             return None;
         }
         if t == self.time() {
-            return Some(S::State::of(t, self.x.z, self.x.s));
+            return Some(S::State::of(t, self.here().x.z, self.here().x.s));
         }
         // Between the ends, in the direction of the step.
-        (after * h >= 0.0 && before * h <= 0.0 && *h != 0.0).then(|| self.inside(after, t))
-    }
-
-    /// The expansion of the last step, and when it started.
-    pub(in crate::running) fn last_expansion(&self) -> (&Expansion<S, M, R>, R) {
-        (&self.expansions[1 - self.present], self.last.0.now(zero()))
-    }
-
-    /// The expansion at the end of the last step, and when that was.
-    pub(in crate::running) fn present_expansion(&self) -> (&Expansion<S, M, R>, R) {
-        (&self.expansions[self.present], self.time())
+        (after * h >= 0.0 && before * h <= 0.0 && h != 0.0).then(|| self.inside(after, t))
     }
 
     /// The state so long after the start of the last step, which is at the time `t`.
     pub(in crate::running) fn inside(&self, after: f64, t: R) -> StateOf<S, R> {
-        let expansion = &self.expansions[1 - self.present];
-        let mut x = taylor::increment(&expansion.jet.as_ref()[..self.order], after / expansion.unit);
-        x.add_scaled(R::from_f64(1.0), &expansion.x);
+        let start = self.start();
+        let mut x = taylor::increment(&start.jet.as_ref()[..self.order()], after / start.unit);
+        x.add_scaled(R::from_f64(1.0), &PerCoordinate::of(&start.x));
         S::State::of(t, x.z, x.s)
     }
 }

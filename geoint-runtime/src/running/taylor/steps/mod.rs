@@ -3,115 +3,92 @@
 mod expansion;
 mod switches;
 
-use crate::method::Clock;
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
-use crate::scalar::{Real, signed, zero};
-use crate::space::{Array, Compensated, DoubleWord, PerCoordinate, Point, Snapshot};
+use crate::scalar::{Real, signed};
+use crate::space::PerCoordinate;
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
 use crate::system::Jets;
 use crate::taylor::{self, Estimate, TaylorMethod};
-pub(in crate::running) use expansion::Expansion;
+use expansion::Expansion;
 use switches::STUCK;
-
-/// A point whose sums compensate.
-type Carried<S, R> = Point<
-    <S as crate::system::PhaseSpace<R>>::Phase,
-    Compensated<<S as crate::system::PhaseSpace<R>>::Phase>,
-    <S as crate::system::PhaseSpace<R>>::Action,
->;
-
-/// Where a step leads, when that is, and what it hands on.
-type Arrival<S, M, R> = (Carried<S, R>, Clock<R>, <M as TaylorMethod<S, R>>::Memory);
 
 /// A system, and all that decides on the next step.
 #[derive(Clone)]
 pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> {
     pub(in crate::running) system: S,
     pub(in crate::running) method: M,
-    pub(in crate::running) order: usize,
     pub(in crate::running) bounds: Bounds,
     pub(in crate::running) backwards: bool,
-    pub(in crate::running) clock: Clock<R>,
-    pub(in crate::running) x: Carried<S, R>,
     pub(in crate::running) taken: u64,
     /// How many there were when the user gave a state.
     given: u64,
-    estimate: Estimate<S::Phase, S::Action>,
-    /// Of the method, where it puts ends of steps right.
-    memory: M::Memory,
-    /// At the start of the last step, and at the present: which of them that is changes with every step.
-    expansions: [Expansion<S, M, R>; 2],
-    present: usize,
+    estimate: Estimate<S::State>,
+    /// The ends of the last step. The next one ends where this one began: nothing is copied, and a step that is refused changes nothing here.
+    ends: [Expansion<S, M, R>; 2],
+    /// Which of them is the present.
+    second: bool,
     /// Whether the coefficients at the present are known.
     known: bool,
-    /// When the last step started, and its length.
-    last: (Clock<R>, f64),
-    /// Whether the present is the end of the last step.
+    /// The length of the last step.
+    pub(in crate::running) step: f64,
+    /// Whether the other end is where the last step began.
     within: bool,
     /// Steps in a row that a switch has ended where they began.
     stuck: u32,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
-    pub(in crate::running) fn new((system, method): (S, M), t: R, x: Carried<S, R>) -> Self {
-        let here = PerCoordinate::of(&x);
-        let expansion = Expansion {
-            x: here,
-            unit: 1.0,
-            jet: M::fill(PerCoordinate::zero()),
-            switches: M::fill(S::Switches::zero()),
-        };
+    pub(in crate::running) fn new((system, method): (S, M), t: R, x: (S::Phase, S::Action)) -> Self {
+        let here = Expansion::new(t, x);
         let (tolerance, backwards) = match method.steps() {
             taylor::Steps::Tolerance(tolerance) => (tolerance, false),
             taylor::Steps::Length(h) => (0.0, h < 0.0),
         };
-        let mut estimate = Estimate::new(tolerance, S::State::ALIKE);
-        estimate.include(&here);
-        let clock = Clock::new(t, zero());
+        let mut estimate = Estimate::new(tolerance);
+        estimate.include(&PerCoordinate::of(&here.x));
         Steps {
-            order: method.order(),
-            memory: M::memory(),
             system,
             method,
             bounds: Bounds::default(),
             backwards,
-            clock,
-            x,
             taken: 0,
             given: 0,
             estimate,
-            expansions: [expansion; 2],
-            present: 0,
+            ends: [here.clone(), here],
+            second: false,
             known: false,
-            last: (clock, 0.0),
+            step: 0.0,
             within: false,
             stuck: 0,
         }
     }
 
     /// Goes on from another point.
-    pub(in crate::running) fn restart(&mut self, t: R, x: Carried<S, R>) {
-        let clock = Clock::new(t, zero());
-        (self.clock, self.x, self.known, self.last) = (clock, x, false, (clock, self.last.1));
-        self.estimate.include(&PerCoordinate::of(&x));
+    pub(in crate::running) fn restart(&mut self, t: R, x: (S::Phase, S::Action)) {
+        let unit = self.here().unit;
+        let here = self.here_mut();
+        *here = Expansion { unit, ..Expansion::new(t, x) };
+        let x = PerCoordinate::of(&here.x);
+        self.estimate.include(&x);
         // There is no last step to look into.
-        (self.within, self.given) = (false, self.taken);
+        (self.known, self.within, self.given) = (false, false, self.taken);
     }
 
     /// Everything but the coefficients.
     #[cfg(feature = "alloc")]
     pub(super) fn record(&mut self, tape: &mut impl Tape<R>) {
-        self.clock.record(tape);
-        self.x.record(tape);
+        let here = self.here_mut();
+        here.clock.record(tape);
+        here.x.record(tape);
+        here.memory.record(tape);
+        tape.number(&mut here.unit);
         tape.steps(&mut self.taken);
         tape.steps(&mut self.given);
         tape.flag(&mut self.backwards);
         self.estimate.record(tape);
-        self.memory.record(tape);
-        tape.number(&mut self.last.1);
-        tape.number(&mut self.expansions[self.present].unit);
+        tape.number(&mut self.step);
         let mut stuck = u64::from(self.stuck);
         tape.count(&mut stuck);
         self.stuck = stuck.min(u64::from(STUCK)) as u32;
@@ -123,12 +100,40 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (self.known, self.within) = (false, false);
     }
 
-    pub(in crate::running) fn time(&self) -> R {
-        self.clock.now(zero())
+    /// The order of the series: a constant wherever the method or the system leave no choice.
+    #[inline(always)]
+    pub(in crate::running) fn order(&self) -> usize {
+        self.method.order()
     }
 
-    pub(in crate::running) fn last_step(&self) -> f64 {
-        self.last.1
+    /// The present.
+    #[inline(always)]
+    pub(in crate::running) fn here(&self) -> &Expansion<S, M, R> {
+        let [first, second] = &self.ends;
+        if self.second { second } else { first }
+    }
+
+    #[inline(always)]
+    pub(in crate::running) fn here_mut(&mut self) -> &mut Expansion<S, M, R> {
+        let [first, second] = &mut self.ends;
+        if self.second { second } else { first }
+    }
+
+    /// Where the last step began, or where an attempt of the next one led.
+    #[inline(always)]
+    pub(in crate::running) fn start(&self) -> &Expansion<S, M, R> {
+        let [first, second] = &self.ends;
+        if self.second { first } else { second }
+    }
+
+    /// The coefficients at the present.
+    #[inline(always)]
+    fn jet(&self) -> &[PerCoordinate<S::Phase, S::Action>] {
+        &self.here().jet.as_ref()[..self.order()]
+    }
+
+    pub(in crate::running) fn time(&self) -> R {
+        self.here().time()
     }
 
     /// The length of the next step, without regard to where it leads.
@@ -137,16 +142,16 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if let taylor::Steps::Length(h) = self.method.steps() {
             return h.abs();
         }
-        (self.expansions[self.present].unit * self.estimate.length(self.jet())).min(bounds.longest)
+        (self.here().unit * self.estimate.length(self.jet())).min(bounds.longest)
     }
 
     /// In how long, roughly, the state changes by itself; twice the step before, if that is more. For a polynomial, whose coefficients set
     /// no end to a step.
     #[cold]
     fn guess(&self) -> f64 {
-        let time = self.expansions[self.present].unit * self.estimate.time(&self.jet()[0]);
+        let time = self.here().unit * self.estimate.time(&self.jet()[0]);
         let time = if time > 0.0 && time < f64::INFINITY { time } else { 1.0 };
-        time.max(2.0 * self.last.1.abs())
+        time.max(2.0 * self.step.abs())
     }
 
     /// A step that is not longer than `left`.
@@ -169,14 +174,15 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if let Some(switch) = switch {
             h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
         }
-        let arrival = loop {
+        self.within = false;
+        loop {
             match self.attempt(h, whole, switch.is_none()) {
                 // Which side it is on will be decided by the value.
-                Ok(_) if switch.is_some_and(|switch| !self.is_behind(switch)) && beyond < wish => {
+                Ok(()) if switch.is_some_and(|switch| !self.is_behind(switch)) && beyond < wish => {
                     h += self.towards(beyond);
                     beyond *= 2.0;
                 }
-                Ok(arrival) => break arrival,
+                Ok(()) => break,
                 Err(reason) if self.is_fixed() || h.abs() <= bounds.shortest => {
                     return Err(self.refused(t, h.abs(), reason));
                 }
@@ -185,16 +191,13 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     switch = None;
                 }
             }
-        };
+        }
         self.stuck = if switch.is_some_and(|switch| switch.at == 0.0) { self.stuck + 1 } else { 0 };
         if self.stuck > STUCK {
             return Err(self.refused(t, h.abs(), Reason::Sliding));
         }
-        self.last = (self.clock, h);
-        (self.x, self.clock, self.memory) = arrival;
-        self.present = 1 - self.present;
-        self.estimate.include(&PerCoordinate::of(&self.x));
-        (self.taken, self.within) = (self.taken + 1, true);
+        self.estimate.include(&PerCoordinate::of(&self.start().x));
+        (self.second, self.step, self.taken, self.within) = (!self.second, h, self.taken + 1, true);
         Ok(())
     }
 
@@ -207,53 +210,62 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.backwards { -h } else { h }
     }
 
-    /// Where a step of length h, in place of a whole one, leads, and when that is. The coefficients there are computed, and, if `compared`,
-    /// their first order with that of the polynomial.
+    /// Goes a step of length h, in place of a whole one, to the other end. The coefficients there are computed, and, if `compared`, their first
+    /// order with that of the polynomial.
     #[inline(always)]
-    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<Arrival<S, M, R>, Reason> {
-        let (mut x, mut clock, mut memory) = (self.x, self.clock, self.memory);
-        let part = self.in_units(h);
-        let (increment, rate) = taylor::increment_and_rate(self.jet(), part);
-        x.add_everywhere(&increment);
+    fn attempt(&mut self, h: f64, whole: f64, compared: bool) -> Result<(), Reason> {
+        let (order, [first, second]) = (self.method.order(), &mut self.ends);
+        let (from, to) = if self.second { (second, first) } else { (first, second) };
+        let (mut x, mut clock) = (from.x, from.clock);
+        let part = from.in_units(h);
+        x.add_everywhere(&taylor::increment(&from.jet.as_ref()[..order], part));
         if !x.is_finite() {
             return Err(Reason::Diverges);
         }
-        if let Some(correction) = self.method.correction(&mut memory, &self.system, &self.x.z, &x.z)? {
+        to.memory = from.memory;
+        if let Some(correction) = self.method.correction(&mut to.memory, &self.system, &from.x.z, &x.z)? {
             x.add(&correction);
         }
-        clock.pass_step(R::from_f64(h), DoubleWord::new(zero()));
-        let t = clock.now(zero());
-        self.expand(1 - self.present, whole, t, PerCoordinate::of(&x));
+        clock.pass_length(R::from_f64(h));
+        (to.x, to.clock) = (x, clock);
+        to.expand(order, &self.system, whole);
+        let here = to.rates(from.unit);
         if S::EXAMINED
-            && let Some(what) = self.system.outside_domain(t, &x.z, &x.s)
+            && let Some(what) = self.outside_domain()
         {
             return Err(Reason::OutsideDomain { what });
         }
-        let [from, to] = [self.present, 1 - self.present].map(|place| self.expansions[place].unit);
-        let mut here = self.expansions[1 - self.present].jet.as_ref()[0];
-        here.times(R::from_f64(from / to));
         if !here.is_finite() {
-            let what = self.system.outside_domain(t, &x.z, &x.s);
-            return Err(what.map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
+            return Err(self.outside_domain().map_or(Reason::Diverges, |what| Reason::OutsideDomain { what }));
         }
-        if compared && !self.is_fixed() {
-            let (rates, before) = ([&rate, &here], &self.jet()[0]);
-            let agree = |late: PerCoordinate<_, _>| self.estimate.agree(part, rates, before, &late);
-            if !agree(PerCoordinate::zero()) && !agree(self.late(t)) {
-                return Err(Reason::Diverges);
-            }
+        if compared && !self.is_fixed() && !self.agrees(part, &here) && !self.agrees_late(part, &here) {
+            return Err(Reason::Diverges);
         }
-        Ok((x, clock, memory))
+        Ok(())
     }
 
-    /// How much rates at the end of the step may be off because the time there is rounded, in the unit of the coefficients at the present:
-    /// near a pole in time.
+    /// What is not defined where an attempt led.
+    fn outside_domain(&self) -> Option<&'static str> {
+        let end = self.start();
+        self.system.outside_domain(end.time(), &end.x.z, &end.x.s)
+    }
+
+    /// Whether the rates where an attempt led, in the unit of the coefficients at the present, are those of the polynomial that led there.
+    ///
+    /// Not inlined: together with other sums of the same coefficients this one is not vectorised well.
+    #[inline(never)]
+    fn agrees(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
+        let polynomial = taylor::rate(self.jet(), part);
+        self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &PerCoordinate::zero())
+    }
+
+    /// The same, but for what rates may be off because the time there is rounded: near a pole in time.
     #[cold]
-    fn late(&self, t: R) -> PerCoordinate<S::Phase, S::Action> {
-        let [from, to] = [self.present, 1 - self.present].map(|place| self.expansions[place].unit);
-        let mut late = self.expansions[1 - self.present].jet.as_ref()[1];
-        late.times(R::from_f64(2.0 * from / to * (2.0 * R::epsilon() * t.magnitude() / to)));
-        late
+    fn agrees_late(&self, part: f64, rates: &PerCoordinate<S::Phase, S::Action>) -> bool {
+        let (polynomial, [from, end]) = (taylor::rate(self.jet(), part), [self.here(), self.start()]);
+        let mut late = end.jet.as_ref()[1];
+        late.times(R::from_f64(2.0 * from.unit / end.unit * (2.0 * R::epsilon() * end.time().magnitude() / end.unit)));
+        self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &late)
     }
 
     /// Why there is no step.
@@ -273,8 +285,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         if self.taken != self.given {
             return Ok(());
         }
-        if self.order < 2 {
-            return Err(StepError::InvalidOrder { order: self.order });
+        if self.order() < 2 {
+            return Err(StepError::InvalidOrder { order: self.order() });
         }
         match self.method.steps() {
             taylor::Steps::Tolerance(tolerance) if !(tolerance > 0.0 && tolerance < f64::INFINITY) => {
@@ -287,10 +299,11 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             return Err(StepError::InvalidStepSize { h });
         }
         let t = signed(self.time());
-        if !(t.is_finite() && self.x.is_finite()) {
+        let x = &self.here().x;
+        if !(t.is_finite() && x.is_finite()) {
             return Err(StepError::NonFiniteState { t });
         }
-        match self.system.outside_domain(self.time(), &self.x.z, &self.x.s) {
+        match self.system.outside_domain(self.time(), &x.z, &x.s) {
             Some(what) => Err(StepError::OutsideDomain { t, what }),
             None => Ok(()),
         }

@@ -29,12 +29,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     #[inline(never)]
     fn first_switch(&self, h: f64) -> Option<Switch> {
-        let switches = &self.expansions[self.present].switches.as_ref()[..self.order];
-        let h = self.in_units(h);
+        let switches = &self.here().switches.as_ref()[..self.order()];
+        let h = self.here().in_units(h);
         let mut first: Option<Switch> = None;
         for place in 0..S::Switches::LEN {
             let g = taylor::in_parts(switches.iter().map(|switch| signed(switch.as_slice()[place])), h);
-            let roots = taylor::roots(&g[..self.order.min(taylor::MOST)], 0.0);
+            let roots = taylor::roots(&g[..self.order().min(taylor::MOST)], 0.0);
             let here = if g[0] == 0.0 { 0.0 } else { g[0].signum() };
             let at = match roots.as_slice() {
                 // It is zero all along.
@@ -53,7 +53,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
 
     /// Whether the point that was reached is behind a switch.
     pub(super) fn is_behind(&self, switch: Switch) -> bool {
-        let value = signed(self.expansions[1 - self.present].switches.as_ref()[0].as_slice()[switch.place]);
+        let value = signed(self.start().switches.as_ref()[0].as_slice()[switch.place]);
         value * switch.sign > 0.0
     }
 }
