@@ -4,8 +4,9 @@
 //! once, and emitted once. Constructors fold constants, zeros, ones and signs, and merge equal terms and powers. They
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
+use super::hash;
 use super::id::Id;
-use super::known::{self, Known};
+use super::known::Known;
 use super::number::Number;
 use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
@@ -16,7 +17,7 @@ use std::cell::RefCell;
 
 /// An expression in terms of smaller ones. A sum or product over an index that stays a loop would be one more kind of
 /// node, with a graph of its own as its body.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Node {
     Number(Number),
     Symbol(Symbol),
@@ -41,11 +42,26 @@ impl Node {
     pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Id)) {
         match self {
             Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => {}
-            Node::Linear(_, terms) => terms.iter().for_each(|(_, id)| visit(*id)),
-            Node::Product(ids) | Node::Call(_, ids) => ids.iter().for_each(|id| visit(*id)),
+            Node::Linear(_, terms) => {
+                for (_, id) in terms {
+                    visit(*id);
+                }
+            }
+            Node::Product(ids) | Node::Call(_, ids) => {
+                for id in ids {
+                    visit(*id);
+                }
+            }
             Node::Power(id, _) | Node::Not(id) => visit(*id),
-            Node::Select(c, a, b) => [*c, *a, *b].into_iter().for_each(visit),
-            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => [*a, *b].into_iter().for_each(visit),
+            Node::Select(condition, first, second) => {
+                visit(*condition);
+                visit(*first);
+                visit(*second);
+            }
+            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
+                visit(*a);
+                visit(*b);
+            }
         }
     }
 
@@ -78,8 +94,9 @@ pub(crate) struct Graph {
 }
 
 impl Graph {
+    #[inline(always)]
     pub(crate) fn node(&self, id: Id) -> &Node {
-        &self.nodes[id.index()]
+        &self.nodes.as_slice()[id.index()]
     }
 
     /// What a node reads of phase space.
@@ -118,37 +135,56 @@ impl Graph {
 
     /// Every node that the roots are built of, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        self.walk(roots.to_vec(), |_| true)
+        self.walk(roots, |_| true)
     }
 
     /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
     /// not looked at.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
-        self.walk(vec![root], |id| !known.contains(id))
+        if known.contains(root) { vec![] } else { self.walk(&[root], |id| !known.contains(id)) }
     }
 
-    /// Every node that the `open` ones are built of, operands first. Where one is not to be `entered`, it and what it is
+    /// Every node that the roots are built of, operands first. Where one is not to be `entered`, it and what it is
     /// built of are left out.
-    fn walk(&self, mut open: Vec<Id>, entered: impl Fn(Id) -> bool) -> Vec<Id> {
+    fn walk(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
         let (traversal, seen) = &mut *scratch;
         *traversal += 1;
-        seen.resize(self.nodes.len(), 0);
-        let mut found = vec![];
-        let (mut first, mut last) = (usize::MAX, 0);
-        while let Some(id) = open.pop() {
-            if seen[id.index()] != *traversal && entered(id) {
-                seen[id.index()] = *traversal;
-                (first, last) = (first.min(id.index()), last.max(id.index()));
+        let traversal = *traversal;
+        if seen.len() < self.nodes.len() {
+            *seen = vec![0; 2 * self.nodes.len()];
+        }
+        let seen = seen.as_mut_slice();
+        let mut found: Vec<Id> = vec![];
+        let mut enter = |id: Id, found: &mut Vec<Id>| {
+            if seen[id.index()] != traversal && entered(id) {
+                seen[id.index()] = traversal;
                 found.push(id);
-                self.node(id).for_each_child(|child| open.push(child));
             }
+        };
+        for root in roots {
+            enter(*root, &mut found);
+        }
+        let (mut first, mut last, mut open) = (self.nodes.len(), 0, 0);
+        while open < found.len() {
+            let id = found.as_slice()[open];
+            open += 1;
+            first = if id.index() < first { id.index() } else { first };
+            last = if id.index() > last { id.index() } else { last };
+            self.node(id).for_each_child(|child| enter(child, &mut found));
         }
         // What a node is built of has smaller numbers. Where most in between are found, to look at all of them is cheaper than to sort.
-        if last.saturating_sub(first) < 8 * found.len() {
-            return (first..=last).filter(|i| seen[*i] == *traversal).map(Id::from_index).collect();
+        if last.saturating_sub(first) < 16 * found.len() {
+            found.clear();
+            while first <= last {
+                if seen[first] == traversal {
+                    found.push(Id::from_index(first));
+                }
+                first += 1;
+            }
+        } else {
+            found.sort_unstable();
         }
-        found.sort_unstable();
         found
     }
 
@@ -163,15 +199,18 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Id {
-        let hash = known::hash(&node);
-        let id = self.known.find(hash, |id| *self.node(id) == node).unwrap_or_else(|| {
-            let next = Id::from_index(self.nodes.len());
-            self.known.insert(hash, next);
-            self.symbols.push(&node);
-            self.signs.push(sign(&node, &self.nodes, &self.signs));
-            self.nodes.push(node);
-            next
-        });
+        let hash = hash::of_node(&node);
+        let id = match self.known.find(hash, |id| *self.node(id) == node) {
+            Some(id) => id,
+            None => {
+                let next = Id::from_index(self.nodes.len());
+                self.known.insert(hash, next);
+                self.symbols.push(&node);
+                self.signs.push(sign(&node, &self.nodes, &self.signs));
+                self.nodes.push(node);
+                next
+            }
+        };
         if self.partial.is_some() && self.is_partial(id) {
             self.partial.get_or_insert_default().push(id);
         }

@@ -55,26 +55,34 @@ impl Reads {
     }
 }
 
-/// The symbols that nodes read.
-#[derive(Clone, Debug, Default)]
+/// The symbols that nodes read: sets, which nodes share.
+#[derive(Clone, Debug)]
 pub(super) struct Symbols {
     /// In the order in which they came.
     all: Vec<Symbol>,
-    /// Of each node.
-    read: Vec<Read>,
+    /// The first is empty.
+    sets: Vec<Set>,
+    /// The set of each node.
+    of: Vec<u32>,
 }
 
 /// Symbols as bits, 64 a word, by their places among all; and what they are.
 #[derive(Clone, Debug, Default)]
-struct Read {
+struct Set {
     bits: Vec<u64>,
     reads: Reads,
+}
+
+impl Default for Symbols {
+    fn default() -> Self {
+        Symbols { all: vec![], sets: vec![Set::default()], of: vec![] }
+    }
 }
 
 impl Symbols {
     /// What a node reads, in order.
     pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
-        let bits = &self.read[id.index()].bits;
+        let bits = &self.set(id).bits;
         let mut symbols = vec![];
         for (place, symbol) in self.all.iter().enumerate().take(64 * bits.len()) {
             if bits[place / 64] >> (place % 64) & 1 == 1 {
@@ -86,34 +94,90 @@ impl Symbols {
     }
 
     pub(super) fn reads(&self, id: Id) -> Reads {
-        self.read[id.index()].reads
+        self.set(id).reads
+    }
+
+    fn set(&self, id: Id) -> &Set {
+        &self.sets.as_slice()[self.of.as_slice()[id.index()] as usize]
     }
 
     /// Notes what the next node reads.
     pub(super) fn push(&mut self, node: &Node) {
-        let mut read = Read::default();
-        match node {
-            Node::Symbol(symbol) => {
-                let place = self.all.iter().position(|other| other == symbol).unwrap_or(self.all.len());
-                if place == self.all.len() {
-                    self.all.push(*symbol);
-                }
-                read.bits.resize(place / 64 + 1, 0);
-                read.bits[place / 64] = 1 << (place % 64);
-                read.reads = Reads::of(*symbol);
-            }
-            node => node.for_each_child(|child| read.join(&self.read[child.index()])),
+        let set = match node {
+            Node::Symbol(symbol) => self.alone(*symbol),
+            node => self.union(node),
+        };
+        self.of.push(set);
+    }
+
+    /// The set of a symbol.
+    fn alone(&mut self, symbol: Symbol) -> u32 {
+        let place = self.all.iter().position(|other| *other == symbol).unwrap_or(self.all.len());
+        if place == self.all.len() {
+            self.all.push(symbol);
         }
-        self.read.push(read);
+        let mut bits = vec![0; place / 64 + 1];
+        bits[place / 64] = 1 << (place % 64);
+        self.with(Set { bits, reads: Reads::of(symbol) })
+    }
+
+    /// The union of the sets of operands: mostly that of one of them.
+    fn union(&mut self, node: &Node) -> u32 {
+        let (of, sets) = (self.of.as_slice(), self.sets.as_slice());
+        let (mut largest, mut union) = (0, None);
+        node.for_each_child(|child| {
+            let set = of[child.index()];
+            if set == largest {
+                return;
+            }
+            let (known, other) = (&sets[largest as usize], &sets[set as usize]);
+            match &mut union {
+                Some(union) => other.join(union),
+                None if known.contains(other) => {}
+                None if other.contains(known) => largest = set,
+                None => {
+                    let mut both = known.clone();
+                    other.join(&mut both);
+                    union = Some(both);
+                }
+            }
+        });
+        match union {
+            Some(union) => self.with(union),
+            None => largest,
+        }
+    }
+
+    fn with(&mut self, set: Set) -> u32 {
+        self.sets.push(set);
+        self.sets.len() as u32 - 1
     }
 }
 
-impl Read {
-    fn join(&mut self, other: &Read) {
-        if self.bits.len() < other.bits.len() {
-            self.bits.resize(other.bits.len(), 0);
+impl Set {
+    fn contains(&self, other: &Set) -> bool {
+        let (bits, others) = (self.bits.as_slice(), other.bits.as_slice());
+        if others.len() > bits.len() {
+            return false;
         }
-        self.bits.iter_mut().zip(&other.bits).for_each(|(word, other)| *word |= other);
-        self.reads = self.reads.or(other.reads);
+        let mut place = 0;
+        while place < others.len() {
+            if others[place] & !bits[place] != 0 {
+                return false;
+            }
+            place += 1;
+        }
+        true
+    }
+
+    /// Adds these to others.
+    fn join(&self, others: &mut Set) {
+        if others.bits.len() < self.bits.len() {
+            others.bits.resize(self.bits.len(), 0);
+        }
+        for (word, own) in others.bits.iter_mut().zip(&self.bits) {
+            *word |= own;
+        }
+        others.reads = others.reads.or(self.reads);
     }
 }

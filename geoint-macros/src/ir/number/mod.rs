@@ -7,9 +7,10 @@ mod ratio;
 
 pub(crate) use ratio::Ratio;
 use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
 
 /// A constant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Number {
     Exact(Ratio),
     /// c·√r with an integer r > 1 that is no multiple of a small square.
@@ -63,7 +64,11 @@ impl Number {
     }
 
     pub(crate) fn is_zero(self) -> bool {
-        self == Number::ZERO
+        matches!(self, Number::Exact(ratio) if ratio.numerator == 0)
+    }
+
+    pub(crate) fn is_one(self) -> bool {
+        matches!(self, Number::Exact(ratio) if ratio.numerator == 1 && ratio.denominator == 1)
     }
 
     pub(crate) fn is_negative(self) -> bool {
@@ -168,8 +173,23 @@ impl Number {
         }
     }
 
+    /// Equal for equal numbers, and seldom for others.
+    pub(crate) fn word(self) -> u64 {
+        match self {
+            Number::Exact(ratio) => ratio.word(),
+            Number::Root(ratio, radicand) => ratio.word() ^ (radicand as u64) << 8,
+            Number::Float(bits) => bits,
+        }
+    }
+
     pub(crate) fn compare(self, other: Number) -> Option<Ordering> {
         self.to_f64().partial_cmp(&other.to_f64())
+    }
+}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.word());
     }
 }
 

@@ -82,6 +82,12 @@ impl Ratio {
         Ratio::new(self.denominator, self.numerator)
     }
 
+    /// Equal for equal ratios, and seldom for others.
+    #[inline(always)]
+    pub(crate) fn word(self) -> u64 {
+        self.numerator as u64 ^ (self.denominator as u64) << 32
+    }
+
     pub(crate) fn neg(self) -> Ratio {
         Ratio { numerator: -self.numerator, ..self }
     }
