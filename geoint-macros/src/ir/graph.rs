@@ -89,8 +89,8 @@ pub(crate) struct Graph {
     known: Known,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
-    /// Scratch space of traversals: the number of the traversal that saw a node last.
-    seen: RefCell<(u32, Vec<u32>)>,
+    /// Scratch space of traversals: a bit for each node, none of them set between traversals.
+    seen: RefCell<Vec<u64>>,
 }
 
 impl Graph {
@@ -148,42 +148,38 @@ impl Graph {
     /// built of are left out.
     fn walk(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
-        let (traversal, seen) = &mut *scratch;
-        *traversal += 1;
-        let traversal = *traversal;
-        if seen.len() < self.nodes.len() {
-            *seen = vec![0; 2 * self.nodes.len()];
+        let words = self.nodes.len() / 64 + 1;
+        if scratch.len() < words {
+            *scratch = vec![0; 2 * words];
         }
-        let seen = seen.as_mut_slice();
+        let seen = scratch.as_mut_slice();
         let mut found: Vec<Id> = vec![];
+        let (mut first, mut last) = (words, 0);
         let mut enter = |id: Id, found: &mut Vec<Id>| {
-            if seen[id.index()] != traversal && entered(id) {
-                seen[id.index()] = traversal;
+            let (word, bit) = (id.index() / 64, 1 << (id.index() % 64));
+            if seen[word] & bit == 0 && entered(id) {
+                seen[word] |= bit;
+                first = if word < first { word } else { first };
+                last = if word > last { word } else { last };
                 found.push(id);
             }
         };
         for root in roots {
             enter(*root, &mut found);
         }
-        let (mut first, mut last, mut open) = (self.nodes.len(), 0, 0);
+        let mut open = 0;
         while open < found.len() {
             let id = found.as_slice()[open];
-            open += 1;
-            first = if id.index() < first { id.index() } else { first };
-            last = if id.index() > last { id.index() } else { last };
             self.node(id).for_each_child(|child| enter(child, &mut found));
+            open += 1;
         }
-        // What a node is built of has smaller numbers. Where most in between are found, to look at all of them is cheaper than to sort.
-        if last.saturating_sub(first) < 16 * found.len() {
-            found.clear();
-            while first <= last {
-                if seen[first] == traversal {
-                    found.push(Id::from_index(first));
-                }
-                first += 1;
+        // What a node is built of has smaller numbers.
+        found.clear();
+        for word in first..=last {
+            while seen[word] > 0 {
+                found.push(Id::from_index(64 * word + seen[word].trailing_zeros() as usize));
+                seen[word] &= seen[word] - 1;
             }
-        } else {
-            found.sort_unstable();
         }
         found
     }
@@ -200,15 +196,15 @@ impl Graph {
 
     pub(super) fn intern(&mut self, node: Node) -> Id {
         let hash = hash::of_node(&node);
-        let id = match self.known.find(hash, |id| *self.node(id) == node) {
-            Some(id) => id,
+        let id = match self.known.find(hash, |number| self.nodes.as_slice()[number] == node) {
+            Some(number) => Id::from_index(number),
             None => {
-                let next = Id::from_index(self.nodes.len());
-                self.known.insert(hash, next);
+                let number = self.nodes.len();
+                self.known.insert(hash, number);
                 self.symbols.push(&node);
                 self.signs.push(sign(&node, &self.nodes, &self.signs));
                 self.nodes.push(node);
-                next
+                Id::from_index(number)
             }
         };
         if self.partial.is_some() && self.is_partial(id) {

@@ -15,6 +15,11 @@ impl Fold {
     fn fold(&mut self, word: u64) {
         self.0 = ((self.0 << 5 | self.0 >> 59) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
     }
+
+    /// The half that depends on all bits.
+    fn upper(self) -> u32 {
+        (self.0 >> 32) as u32
+    }
 }
 
 impl Hasher for Fold {
@@ -38,7 +43,16 @@ impl Hasher for Fold {
     }
 }
 
-/// The hash of a node: its upper half, which depends on all bits.
+/// The hash of some words.
+pub(super) fn of_words(words: &[u64]) -> u32 {
+    let mut fold = Fold::default();
+    for word in words {
+        fold.fold(*word);
+    }
+    fold.upper()
+}
+
+/// The hash of a node.
 pub(super) fn of_node(node: &Node) -> u32 {
     let mut fold = Fold::default();
     match node {
@@ -63,5 +77,5 @@ pub(super) fn of_node(node: &Node) -> u32 {
     if !matches!(node, Node::Linear(..) | Node::Power(..)) {
         node.for_each_child(|id| fold.fold(id.index() as u64));
     }
-    (fold.0 >> 32) as u32
+    fold.upper()
 }

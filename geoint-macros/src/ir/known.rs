@@ -1,8 +1,6 @@
-//! Which nodes are known: a hash table of their numbers, which are all that it holds.
+//! What is known: a hash table of numbers, which are all that it holds.
 
-use super::id::Id;
-
-/// The numbers of nodes by their hashes. In an unoptimised build std's table costs several times as much.
+/// The numbers of things by their hashes. In an unoptimised build std's table costs several times as much.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Known {
     /// A power of two of places, not more than half of them taken. A hash and one more than a number are at the place of the hash,
@@ -13,7 +11,7 @@ pub(super) struct Known {
 
 impl Known {
     /// The number with a hash for which something holds.
-    pub(super) fn find(&self, hash: u32, is: impl Fn(Id) -> bool) -> Option<Id> {
+    pub(super) fn find(&self, hash: u32, is: impl Fn(usize) -> bool) -> Option<usize> {
         let places = self.places.as_slice();
         if places.is_empty() {
             return None;
@@ -25,16 +23,15 @@ impl Known {
             if number == 0 {
                 return None;
             }
-            let id = Id::from_index(number as usize - 1);
-            if other == hash && is(id) {
-                return Some(id);
+            if other == hash && is(number as usize - 1) {
+                return Some(number as usize - 1);
             }
             place = (place + 1) & last;
         }
     }
 
     /// A number that is not known.
-    pub(super) fn insert(&mut self, hash: u32, id: Id) {
+    pub(super) fn insert(&mut self, hash: u32, number: usize) {
         if 2 * self.taken >= self.places.len() {
             let larger = vec![[0; 2]; (4 * self.places.len()).max(1024)];
             let smaller = std::mem::replace(&mut self.places, larger);
@@ -44,7 +41,7 @@ impl Known {
                 }
             }
         }
-        put(&mut self.places, [hash, id.index() as u32 + 1]);
+        put(&mut self.places, [hash, number as u32 + 1]);
         self.taken += 1;
     }
 }

@@ -1,7 +1,9 @@
 //! Which symbols a node reads.
 
 use super::graph::Node;
+use super::hash;
 use super::id::Id;
+use super::known::Known;
 use super::op::Symbol;
 
 /// What a node reads of phase space.
@@ -55,15 +57,17 @@ impl Reads {
     }
 }
 
-/// The symbols that nodes read: sets, which nodes share.
-#[derive(Clone, Debug)]
+/// The symbols that nodes read: sets, of which there are few.
+#[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
     /// In the order in which they came.
     all: Vec<Symbol>,
-    /// The first is empty.
     sets: Vec<Set>,
+    known: Known,
     /// The set of each node.
     of: Vec<u32>,
+    /// Scratch space of unions.
+    bits: Vec<u64>,
 }
 
 /// Symbols as bits, 64 a word, by their places among all; and what they are.
@@ -71,12 +75,6 @@ pub(super) struct Symbols {
 struct Set {
     bits: Vec<u64>,
     reads: Reads,
-}
-
-impl Default for Symbols {
-    fn default() -> Self {
-        Symbols { all: vec![], sets: vec![Set::default()], of: vec![] }
-    }
 }
 
 impl Symbols {
@@ -105,7 +103,7 @@ impl Symbols {
     pub(super) fn push(&mut self, node: &Node) {
         let set = match node {
             Node::Symbol(symbol) => self.alone(*symbol),
-            node => self.union(node),
+            node => self.largest(node).unwrap_or_else(|| self.union(node)),
         };
         self.of.push(set);
     }
@@ -116,68 +114,59 @@ impl Symbols {
         if place == self.all.len() {
             self.all.push(symbol);
         }
-        let mut bits = vec![0; place / 64 + 1];
-        bits[place / 64] = 1 << (place % 64);
-        self.with(Set { bits, reads: Reads::of(symbol) })
+        self.bits = vec![0; place / 64 + 1];
+        self.bits[place / 64] = 1 << (place % 64);
+        self.number(Reads::of(symbol))
     }
 
-    /// The union of the sets of operands: mostly that of one of them.
-    fn union(&mut self, node: &Node) -> u32 {
+    /// The set of an operand that has the sets of all.
+    fn largest(&self, node: &Node) -> Option<u32> {
         let (of, sets) = (self.of.as_slice(), self.sets.as_slice());
-        let (mut largest, mut union) = (0, None);
+        let mut largest = None;
+        let mut is_one = true;
         node.for_each_child(|child| {
-            let set = of[child.index()];
-            if set == largest {
-                return;
-            }
-            let (known, other) = (&sets[largest as usize], &sets[set as usize]);
-            match &mut union {
-                Some(union) => other.join(union),
-                None if known.contains(other) => {}
-                None if other.contains(known) => largest = set,
-                None => {
-                    let mut both = known.clone();
-                    other.join(&mut both);
-                    union = Some(both);
-                }
+            let other = of[child.index()];
+            match largest {
+                None => largest = Some(other),
+                Some(set) if set == other || contains(&sets[set as usize].bits, &sets[other as usize].bits) => {}
+                Some(set) if contains(&sets[other as usize].bits, &sets[set as usize].bits) => largest = Some(other),
+                Some(_) => is_one = false,
             }
         });
-        match union {
-            Some(union) => self.with(union),
-            None => largest,
-        }
+        largest.filter(|_| is_one)
     }
 
-    fn with(&mut self, set: Set) -> u32 {
-        self.sets.push(set);
-        self.sets.len() as u32 - 1
+    /// The union of the sets of all operands.
+    fn union(&mut self, node: &Node) -> u32 {
+        self.bits.clear();
+        let mut reads = Reads::default();
+        node.for_each_child(|child| {
+            let set = &self.sets[self.of[child.index()] as usize];
+            if self.bits.len() < set.bits.len() {
+                self.bits.resize(set.bits.len(), 0);
+            }
+            for (word, other) in self.bits.iter_mut().zip(&set.bits) {
+                *word |= other;
+            }
+            reads = reads.or(set.reads);
+        });
+        self.number(reads)
+    }
+
+    /// The number of a set, known or not.
+    fn number(&mut self, reads: Reads) -> u32 {
+        let hash = hash::of_words(&self.bits);
+        let known = self.known.find(hash, |number| self.sets[number].bits == self.bits);
+        let number = known.unwrap_or_else(|| {
+            self.known.insert(hash, self.sets.len());
+            self.sets.push(Set { bits: self.bits.clone(), reads });
+            self.sets.len() - 1
+        });
+        number as u32
     }
 }
 
-impl Set {
-    fn contains(&self, other: &Set) -> bool {
-        let (bits, others) = (self.bits.as_slice(), other.bits.as_slice());
-        if others.len() > bits.len() {
-            return false;
-        }
-        let mut place = 0;
-        while place < others.len() {
-            if others[place] & !bits[place] != 0 {
-                return false;
-            }
-            place += 1;
-        }
-        true
-    }
-
-    /// Adds these to others.
-    fn join(&self, others: &mut Set) {
-        if others.bits.len() < self.bits.len() {
-            others.bits.resize(self.bits.len(), 0);
-        }
-        for (word, own) in others.bits.iter_mut().zip(&self.bits) {
-            *word |= own;
-        }
-        others.reads = others.reads.or(self.reads);
-    }
+/// Whether all bits of others are set.
+fn contains(bits: &[u64], others: &[u64]) -> bool {
+    others.len() <= bits.len() && bits.iter().zip(others).all(|(bits, others)| others & !bits == 0)
 }

@@ -63,10 +63,12 @@ impl Number {
         }
     }
 
+    #[inline(always)]
     pub(crate) fn is_zero(self) -> bool {
         matches!(self, Number::Exact(ratio) if ratio.numerator == 0)
     }
 
+    #[inline(always)]
     pub(crate) fn is_one(self) -> bool {
         matches!(self, Number::Exact(ratio) if ratio.numerator == 1 && ratio.denominator == 1)
     }
@@ -79,7 +81,11 @@ impl Number {
     }
 
     pub(crate) fn neg(self) -> Number {
-        self.mul(Number::MINUS_ONE)
+        match self {
+            Number::Exact(ratio) => Number::Exact(ratio.neg()),
+            Number::Root(ratio, radicand) => Number::Root(ratio.neg(), radicand),
+            Number::Float(_) => Number::float(-self.to_f64()),
+        }
     }
 
     pub(crate) fn add(self, other: Number) -> Number {
@@ -93,8 +99,11 @@ impl Number {
     }
 
     pub(crate) fn mul(self, other: Number) -> Number {
+        if self.is_one() {
+            return other;
+        }
         match (self, other) {
-            (Number::ONE, product) | (product, Number::ONE) => return product,
+            (product, Number::ONE) => return product,
             (Number::Exact(a), Number::Exact(b)) => a.mul(b).map(Number::Exact),
             (Number::Exact(a), Number::Root(b, r)) | (Number::Root(b, r), Number::Exact(a)) => {
                 a.mul(b).map(|c| Number::root(c, r))
