@@ -123,12 +123,7 @@ impl Graph {
         self.nodes.len()
     }
 
-    /// Every node, operands first.
-    pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + use<> {
-        self.ids_from(0)
-    }
-
-    /// The same without the first ones.
+    /// Every node but the first ones, operands first.
     pub(crate) fn ids_from(&self, known: usize) -> impl Iterator<Item = Id> + use<> {
         (known..self.nodes.len()).map(Id::from_index)
     }

@@ -43,6 +43,13 @@ impl Hasher for Fold {
     }
 }
 
+/// The hash of anything.
+pub(crate) fn of(thing: &impl Hash) -> u32 {
+    let mut fold = Fold::default();
+    thing.hash(&mut fold);
+    fold.upper()
+}
+
 /// The hash of some words.
 pub(super) fn of_words(words: &[u64]) -> u32 {
     let mut fold = Fold::default();

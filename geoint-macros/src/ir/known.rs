@@ -2,7 +2,7 @@
 
 /// The numbers of things by their hashes. In an unoptimised build std's table costs several times as much.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Known {
+pub(crate) struct Known {
     /// A power of two of places, not more than half of them taken. A hash and one more than a number are at the place of the hash,
     /// or at the next free one, which is (0, 0).
     places: Vec<[u32; 2]>,
@@ -11,7 +11,7 @@ pub(super) struct Known {
 
 impl Known {
     /// The number with a hash for which something holds.
-    pub(super) fn find(&self, hash: u32, is: impl Fn(usize) -> bool) -> Option<usize> {
+    pub(crate) fn find(&self, hash: u32, is: impl Fn(usize) -> bool) -> Option<usize> {
         let places = self.places.as_slice();
         if places.is_empty() {
             return None;
@@ -31,7 +31,7 @@ impl Known {
     }
 
     /// A number that is not known.
-    pub(super) fn insert(&mut self, hash: u32, number: usize) {
+    pub(crate) fn insert(&mut self, hash: u32, number: usize) {
         if 2 * self.taken >= self.places.len() {
             let larger = vec![[0; 2]; (4 * self.places.len()).max(1024)];
             let smaller = std::mem::replace(&mut self.places, larger);

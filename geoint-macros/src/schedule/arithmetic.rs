@@ -126,11 +126,11 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// The factors of a product, taken apart where nothing else needs it as a whole.
-    fn flat_factors(&mut self, id: Id, root: bool, factors: &mut Vec<Id>) {
-        match self.graph.node(id).clone() {
+    fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
+        match self.graph.node(id) {
             Node::Product(ids) if root || self.is_single(id) => {
                 for id in ids {
-                    self.flat_factors(id, false, factors);
+                    self.flat_factors(*id, false, factors);
                 }
             }
             _ => factors.push(id),
