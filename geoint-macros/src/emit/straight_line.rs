@@ -31,7 +31,9 @@ pub(crate) fn routine(
     };
     let results = writer.block(block);
     let declared = writer.declaration(&block.registers());
-    let mut tokens: TokenStream = declared.into_iter().chain(writer.given).chain(writer.tokens).collect();
+    let mut tokens = declared;
+    tokens.extend(writer.given);
+    tokens.extend(writer.tokens);
     tokens.extend(finish(results));
     tokens
 }
@@ -204,16 +206,17 @@ impl Writer<'_> {
             Operand::Input(Symbol::H) => self.word("h"),
             Operand::Input(Symbol::G) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
-                if !self.names.contains_key(operand) {
-                    self.give(*operand);
-                }
-                self.tokens.push(self.names[operand].clone().into());
+                let name = match self.names.get(operand) {
+                    Some(name) => name.clone(),
+                    None => self.give(*operand),
+                };
+                self.tokens.push(name.into());
             }
         }
     }
 
     /// Names something that the routine is given: `name = value;` before all statements.
-    fn give(&mut self, operand: Operand) {
+    fn give(&mut self, operand: Operand) -> Ident {
         let name = match operand {
             Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
             Operand::Input(Symbol::P(i)) => format_ident!("p{i}"),
@@ -229,7 +232,7 @@ impl Writer<'_> {
         self.names.insert(operand, name.clone());
         self.declared.push(name.clone());
         let outside = std::mem::take(&mut self.tokens);
-        self.tokens.push(name.into());
+        self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
             Operand::Input(symbol) => self.tokens.extend((self.input)(symbol)),
@@ -242,7 +245,8 @@ impl Writer<'_> {
             Operand::Truth(_) | Operand::Register(_) => {}
         }
         self.punct(";");
-        self.given.extend(std::mem::replace(&mut self.tokens, outside));
+        self.given.append(&mut std::mem::replace(&mut self.tokens, outside));
+        name
     }
 
     /// A constant of the scalar type.
@@ -281,17 +285,18 @@ impl Writer<'_> {
 
     pub(super) fn register(&mut self, register: Register) {
         while self.registers.len() <= register {
-            self.registers.push(format_ident!("v{}", self.registers.len(), span = Span::mixed_site()));
+            self.registers.push(Ident::new(&format!("v{}", self.registers.len()), Span::mixed_site()));
         }
-        self.tokens.push(self.registers[register].clone().into());
+        self.tokens.push(self.registers.as_slice()[register].clone().into());
     }
 
+    /// One or two characters.
     pub(super) fn punct(&mut self, punct: &str) {
-        let mut rest = punct.chars().peekable();
-        while let Some(c) = rest.next() {
-            let spacing = if rest.peek().is_some() { Spacing::Joint } else { Spacing::Alone };
-            self.tokens.push(Punct::new(c, spacing).into());
+        let (last, first) = punct.as_bytes().split_last().unwrap_or((&b' ', &[]));
+        for c in first {
+            self.tokens.push(Punct::new(*c as char, Spacing::Joint).into());
         }
+        self.tokens.push(Punct::new(*last as char, Spacing::Alone).into());
     }
 
     /// `(a, b,)` or `[a, b,]`.

@@ -84,7 +84,8 @@ pub(crate) struct Partial {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
-    symbols: Symbols,
+    reads: Vec<Reads>,
+    symbols: RefCell<Symbols>,
     signs: Vec<Sign>,
     known: Known,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
@@ -101,12 +102,16 @@ impl Graph {
 
     /// What a node reads of phase space.
     pub(crate) fn reads(&self, id: Id) -> Reads {
-        self.symbols.reads(id)
+        self.reads.as_slice()[id.index()]
     }
 
     /// The symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
-        self.symbols.of(id)
+        let mut symbols = self.symbols.borrow_mut();
+        for id in self.unknown(id, &symbols.of) {
+            symbols.note(id, self.node(id));
+        }
+        symbols.of(id)
     }
 
     /// What is known of the sign of a node from its form, whatever its symbols are.
@@ -196,7 +201,7 @@ impl Graph {
             None => {
                 let number = self.nodes.len();
                 self.known.insert(hash, number);
-                self.symbols.push(&node);
+                self.reads.push(Reads::of_node(&node, &self.reads));
                 self.signs.push(sign(&node, &self.nodes, &self.signs));
                 self.nodes.push(node);
                 Id::from_index(number)

@@ -5,6 +5,7 @@ use super::hash;
 use super::id::Id;
 use super::known::Known;
 use super::op::Symbol;
+use super::table::Table;
 
 /// What a node reads of phase space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -25,6 +26,16 @@ impl Reads {
     /// Whether the value changes along a motion.
     pub(crate) fn moves(self) -> bool {
         self.state() || self.t
+    }
+
+    /// What a node reads, from what operands do.
+    pub(super) fn of_node(node: &Node, operands: &[Reads]) -> Reads {
+        if let Node::Symbol(symbol) = node {
+            return Reads::of(*symbol);
+        }
+        let mut reads = Reads::default();
+        node.for_each_child(|child| reads = reads.or(operands[child.index()]));
+        reads
     }
 
     /// What reading a symbol is.
@@ -57,30 +68,22 @@ impl Reads {
     }
 }
 
-/// The symbols that nodes read: sets, of which there are few.
+/// The symbols that nodes read, of those of which it was asked: sets, of which there are few.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
     /// In the order in which they came.
     all: Vec<Symbol>,
-    sets: Vec<Set>,
+    /// Symbols as bits, 64 a word, by their places among all.
+    sets: Vec<Vec<u64>>,
     known: Known,
     /// The set of each node.
-    of: Vec<u32>,
-    /// Scratch space of unions.
-    bits: Vec<u64>,
-}
-
-/// Symbols as bits, 64 a word, by their places among all; and what they are.
-#[derive(Clone, Debug, Default)]
-struct Set {
-    bits: Vec<u64>,
-    reads: Reads,
+    pub(super) of: Table<u32>,
 }
 
 impl Symbols {
     /// What a node reads, in order.
     pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
-        let bits = &self.set(id).bits;
+        let bits = &self.sets[self.of[id] as usize];
         let mut symbols = vec![];
         for (place, symbol) in self.all.iter().enumerate().take(64 * bits.len()) {
             if bits[place / 64] >> (place % 64) & 1 == 1 {
@@ -91,82 +94,48 @@ impl Symbols {
         symbols
     }
 
-    pub(super) fn reads(&self, id: Id) -> Reads {
-        self.set(id).reads
-    }
-
-    fn set(&self, id: Id) -> &Set {
-        &self.sets.as_slice()[self.of.as_slice()[id.index()] as usize]
-    }
-
-    /// Notes what the next node reads.
-    pub(super) fn push(&mut self, node: &Node) {
-        let set = match node {
+    /// Notes what a node reads, whose operands are known.
+    pub(super) fn note(&mut self, id: Id, node: &Node) {
+        let bits = match node {
             Node::Symbol(symbol) => self.alone(*symbol),
-            node => self.largest(node).unwrap_or_else(|| self.union(node)),
+            node => self.union(node),
         };
-        self.of.push(set);
+        let hash = hash::of_words(&bits);
+        let set = self.known.find(hash, |set| self.sets[set] == bits).unwrap_or_else(|| {
+            self.known.insert(hash, self.sets.len());
+            self.sets.push(bits);
+            self.sets.len() - 1
+        });
+        self.of.insert(id, set as u32);
     }
 
-    /// The set of a symbol.
-    fn alone(&mut self, symbol: Symbol) -> u32 {
+    fn alone(&mut self, symbol: Symbol) -> Vec<u64> {
         let place = self.all.iter().position(|other| *other == symbol).unwrap_or(self.all.len());
         if place == self.all.len() {
             self.all.push(symbol);
         }
-        self.bits = vec![0; place / 64 + 1];
-        self.bits[place / 64] = 1 << (place % 64);
-        self.number(Reads::of(symbol))
+        let mut bits = vec![0; place / 64 + 1];
+        bits[place / 64] = 1 << (place % 64);
+        bits
     }
 
-    /// The set of an operand that has the sets of all.
-    fn largest(&self, node: &Node) -> Option<u32> {
-        let (of, sets) = (self.of.as_slice(), self.sets.as_slice());
-        let mut largest = None;
-        let mut is_one = true;
+    fn union(&self, node: &Node) -> Vec<u64> {
+        let mut bits: Vec<u64> = vec![];
+        let mut last = None;
         node.for_each_child(|child| {
-            let other = of[child.index()];
-            match largest {
-                None => largest = Some(other),
-                Some(set) if set == other || contains(&sets[set as usize].bits, &sets[other as usize].bits) => {}
-                Some(set) if contains(&sets[other as usize].bits, &sets[set as usize].bits) => largest = Some(other),
-                Some(_) => is_one = false,
+            let set = self.of[child];
+            if last == Some(set) {
+                return;
             }
-        });
-        largest.filter(|_| is_one)
-    }
-
-    /// The union of the sets of all operands.
-    fn union(&mut self, node: &Node) -> u32 {
-        self.bits.clear();
-        let mut reads = Reads::default();
-        node.for_each_child(|child| {
-            let set = &self.sets[self.of[child.index()] as usize];
-            if self.bits.len() < set.bits.len() {
-                self.bits.resize(set.bits.len(), 0);
+            last = Some(set);
+            let others = self.sets[set as usize].as_slice();
+            if bits.len() < others.len() {
+                bits.resize(others.len(), 0);
             }
-            for (word, other) in self.bits.iter_mut().zip(&set.bits) {
+            for (word, other) in bits.iter_mut().zip(others) {
                 *word |= other;
             }
-            reads = reads.or(set.reads);
         });
-        self.number(reads)
+        bits
     }
-
-    /// The number of a set, known or not.
-    fn number(&mut self, reads: Reads) -> u32 {
-        let hash = hash::of_words(&self.bits);
-        let known = self.known.find(hash, |number| self.sets[number].bits == self.bits);
-        let number = known.unwrap_or_else(|| {
-            self.known.insert(hash, self.sets.len());
-            self.sets.push(Set { bits: self.bits.clone(), reads });
-            self.sets.len() - 1
-        });
-        number as u32
-    }
-}
-
-/// Whether all bits of others are set.
-fn contains(bits: &[u64], others: &[u64]) -> bool {
-    others.len() <= bits.len() && bits.iter().zip(others).all(|(bits, others)| others & !bits == 0)
 }

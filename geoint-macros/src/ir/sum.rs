@@ -20,8 +20,8 @@ impl Graph {
     /// meets an equal one.
     pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
         let (constant, mut terms) = self.terms(a, a != b);
-        let (c, right) = self.terms(b, self.meets(&terms, b));
-        terms.extend(right);
+        let (c, mut right) = self.terms(b, self.meets(&terms, b));
+        terms.append(&mut right);
         self.linear(constant.add(c), terms)
     }
 
@@ -59,9 +59,14 @@ impl Graph {
         let mut constant = Number::ZERO;
         let mut all = vec![];
         for id in ids {
-            let (c, terms) = self.terms(*id, false);
-            constant = constant.add(c);
-            all.extend(terms);
+            match self.node(*id) {
+                Node::Number(_) | Node::Linear(..) => {
+                    let (c, mut terms) = self.terms(*id, false);
+                    constant = constant.add(c);
+                    all.append(&mut terms);
+                }
+                _ => all.push((Number::ONE, *id)),
+            }
         }
         self.linear(constant, all)
     }
@@ -133,12 +138,12 @@ impl Graph {
 
 /// Whether terms are as those of nodes: no term twice, in order, and none with the coefficient zero.
 fn are_in_order(terms: &[(Number, Id)]) -> bool {
-    let mut last: Option<Id> = None;
+    let mut next = 0;
     for (c, id) in terms {
-        if c.is_zero() || last >= Some(*id) {
+        if c.is_zero() || id.index() < next {
             return false;
         }
-        last = Some(*id);
+        next = id.index() + 1;
     }
     true
 }
