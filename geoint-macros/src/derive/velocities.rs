@@ -33,7 +33,7 @@ pub(crate) fn velocities(
     momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
-        Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
+        Ok(Kernel::new(Levels::Iterated, equation))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
     };
@@ -91,7 +91,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     let decay = analyze::decay(graph, *lagrangian);
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::decaying(graph, given, *lagrangian);
-        let kernel = Kernel::new(Levels::Iterated, collected(graph, &equation));
+        let kernel = Kernel::new(Levels::Iterated, equation);
         let unknowns = (0..momenta.len() as u32).map(Symbol::Dv).chain([Symbol::Ds]).collect();
         Ok(StepKernel { unknowns, kernel })
     } else {

@@ -7,8 +7,25 @@ use super::{Graph, Id, Node, Number, Ratio, Table, hash};
 
 /// The same nodes with such terms collected, in every sum that they are made of.
 pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
+    collected_with(graph, roots, &[])
+}
+
+/// The same, with some nodes replaced by others: what is rebuilt is rebuilt once.
+pub(crate) fn collected_with(graph: &mut Graph, roots: &[Id], replaced: &[(Id, Id)]) -> Vec<Id> {
     let mut new: Table<Id> = Table::default();
-    for id in graph.reachable(roots) {
+    let values: Vec<Id> = replaced.iter().map(|(_, value)| *value).collect();
+    collect(graph, &values, &mut new);
+    let values: Vec<Id> = values.iter().map(|value| new[*value]).collect();
+    let mut new: Table<Id> = Table::default();
+    for ((id, _), value) in replaced.iter().zip(values) {
+        new.insert(*id, value);
+    }
+    collect(graph, roots, &mut new);
+    roots.iter().map(|root| new[*root]).collect()
+}
+
+fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
+    for id in graph.unknown_of(roots, new) {
         let mut same = true;
         graph.node(id).for_each_child(|child| same &= new[child] == child);
         let rebuilt = match graph.node(id) {
@@ -37,7 +54,6 @@ pub(crate) fn collected(graph: &mut Graph, roots: &[Id]) -> Vec<Id> {
         };
         new.insert(id, rebuilt);
     }
-    roots.iter().map(|root| new[*root]).collect()
 }
 
 /// Whether two terms may have the same factors that move: they are compared by a number that seldom is the same for others.

@@ -141,7 +141,12 @@ impl Graph {
     /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
     /// not looked at.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
-        if known.contains(root) { vec![] } else { self.walk(&[root], |id| !known.contains(id)) }
+        if known.contains(root) { vec![] } else { self.unknown_of(&[root], known) }
+    }
+
+    /// The same of several roots.
+    pub(super) fn unknown_of<T: Copy>(&self, roots: &[Id], known: &Table<T>) -> Vec<Id> {
+        self.walk(roots, |id| !known.contains(id))
     }
 
     /// Every node that the roots are built of, operands first. Where one is not to be `entered`, it and what it is
