@@ -18,8 +18,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
         // What is known earlier is added up earlier.
-        let (now, early): (Vec<_>, Vec<_>) =
-            terms.into_iter().partition(|(_, id)| self.levels.of(self.graph, *id) == Some(self.level));
+        let (mut now, mut early) = (vec![], vec![]);
+        for (c, id) in terms {
+            if self.is_now(id) { now.push((c, id)) } else { early.push((c, id)) }
+        }
         let mut summands = vec![];
         match early[..] {
             [] if constant.is_zero() => {}
@@ -63,6 +65,11 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         sum
     }
 
+    /// Whether a node is computed at this level.
+    fn is_now(&mut self, id: Id) -> bool {
+        matches!(self.levels.of(self.graph, id), Some(level) if level == self.level)
+    }
+
     /// A term as one value.
     fn single(&mut self, term: Term) -> Operand {
         let value = match term.times {
@@ -83,8 +90,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     fn summand(&mut self, c: Number, id: Id) -> Term {
         let mut factors = vec![];
         self.flat_factors(id, true, &mut factors);
-        let (now, early): (Vec<Id>, Vec<Id>) =
-            factors.into_iter().partition(|id| self.levels.of(self.graph, *id) == Some(self.level));
+        let (mut now, mut early) = (vec![], vec![]);
+        for id in factors {
+            if self.is_now(id) { now.push(id) } else { early.push(id) }
+        }
         let mut negative = false;
         let mut above = vec![];
         if early.is_empty() {
@@ -115,7 +124,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
-        let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
+        let mut numerator = None;
+        for factor in above {
+            numerator = Some(numerator.map_or(factor, |product| self.emit(Instruction::Mul(product, factor))));
+        }
         let value = match (numerator, denominator) {
             (Some(a), Some(b)) => self.emit(Instruction::Div(a, b)),
             (None, Some(b)) => self.emit(Instruction::Div(Operand::Constant(Number::ONE), b)),

@@ -93,7 +93,10 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     fn block(&mut self, roots: &[Id]) -> Block {
         let always = self.always(roots);
         self.scopes.push(Scope { always, ..Scope::default() });
-        let results = roots.iter().map(|root| self.operand(*root)).collect();
+        let mut results = vec![];
+        for root in roots {
+            results.push(self.operand(*root));
+        }
         let mut block = self.scopes.pop().map(|scope| scope.block).unwrap_or_default();
         block.results = results;
         block
@@ -104,7 +107,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let mut seen: Table<()> = Table::default();
         let mut open = roots.to_vec();
         while let Some(id) = open.pop() {
-            if self.levels.of(self.graph, id) != Some(self.level) || seen.contains(id) {
+            if seen.contains(id) || self.levels.of(self.graph, id) != Some(self.level) {
                 continue;
             }
             seen.insert(id, ());
@@ -139,8 +142,9 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             return known;
         }
         // Computed as far outside as it is needed whatever the conditions are.
-        let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(self.scopes.len() - 1);
-        let inner = self.scopes.split_off(home + 1);
+        let last = self.scopes.len() - 1;
+        let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(last);
+        let inner = if home < last { self.scopes.split_off(home + 1) } else { vec![] };
         let operand = self.compute(id);
         self.scopes[home].values.insert(id, operand);
         self.scopes.extend(inner);
@@ -152,7 +156,12 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     pub(super) fn known(&self, id: Id) -> Option<Operand> {
-        self.scopes.iter().find_map(|scope| scope.values.get(id))
+        for scope in &self.scopes {
+            if let Some(known) = scope.values.get(id) {
+                return Some(known);
+            }
+        }
+        None
     }
 
     /// The value of an instruction; equal ones are one statement.

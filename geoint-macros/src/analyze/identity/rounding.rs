@@ -9,7 +9,7 @@ use sized::{Evaluation, Sized};
 /// Values of symbols.
 pub(super) type State = Vec<(Symbol, Ratio)>;
 
-/// How symbols change together.
+/// How positions change together.
 pub(crate) type Direction = Vec<(Symbol, Ratio)>;
 
 /// What floating point shows.
@@ -73,7 +73,7 @@ pub(super) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Dire
                 let rate = direction.iter().find(|(other, _)| other == symbol).and_then(|(_, rate)| rate.mul(STEP));
                 *value = rate.and_then(|rate| value.add(rate)).unwrap_or(*value);
             }
-            let there = evaluation.sum(&[root], &moved);
+            let there = evaluation.moved(root, &moved);
             let change = Sized { value: there.value - here.value, size: there.size + here.size };
             !(change.is_finite() && change.differs())
         });

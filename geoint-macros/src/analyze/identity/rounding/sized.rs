@@ -54,6 +54,17 @@ impl<'a> Evaluation<'a> {
         &self.values
     }
 
+    /// The value of a node at another state, where all that it is built of is the same but for what reads positions.
+    pub(super) fn moved(&mut self, root: Id, state: &State) -> Sized {
+        for id in &self.order {
+            if self.graph.reads(*id).q {
+                let value = sized(self.graph, *id, &self.values, state);
+                self.values.insert(*id, value);
+            }
+        }
+        self.values[root]
+    }
+
     /// Σ terms at a state.
     pub(super) fn sum(&mut self, terms: &[Id], state: &State) -> Sized {
         let values = self.at(state);
