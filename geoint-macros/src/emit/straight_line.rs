@@ -10,14 +10,16 @@ use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::format_ident;
+use std::cell::RefCell;
 
 /// The arrays in which routines find the slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 
-/// The statements of a block, in which symbols are called as `input` says, followed by what `finish` makes of its results.
+/// The statements of a block, in which registers have names that all routines share, and symbols are called as `input` says, followed by what
+/// `finish` makes of its results.
 pub(crate) fn routine(
     block: &Block,
-    input: &dyn Fn(Symbol) -> TokenStream,
+    (registers, input): (&RefCell<Vec<Ident>>, &dyn Fn(Symbol) -> TokenStream),
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
     let mut writer = Writer {
@@ -26,11 +28,12 @@ pub(crate) fn routine(
         declared: vec![],
         given: vec![],
         words: HashMap::default(),
-        registers: vec![],
+        registers: registers.take(),
         tokens: vec![],
     };
     let results = writer.block(block);
     let declared = writer.declaration(&block.registers());
+    registers.replace(writer.registers);
     let mut tokens = declared;
     tokens.extend(writer.given);
     tokens.extend(writer.tokens);

@@ -31,10 +31,17 @@ fn collect(graph: &mut Graph, roots: &[Id], new: &mut Table<Id>) {
         let rebuilt = match graph.node(id) {
             // Conditions decide as they are written.
             Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) => id,
-            Node::Linear(_, terms) if !same || may_collect(graph, terms) => {
-                let Node::Linear(constant, terms) = graph.node(id).clone() else { continue };
-                let terms = terms.into_iter().map(|(c, term)| (c, new[term])).collect();
-                sum(graph, constant, terms)
+            Node::Linear(constant, terms) => {
+                let constant = *constant;
+                let mut rebuilt = terms.clone();
+                for (_, term) in &mut rebuilt {
+                    *term = new[*term];
+                }
+                match may_collect(graph, &rebuilt) {
+                    true => sum(graph, constant, rebuilt),
+                    false if same => id,
+                    false => graph.scaled_sum(constant, &rebuilt),
+                }
             }
             // Of powers that were merged there may be more than two factors: then they are nested, so that others meet a part of them.
             Node::Product(factors) if !same || factors.len() > 2 => {

@@ -71,6 +71,25 @@ impl Graph {
         self.linear(constant, all)
     }
 
+    /// constant + Σ coefficient·node.
+    pub(super) fn scaled_sum(&mut self, constant: Number, scaled: &[(Number, Id)]) -> Id {
+        let mut constant = constant;
+        let mut all = vec![];
+        for (c, id) in scaled {
+            match self.node(*id) {
+                Node::Number(_) | Node::Linear(..) => {
+                    let (k, terms) = self.terms(*id, false);
+                    constant = constant.add(k.mul(*c));
+                    for (k, id) in terms {
+                        all.push((k.mul(*c), id));
+                    }
+                }
+                _ => all.push((*c, *id)),
+            }
+        }
+        self.linear(constant, all)
+    }
+
     /// c·a.
     pub(crate) fn scale(&mut self, c: Number, a: Id) -> Id {
         if c.is_one() {
