@@ -27,7 +27,7 @@ pub(crate) fn routine(
         names: HashMap::default(),
         declared: vec![],
         given: vec![],
-        words: HashMap::default(),
+        words: vec![],
         registers: registers.take(),
         tokens: vec![],
     };
@@ -49,7 +49,7 @@ pub(super) struct Writer<'a> {
     declared: Vec<Ident>,
     given: Vec<TokenTree>,
     /// Names are made once.
-    words: HashMap<&'static str, Ident>,
+    words: Vec<(&'static str, Ident)>,
     registers: Vec<Ident>,
     tokens: Vec<TokenTree>,
 }
@@ -278,8 +278,15 @@ impl Writer<'_> {
     // ------------------------------------------------------------------------------------------------------ tokens
 
     pub(super) fn word(&mut self, word: &'static str) {
-        let ident = self.words.entry(word).or_insert_with(|| Ident::new(word, Span::call_site()));
-        self.tokens.push(ident.clone().into());
+        for (known, ident) in &self.words {
+            if *known == word {
+                self.tokens.push(ident.clone().into());
+                return;
+            }
+        }
+        let ident = Ident::new(word, Span::call_site());
+        self.words.push((word, ident.clone()));
+        self.tokens.push(ident.into());
     }
 
     pub(super) fn literal(&mut self, number: usize) {

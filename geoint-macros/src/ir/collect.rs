@@ -90,8 +90,8 @@ fn moving(graph: &Graph, id: Id) -> u64 {
             number
         }
         Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => moving(graph, terms[0].1),
-        Node::Power(base, exponent) => hash::of(&(*base, *exponent)).into(),
-        _ => hash::of(&(id, Ratio::ONE)).into(),
+        Node::Power(base, exponent) => hash::of_words(&[base.index() as u64, exponent.word()]).into(),
+        _ => hash::of_words(&[id.index() as u64, Ratio::ONE.word()]).into(),
     }
 }
 

@@ -32,6 +32,9 @@ impl Hasher for Fold {
     fn write_u64(&mut self, word: u64) {
         self.fold(word);
     }
+    fn write_i128(&mut self, word: i128) {
+        self.fold(word as u64 ^ (word >> 64) as u64);
+    }
     fn write_usize(&mut self, word: usize) {
         self.fold(word as u64);
     }

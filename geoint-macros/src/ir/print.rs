@@ -1,10 +1,11 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
 use super::graph::{Graph, Node};
+use super::hash::HashMap;
 use super::id::Id;
 use super::number::{Number, Ratio};
 use super::op::{Function, Relation, Symbol};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// Longer formulas are cut in messages.
 const MESSAGE_LENGTH: usize = 90;
@@ -20,6 +21,8 @@ const MOST_NODES: usize = 1000;
 pub(crate) struct Printer<'a, F> {
     graph: &'a Graph,
     name: F,
+    /// What it has named before.
+    names: RefCell<HashMap<Symbol, String>>,
     /// How many nodes may still be printed.
     left: Cell<usize>,
 }
@@ -35,7 +38,7 @@ enum Precedence {
 
 impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
     pub(crate) fn new(graph: &'a Graph, name: F) -> Self {
-        Printer { graph, name, left: Cell::new(0) }
+        Printer { graph, name, names: RefCell::default(), left: Cell::new(0) }
     }
 
     /// What is printed.
@@ -45,7 +48,7 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
 
     /// What users call a symbol.
     pub(crate) fn named(&self, symbol: Symbol) -> String {
-        (self.name)(symbol)
+        self.names.borrow_mut().entry(symbol).or_insert_with(|| (self.name)(symbol)).clone()
     }
 
     /// The whole formula, unless it is very long.
@@ -71,7 +74,7 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             Node::Number(value) => {
                 (number(*value), if value.is_negative() { Precedence::Sum } else { Precedence::Atom })
             }
-            Node::Symbol(symbol) => ((self.name)(*symbol), Precedence::Atom),
+            Node::Symbol(symbol) => (self.named(*symbol), Precedence::Atom),
             Node::Linear(constant, terms) => self.linear(*constant, terms),
             Node::Product(_) | Node::Power(..) | Node::Call(Function::RecipPositive, _) => {
                 self.fraction(Number::ONE, id)
