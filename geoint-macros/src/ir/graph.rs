@@ -86,7 +86,8 @@ pub(crate) struct Graph {
     nodes: Vec<Node>,
     reads: Vec<Reads>,
     symbols: RefCell<Symbols>,
-    signs: Vec<Sign>,
+    /// Of those of which it was asked.
+    signs: RefCell<Table<Sign>>,
     known: Known,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
@@ -116,7 +117,12 @@ impl Graph {
 
     /// What is known of the sign of a node from its form, whatever its symbols are.
     pub(crate) fn sign(&self, id: Id) -> Sign {
-        self.signs[id.index()]
+        let mut signs = self.signs.borrow_mut();
+        for id in self.unknown(id, &signs) {
+            let sign = sign(self.node(id), &self.nodes, &signs);
+            signs.insert(id, sign);
+        }
+        signs[id]
     }
 
     /// Whether a node is positive by its form.
@@ -207,7 +213,6 @@ impl Graph {
                 let number = self.nodes.len();
                 self.known.insert(hash, number);
                 self.reads.push(Reads::of_node(&node, &self.reads));
-                self.signs.push(sign(&node, &self.nodes, &self.signs));
                 self.nodes.push(node);
                 Id::from_index(number)
             }

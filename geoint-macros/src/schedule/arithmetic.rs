@@ -44,7 +44,9 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             summands.push(self.summand(c, id));
         }
         // What is there last is added last. Start with something that is there already and needs no sign.
-        summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
+        if summands.len() > 1 {
+            summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
+        }
         let start = summands
             .iter()
             .position(|term| !term.negative && term.times.is_none())

@@ -35,6 +35,15 @@ const STEP: Ratio = Ratio { numerator: 5, denominator: 8 };
 
 /// The value of Σ terms at states that look random, against the size of the terms.
 pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
+    shown_at(graph, terms, (symbols, STATES))
+}
+
+/// Whether a few states show that a node is not zero.
+pub(super) fn differs(graph: &Graph, root: Id) -> bool {
+    matches!(shown_at(graph, &[root], (&graph.symbols(root), FEW as u32)), Shown::Differs(..))
+}
+
+fn shown_at(graph: &Graph, terms: &[Id], (symbols, enough): (&[Symbol], u32)) -> Shown {
     let mut evaluation = Evaluation::new(graph, terms);
     let mut states = 0;
     for draw in 0..DRAWS {
@@ -47,7 +56,7 @@ pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
             return Shown::Differs(state, sum.value);
         }
         states += 1;
-        if states == STATES {
+        if states == enough {
             return Shown::Zero;
         }
     }
