@@ -26,8 +26,9 @@ pub(crate) fn velocities(
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let matrix = damping.map(|damping| &damping.matrix[..]);
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
-    let [stage, force] =
-        [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
+    let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
+    let mut stage = collected(graph, &[stage, force].concat());
+    let force = stage.split_off(stage.len() - momenta.len());
     let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
     let spared = Spared { damping, forces: others };
     momenta_kept.retain(|momentum| spared.momentum(graph, momentum));

@@ -113,7 +113,11 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             seen.insert(id, ());
             match self.graph.node(id) {
                 Node::Select(condition, _, _) => open.push(*condition),
-                node => node.for_each_child(|child| open.push(child)),
+                node => node.for_each_child(|child| {
+                    if !seen.contains(child) {
+                        open.push(child);
+                    }
+                }),
             }
         }
         seen
