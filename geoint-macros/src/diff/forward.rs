@@ -89,7 +89,7 @@ fn derivatives<'a>(
             let mut columns: Vec<usize> = first.iter().chain(second.iter()).map(|(column, _)| *column).collect();
             columns.sort_unstable();
             columns.dedup();
-            let select = |column| (column, graph.select(condition, side(&first, column), side(&second, column)));
+            let select = |column| (column, graph.select(condition, side(first, column), side(second, column)));
             columns.into_iter().map(select).collect()
         }
     }

@@ -67,7 +67,7 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 }
 
 /// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, then the derivatives of both. Time
-/// is that of the middle of the step.
+/// is that of the middle of the step. Terms are collected.
 pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));

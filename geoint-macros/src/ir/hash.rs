@@ -13,7 +13,7 @@ pub(crate) struct Fold(u64);
 impl Fold {
     #[inline(always)]
     fn fold(&mut self, word: u64) {
-        self.0 = ((self.0 << 5 | self.0 >> 59) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
+        self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
     }
 
     /// The half that depends on all bits.

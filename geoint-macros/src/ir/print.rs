@@ -25,6 +25,7 @@ pub(crate) struct Printer<'a, F> {
     names: RefCell<HashMap<Symbol, String>>,
     /// How many nodes may still be printed; or how many characters of names, and other nodes.
     left: Cell<usize>,
+    /// Whether names count by their characters.
     cut: Cell<bool>,
 }
 
