@@ -153,13 +153,13 @@ pub(crate) fn is_polynomial(graph: &Graph, roots: &[Id], degree: u32) -> bool {
 
 /// Whether nodes are polynomials of a degree at most in some symbols.
 pub(crate) fn is_polynomial_in(graph: &Graph, roots: &[Id], degree: u32, counts: impl Fn(Symbol) -> bool) -> bool {
-    let degrees = Degrees::of(graph, counts);
+    let degrees = Degrees::of(graph, roots, counts);
     roots.iter().all(|root| degrees.get(*root).is_some_and(|d| d <= degree))
 }
 
 /// The degree of a node as a polynomial in some symbols, if it is one.
 pub(crate) fn degree_in(graph: &Graph, root: Id, counts: impl Fn(Symbol) -> bool) -> Option<u32> {
-    Degrees::of(graph, counts).get(root)
+    Degrees::of(graph, &[root], counts).get(root)
 }
 
 /// The terms of a sum, those of sums in it included.
@@ -203,7 +203,7 @@ pub(crate) fn structure(graph: &mut Graph, energy: Id, coordinates: &Shape) -> S
         }
         Err(term) => Split::Coupled(term),
     };
-    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
     let symbols = graph.symbols(energy);
     let unread =
         |symbol: fn(u32) -> Symbol| (0..coordinates.len() as u32).filter(|i| !symbols.contains(&symbol(*i))).collect();

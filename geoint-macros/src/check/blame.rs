@@ -1,10 +1,10 @@
 //! Where a term was written.
 
 use crate::diagnostics::Diagnostics;
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
 use proc_macro2::Span;
-use std::collections::HashMap;
 
 /// Reports a term where it was written, else at `span`: it may have been put together from several that were written.
 pub(super) fn blame(

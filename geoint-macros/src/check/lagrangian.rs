@@ -4,12 +4,12 @@ use super::blame::{blame, written};
 use super::damping::flaw_of_damping;
 use crate::analyze::{Damping, Forces};
 use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::legendre::{self, Friction, Kinetic, Legendre, NoFriction};
 use crate::lower::Place;
 use crate::messages::{DOES_WORK, FORCED_ACTION, FULL_MASS, FULL_MASS_OF_ACTION, READS_ACTION, TAKES_ENERGY};
 use crate::parse::{Energy, Requirement, Role};
-use std::collections::HashMap;
 
 /// Reports a Lagrangian that has no energy here, and friction that is none.
 pub(crate) fn lagrangian(

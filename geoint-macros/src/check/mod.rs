@@ -17,6 +17,7 @@ pub(crate) use proofs::{integrals, structure};
 
 use crate::analyze::{self, Split, Structure};
 use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::messages::{
@@ -26,7 +27,6 @@ use crate::parse::{Energy, Requirement};
 use crate::split::Mechanics;
 use blame::blame;
 use damping::flaw_of_damping;
-use std::collections::HashMap;
 
 /// Reports damping that is none, and every requirement that does not hold, at the term that breaks it.
 pub(crate) fn requests(

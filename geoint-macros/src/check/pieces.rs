@@ -4,12 +4,12 @@ use super::blame::{blame, written};
 use super::wording::in_case;
 use crate::analyze::{self, Identity, Remainder};
 use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Node, Symbol, print::Printer};
 use crate::lower::Place;
 use crate::parse::Energy;
 use crate::split::{self, Division, NoExactPart, Pieces, Space};
 use proc_macro2::Span;
-use std::collections::HashMap;
 
 /// Reports pieces that were asked for and have no flow, or do not add up to H, and momenta that cannot be dropped.
 pub(crate) fn pieces(

@@ -6,10 +6,10 @@ use super::wording::{open, remains};
 use crate::analyze::{Damping, Identity, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::{Integral, Place};
 use crate::parse::Energy;
-use std::collections::HashMap;
 
 /// Reports S that is not skew, and damping that is none.
 pub(crate) fn structure(

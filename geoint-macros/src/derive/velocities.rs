@@ -26,14 +26,15 @@ pub(crate) fn velocities(
     let Legendre { lagrangian, forces, momenta, mass, shift, potential, .. } = legendre;
     let matrix = damping.map(|damping| &damping.matrix[..]);
     let given = Given { forces, momenta, mass, shift, potential: *potential, damping: matrix, others };
-    let [stage, force] =
-        [lagrangian::stage(graph, given), lagrangian::force(graph, given)].map(|roots| collected(graph, &roots));
+    let (stage, force) = (lagrangian::stage(graph, given), lagrangian::force(graph, given));
+    let mut stage = collected(graph, &[stage, force].concat());
+    let force = stage.split_off(stage.len() - momenta.len());
     let mut momenta_kept = analyze::noether(graph, legendre.lagrangian, coordinates);
     let spared = Spared { damping, forces: others };
     momenta_kept.retain(|momentum| spared.momentum(graph, momentum));
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::polarised(graph, given);
-        Ok(Kernel::new(Levels::Iterated, collected(graph, &equation)))
+        Ok(Kernel::new(Levels::Iterated, equation))
     } else {
         Err(Missing { marker: "Polarised", term: long, why: NOT_POLARISED, pair: None })
     };
@@ -91,7 +92,7 @@ pub(crate) fn herglotz(graph: &mut Graph, legendre: &Legendre, long: Id) -> Syst
     let decay = analyze::decay(graph, *lagrangian);
     let polarised = if is_quadratic(legendre) {
         let equation = lagrangian::decaying(graph, given, *lagrangian);
-        let kernel = Kernel::new(Levels::Iterated, collected(graph, &equation));
+        let kernel = Kernel::new(Levels::Iterated, equation);
         let unknowns = (0..momenta.len() as u32).map(Symbol::Dv).chain([Symbol::Ds]).collect();
         Ok(StepKernel { unknowns, kernel })
     } else {

@@ -31,7 +31,7 @@ fn forward(
     let mut all: Vec<Row> = vec![];
     for root in roots {
         for id in graph.unknown(*root, &rows) {
-            let of = |id: Id| all[rows[id]].clone();
+            let of = |id: Id| &all[rows[id]];
             let row = derivatives(graph, id, seed, of);
             rows.insert(id, all.len());
             all.push(row);
@@ -47,16 +47,18 @@ fn forward(
 }
 
 /// The row of a node from the rows of its operands.
-fn derivatives(
+fn derivatives<'a>(
     graph: &mut Graph,
     id: Id,
     seed: &impl Fn(Symbol) -> Option<(usize, Id)>,
-    of: impl Fn(Id) -> Row,
+    of: impl Fn(Id) -> &'a Row,
 ) -> Row {
     if let Node::Symbol(symbol) = graph.node(id) {
         return seed(*symbol).filter(|(_, change)| !graph.is_zero(*change)).into_iter().collect();
     }
-    if graph.node(id).children().iter().all(|operand| of(*operand).is_empty()) {
+    let mut constant = true;
+    graph.node(id).for_each_child(|operand| constant &= of(operand).is_empty());
+    if constant {
         return Rc::new([]);
     }
     match derivative(graph, id) {
@@ -68,11 +70,17 @@ fn derivatives(
                 }
             }
             parts.sort_by_key(|(column, _)| *column);
-            let summed = parts.chunk_by(|a, b| a.0 == b.0).map(|chunk| match chunk {
-                [single] => *single,
-                _ => (chunk[0].0, graph.sum(&chunk.iter().map(|(_, part)| *part).collect::<Vec<_>>())),
-            });
-            summed.collect::<Vec<_>>().into_iter().filter(|(_, id)| !graph.is_zero(*id)).collect()
+            let mut row: Vec<(usize, Id)> = vec![];
+            for chunk in parts.chunk_by(|a, b| a.0 == b.0) {
+                let sum = match chunk {
+                    [(_, part)] => *part,
+                    _ => graph.sum(&chunk.iter().map(|(_, part)| *part).collect::<Vec<_>>()),
+                };
+                if !graph.is_zero(sum) {
+                    row.push((chunk[0].0, sum));
+                }
+            }
+            row.into()
         }
         Derivative::Branch(condition, first, second) => {
             let (first, second) = (of(first), of(second));
@@ -81,7 +89,7 @@ fn derivatives(
             let mut columns: Vec<usize> = first.iter().chain(second.iter()).map(|(column, _)| *column).collect();
             columns.sort_unstable();
             columns.dedup();
-            let select = |column| (column, graph.select(condition, side(&first, column), side(&second, column)));
+            let select = |column| (column, graph.select(condition, side(first, column), side(second, column)));
             columns.into_iter().map(select).collect()
         }
     }

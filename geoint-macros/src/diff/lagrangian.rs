@@ -7,6 +7,7 @@ use super::field::{middle, taking};
 use super::forward::jacobian;
 use super::gradient::discrete_gradient;
 use crate::analyze::Forces;
+use crate::ir::collect::collected_with;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Graph, Id, Number, Symbol};
 pub(crate) use action::{action_force, action_stage, decaying};
@@ -66,7 +67,7 @@ pub(crate) fn stage(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
 }
 
 /// The polarised discrete gradient with d = v₁ − v₀ for its unknown: M(q₁)v₁ + a(q₁) − p₁ and p₁ − p₀, then the derivatives of both. Time
-/// is that of the middle of the step.
+/// is that of the middle of the step. Terms are collected.
 pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     let degrees = given.momenta.len() as u32;
     let [h, t] = [Symbol::H, Symbol::T].map(|symbol| graph.symbol(symbol));
@@ -113,7 +114,8 @@ pub(crate) fn polarised(graph: &mut Graph, given: Given<'_>) -> Vec<Id> {
     }
     let matrix: Vec<Id> = by_d.iter().zip(&impulse_by_d).map(|(a, b)| graph.sub(*a, *b)).collect();
     let roots = [residual, impulse, matrix, impulse_by_d].concat();
-    ends::by_slopes(graph, &roots, &given.read(), &increments)
+    let ends = ends::by_slopes(graph, &given.read(), &increments);
+    collected_with(graph, &roots, &ends)
 }
 
 /// M v + a at a place.

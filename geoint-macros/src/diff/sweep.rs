@@ -1,7 +1,7 @@
 //! The reverse sweep, for derivatives and for divided differences: only the rules differ.
 
 use super::rules::{Derivative, derivative};
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Node, Symbol, Table};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The derivative with respect to each symbol of phase space that the root reads.
@@ -30,17 +30,27 @@ pub(super) fn gradient(graph: &mut Graph, root: Id) -> Entries {
 /// Sweeps from `root` to the coordinates.
 pub(super) fn reverse(graph: &mut Graph, root: Id, step: &mut impl FnMut(&mut Graph, Id) -> Step) -> Entries {
     let order = graph.reachable(&[root]);
-    let mut active = vec![false; graph.len()];
+    // Where the contributions to the adjoint of a node are, if it reads a coordinate.
+    let mut active: Table<usize> = Table::default();
+    let mut adjoints: Vec<Vec<Id>> = vec![];
     for id in &order {
-        active[id.index()] = match graph.node(*id) {
-            Node::Symbol(symbol) => symbol.is_coordinate(),
-            node => node.children().iter().any(|child| active[child.index()]),
-        };
+        let mut reads = matches!(graph.node(*id), Node::Symbol(symbol) if symbol.is_coordinate());
+        graph.node(*id).for_each_child(|child| reads |= active.contains(child));
+        if reads {
+            active.insert(*id, adjoints.len());
+            adjoints.push(vec![]);
+        }
     }
-    let mut adjoints: BTreeMap<Id, Vec<Id>> = BTreeMap::from([(root, vec![graph.integer(1)])]);
+    if let Some(place) = active.get(root) {
+        adjoints[place].push(graph.integer(1));
+    }
     let mut entries: BTreeMap<Symbol, Vec<Id>> = BTreeMap::new();
-    for id in order.into_iter().rev().filter(|id| active[id.index()]) {
-        let Some(contributions) = adjoints.remove(&id) else { continue };
+    for id in order.into_iter().rev() {
+        let Some(place) = active.get(id) else { continue };
+        let contributions = std::mem::take(&mut adjoints[place]);
+        if contributions.is_empty() {
+            continue;
+        }
         let adjoint = graph.sum(&contributions);
         if let Node::Symbol(symbol) = graph.node(id) {
             entries.entry(*symbol).or_default().push(adjoint);
@@ -49,8 +59,8 @@ pub(super) fn reverse(graph: &mut Graph, root: Id, step: &mut impl FnMut(&mut Gr
         match step(graph, id) {
             Step::Operands(partials) => {
                 for (operand, partial) in partials {
-                    if active[operand.index()] {
-                        adjoints.entry(operand).or_default().push(graph.mul(adjoint, partial));
+                    if let Some(place) = active.get(operand) {
+                        adjoints[place].push(graph.mul(adjoint, partial));
                     }
                 }
             }

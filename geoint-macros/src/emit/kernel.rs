@@ -5,14 +5,17 @@ use crate::ir::Symbol;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
 use crate::schedule::{Block, Operand, Plan};
-use proc_macro2::{Delimiter, Group, Literal, Punct, Spacing, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, TokenStream, TokenTree};
 use quote::{ToTokens, format_ident, quote};
+use std::cell::RefCell;
 
 /// How kernels of one energy name things.
 pub(crate) struct Context<'a> {
     pub(super) energy: &'a Energy,
     /// Constants that live outside the function.
     constants: &'a [TokenStream],
+    /// What registers are called in all routines.
+    pub(super) registers: RefCell<Vec<Ident>>,
 }
 
 /// `base[i][j]…`
@@ -38,7 +41,7 @@ pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -
 
 impl<'a> Context<'a> {
     pub(crate) fn new(energy: &'a Energy, constants: &'a [TokenStream]) -> Self {
-        Context { energy, constants }
+        Context { energy, constants, registers: RefCell::default() }
     }
 
     /// The indices of the `i`-th coordinate in its array.
@@ -257,6 +260,17 @@ impl<'a> Context<'a> {
         (unknowns, array): (&[Symbol], &str),
         finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
     ) -> TokenStream {
-        straight_line::routine(block, &|symbol| self.input_or_unknown(unknowns, array, symbol), finish)
+        let input = |symbol| self.input_or_unknown(unknowns, array, symbol);
+        straight_line::routine(block, (&self.registers, &input), finish)
+    }
+
+    /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.
+    pub(super) fn body(
+        &self,
+        block: &Block,
+        unknowns: (&[Symbol], &str),
+        finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    ) -> TokenTree {
+        Group::new(Delimiter::Brace, self.planned(block, unknowns, finish)).into()
     }
 }

@@ -10,14 +10,16 @@ use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
 use quote::format_ident;
+use std::cell::RefCell;
 
 /// The arrays in which routines find the slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 
-/// The statements of a block, in which symbols are called as `input` says, followed by what `finish` makes of its results.
+/// The statements of a block, in which registers have names that all routines share, and symbols are called as `input` says, followed by what
+/// `finish` makes of its results.
 pub(crate) fn routine(
     block: &Block,
-    input: &dyn Fn(Symbol) -> TokenStream,
+    (registers, input): (&RefCell<Vec<Ident>>, &dyn Fn(Symbol) -> TokenStream),
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
     let mut writer = Writer {
@@ -25,13 +27,16 @@ pub(crate) fn routine(
         names: HashMap::default(),
         declared: vec![],
         given: vec![],
-        words: HashMap::default(),
-        registers: vec![],
+        words: vec![],
+        registers: registers.take(),
         tokens: vec![],
     };
     let results = writer.block(block);
     let declared = writer.declaration(&block.registers());
-    let mut tokens: TokenStream = declared.into_iter().chain(writer.given).chain(writer.tokens).collect();
+    registers.replace(writer.registers);
+    let mut tokens = declared;
+    tokens.extend(writer.given);
+    tokens.extend(writer.tokens);
     tokens.extend(finish(results));
     tokens
 }
@@ -44,7 +49,7 @@ pub(super) struct Writer<'a> {
     declared: Vec<Ident>,
     given: Vec<TokenTree>,
     /// Names are made once.
-    words: HashMap<&'static str, Ident>,
+    words: Vec<(&'static str, Ident)>,
     registers: Vec<Ident>,
     tokens: Vec<TokenTree>,
 }
@@ -204,16 +209,17 @@ impl Writer<'_> {
             Operand::Input(Symbol::H) => self.word("h"),
             Operand::Input(Symbol::G) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
-                if !self.names.contains_key(operand) {
-                    self.give(*operand);
-                }
-                self.tokens.push(self.names[operand].clone().into());
+                let name = match self.names.get(operand) {
+                    Some(name) => name.clone(),
+                    None => self.give(*operand),
+                };
+                self.tokens.push(name.into());
             }
         }
     }
 
     /// Names something that the routine is given: `name = value;` before all statements.
-    fn give(&mut self, operand: Operand) {
+    fn give(&mut self, operand: Operand) -> Ident {
         let name = match operand {
             Operand::Input(Symbol::Q(i)) => format_ident!("q{i}"),
             Operand::Input(Symbol::P(i)) => format_ident!("p{i}"),
@@ -229,7 +235,7 @@ impl Writer<'_> {
         self.names.insert(operand, name.clone());
         self.declared.push(name.clone());
         let outside = std::mem::take(&mut self.tokens);
-        self.tokens.push(name.into());
+        self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
             Operand::Input(symbol) => self.tokens.extend((self.input)(symbol)),
@@ -242,7 +248,8 @@ impl Writer<'_> {
             Operand::Truth(_) | Operand::Register(_) => {}
         }
         self.punct(";");
-        self.given.extend(std::mem::replace(&mut self.tokens, outside));
+        self.given.append(&mut std::mem::replace(&mut self.tokens, outside));
+        name
     }
 
     /// A constant of the scalar type.
@@ -271,8 +278,15 @@ impl Writer<'_> {
     // ------------------------------------------------------------------------------------------------------ tokens
 
     pub(super) fn word(&mut self, word: &'static str) {
-        let ident = self.words.entry(word).or_insert_with(|| Ident::new(word, Span::call_site()));
-        self.tokens.push(ident.clone().into());
+        for (known, ident) in &self.words {
+            if *known == word {
+                self.tokens.push(ident.clone().into());
+                return;
+            }
+        }
+        let ident = Ident::new(word, Span::call_site());
+        self.words.push((word, ident.clone()));
+        self.tokens.push(ident.into());
     }
 
     pub(super) fn literal(&mut self, number: usize) {
@@ -281,17 +295,18 @@ impl Writer<'_> {
 
     pub(super) fn register(&mut self, register: Register) {
         while self.registers.len() <= register {
-            self.registers.push(format_ident!("v{}", self.registers.len(), span = Span::mixed_site()));
+            self.registers.push(Ident::new(&format!("v{}", self.registers.len()), Span::mixed_site()));
         }
-        self.tokens.push(self.registers[register].clone().into());
+        self.tokens.push(self.registers.as_slice()[register].clone().into());
     }
 
+    /// One or two characters.
     pub(super) fn punct(&mut self, punct: &str) {
-        let mut rest = punct.chars().peekable();
-        while let Some(c) = rest.next() {
-            let spacing = if rest.peek().is_some() { Spacing::Joint } else { Spacing::Alone };
-            self.tokens.push(Punct::new(c, spacing).into());
+        let (last, first) = punct.as_bytes().split_last().unwrap_or((&b' ', &[]));
+        for c in first {
+            self.tokens.push(Punct::new(*c as char, Spacing::Joint).into());
         }
+        self.tokens.push(Punct::new(*last as char, Spacing::Alone).into());
     }
 
     /// `(a, b,)` or `[a, b,]`.

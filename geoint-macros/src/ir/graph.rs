@@ -4,8 +4,9 @@
 //! once, and emitted once. Constructors fold constants, zeros, ones and signs, and merge equal terms and powers. They
 //! never expand a product: how the user factored an expression is numerically meaningful.
 
+use super::hash;
 use super::id::Id;
-use super::known::{self, Known};
+use super::known::Known;
 use super::number::Number;
 use super::number::Ratio;
 use super::op::{Domain, Function, Relation, Symbol};
@@ -16,7 +17,7 @@ use std::cell::RefCell;
 
 /// An expression in terms of smaller ones. A sum or product over an index that stays a loop would be one more kind of
 /// node, with a graph of its own as its body.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Node {
     Number(Number),
     Symbol(Symbol),
@@ -41,11 +42,26 @@ impl Node {
     pub(crate) fn for_each_child(&self, mut visit: impl FnMut(Id)) {
         match self {
             Node::Number(_) | Node::Symbol(_) | Node::Truth(_) => {}
-            Node::Linear(_, terms) => terms.iter().for_each(|(_, id)| visit(*id)),
-            Node::Product(ids) | Node::Call(_, ids) => ids.iter().for_each(|id| visit(*id)),
+            Node::Linear(_, terms) => {
+                for (_, id) in terms {
+                    visit(*id);
+                }
+            }
+            Node::Product(ids) | Node::Call(_, ids) => {
+                for id in ids {
+                    visit(*id);
+                }
+            }
             Node::Power(id, _) | Node::Not(id) => visit(*id),
-            Node::Select(c, a, b) => [*c, *a, *b].into_iter().for_each(visit),
-            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => [*a, *b].into_iter().for_each(visit),
+            Node::Select(condition, first, second) => {
+                visit(*condition);
+                visit(*first);
+                visit(*second);
+            }
+            Node::Compare(_, a, b) | Node::And(a, b) | Node::Or(a, b) => {
+                visit(*a);
+                visit(*b);
+            }
         }
     }
 
@@ -68,33 +84,45 @@ pub(crate) struct Partial {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Graph {
     nodes: Vec<Node>,
-    symbols: Symbols,
-    signs: Vec<Sign>,
+    reads: Vec<Reads>,
+    symbols: RefCell<Symbols>,
+    /// Of those of which it was asked.
+    signs: RefCell<Table<Sign>>,
     known: Known,
     /// While a body is lowered, the nodes that were asked for and are not defined everywhere, known before or not.
     partial: Option<Vec<Id>>,
-    /// Scratch space of traversals: the number of the traversal that saw a node last.
-    seen: RefCell<(u32, Vec<u32>)>,
+    /// Scratch space of traversals: a bit for each node, none of them set between traversals.
+    seen: RefCell<Vec<u64>>,
 }
 
 impl Graph {
+    #[inline(always)]
     pub(crate) fn node(&self, id: Id) -> &Node {
-        &self.nodes[id.index()]
+        &self.nodes.as_slice()[id.index()]
     }
 
     /// What a node reads of phase space.
     pub(crate) fn reads(&self, id: Id) -> Reads {
-        self.symbols.reads(id)
+        self.reads.as_slice()[id.index()]
     }
 
     /// The symbols that a node reads, in order.
     pub(crate) fn symbols(&self, id: Id) -> Vec<Symbol> {
-        self.symbols.of(id)
+        let mut symbols = self.symbols.borrow_mut();
+        for id in self.unknown(id, &symbols.of) {
+            symbols.note(id, self.node(id));
+        }
+        symbols.of(id)
     }
 
     /// What is known of the sign of a node from its form, whatever its symbols are.
     pub(crate) fn sign(&self, id: Id) -> Sign {
-        self.signs[id.index()]
+        let mut signs = self.signs.borrow_mut();
+        for id in self.unknown(id, &signs) {
+            let sign = sign(self.node(id), &self.nodes, &signs);
+            signs.insert(id, sign);
+        }
+        signs[id]
     }
 
     /// Whether a node is positive by its form.
@@ -106,49 +134,64 @@ impl Graph {
         self.nodes.len()
     }
 
-    /// Every node, operands first.
-    pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + use<> {
-        self.ids_from(0)
-    }
-
-    /// The same without the first ones.
+    /// Every node but the first ones, operands first.
     pub(crate) fn ids_from(&self, known: usize) -> impl Iterator<Item = Id> + use<> {
         (known..self.nodes.len()).map(Id::from_index)
     }
 
     /// Every node that the roots are built of, operands first.
     pub(crate) fn reachable(&self, roots: &[Id]) -> Vec<Id> {
-        self.walk(roots.to_vec(), |_| true)
+        self.walk(roots, |_| true)
     }
 
     /// Every node that `root` is built of and that is not `known` yet, operands first. What known nodes are built of is
     /// not looked at.
     pub(crate) fn unknown<T: Copy>(&self, root: Id, known: &Table<T>) -> Vec<Id> {
-        self.walk(vec![root], |id| !known.contains(id))
+        if known.contains(root) { vec![] } else { self.unknown_of(&[root], known) }
     }
 
-    /// Every node that the `open` ones are built of, operands first. Where one is not to be `entered`, it and what it is
+    /// The same of several roots.
+    pub(super) fn unknown_of<T: Copy>(&self, roots: &[Id], known: &Table<T>) -> Vec<Id> {
+        self.walk(roots, |id| !known.contains(id))
+    }
+
+    /// Every node that the roots are built of, operands first. Where one is not to be `entered`, it and what it is
     /// built of are left out.
-    fn walk(&self, mut open: Vec<Id>, entered: impl Fn(Id) -> bool) -> Vec<Id> {
+    fn walk(&self, roots: &[Id], entered: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut scratch = self.seen.borrow_mut();
-        let (traversal, seen) = &mut *scratch;
-        *traversal += 1;
-        seen.resize(self.nodes.len(), 0);
-        let mut found = vec![];
-        let (mut first, mut last) = (usize::MAX, 0);
-        while let Some(id) = open.pop() {
-            if seen[id.index()] != *traversal && entered(id) {
-                seen[id.index()] = *traversal;
-                (first, last) = (first.min(id.index()), last.max(id.index()));
+        let words = self.nodes.len() / 64 + 1;
+        if scratch.len() < words {
+            *scratch = vec![0; 2 * words];
+        }
+        let seen = scratch.as_mut_slice();
+        let mut found: Vec<Id> = vec![];
+        let (mut first, mut last) = (words, 0);
+        let mut enter = |id: Id, found: &mut Vec<Id>| {
+            let (word, bit) = (id.index() / 64, 1 << (id.index() % 64));
+            if seen[word] & bit == 0 && entered(id) {
+                seen[word] |= bit;
+                first = if word < first { word } else { first };
+                last = if word > last { word } else { last };
                 found.push(id);
-                self.node(id).for_each_child(|child| open.push(child));
+            }
+        };
+        for root in roots {
+            enter(*root, &mut found);
+        }
+        let mut open = 0;
+        while open < found.len() {
+            let id = found.as_slice()[open];
+            self.node(id).for_each_child(|child| enter(child, &mut found));
+            open += 1;
+        }
+        // What a node is built of has smaller numbers.
+        found.clear();
+        for word in first..=last {
+            while seen[word] > 0 {
+                found.push(Id::from_index(64 * word + seen[word].trailing_zeros() as usize));
+                seen[word] &= seen[word] - 1;
             }
         }
-        // What a node is built of has smaller numbers. Where most in between are found, to look at all of them is cheaper than to sort.
-        if last.saturating_sub(first) < 8 * found.len() {
-            return (first..=last).filter(|i| seen[*i] == *traversal).map(Id::from_index).collect();
-        }
-        found.sort_unstable();
         found
     }
 
@@ -163,15 +206,17 @@ impl Graph {
     }
 
     pub(super) fn intern(&mut self, node: Node) -> Id {
-        let hash = known::hash(&node);
-        let id = self.known.find(hash, |id| *self.node(id) == node).unwrap_or_else(|| {
-            let next = Id::from_index(self.nodes.len());
-            self.known.insert(hash, next);
-            self.symbols.push(&node);
-            self.signs.push(sign(&node, &self.nodes, &self.signs));
-            self.nodes.push(node);
-            next
-        });
+        let hash = hash::of_node(&node);
+        let id = match self.known.find(hash, |number| self.nodes.as_slice()[number] == node) {
+            Some(number) => Id::from_index(number),
+            None => {
+                let number = self.nodes.len();
+                self.known.insert(hash, number);
+                self.reads.push(Reads::of_node(&node, &self.reads));
+                self.nodes.push(node);
+                Id::from_index(number)
+            }
+        };
         if self.partial.is_some() && self.is_partial(id) {
             self.partial.get_or_insert_default().push(id);
         }

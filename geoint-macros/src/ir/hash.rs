@@ -1,6 +1,7 @@
 //! A hasher for interning: short keys, no adversary, and an unoptimised build, in which std's costs more than the rest.
 
-use std::hash::{BuildHasherDefault, Hasher};
+use super::graph::Node;
+use std::hash::{BuildHasherDefault, Hash, Hasher};
 
 /// A hash map with [`Fold`].
 pub(crate) type HashMap<K, V> = std::collections::HashMap<K, V, BuildHasherDefault<Fold>>;
@@ -10,8 +11,14 @@ pub(crate) type HashMap<K, V> = std::collections::HashMap<K, V, BuildHasherDefau
 pub(crate) struct Fold(u64);
 
 impl Fold {
+    #[inline(always)]
     fn fold(&mut self, word: u64) {
         self.0 = (self.0.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95);
+    }
+
+    /// The half that depends on all bits.
+    fn upper(self) -> u32 {
+        (self.0 >> 32) as u32
     }
 }
 
@@ -26,11 +33,7 @@ impl Hasher for Fold {
         self.fold(word);
     }
     fn write_i128(&mut self, word: i128) {
-        self.fold(word as u64);
-        // Most numbers are short.
-        if i64::try_from(word).is_err() {
-            self.fold((word >> 64) as u64);
-        }
+        self.fold(word as u64 ^ (word >> 64) as u64);
     }
     fn write_usize(&mut self, word: usize) {
         self.fold(word as u64);
@@ -41,4 +44,48 @@ impl Hasher for Fold {
     fn finish(&self) -> u64 {
         self.0
     }
+}
+
+/// The hash of anything.
+pub(crate) fn of(thing: &impl Hash) -> u32 {
+    let mut fold = Fold::default();
+    thing.hash(&mut fold);
+    fold.upper()
+}
+
+/// The hash of some words.
+pub(super) fn of_words(words: &[u64]) -> u32 {
+    let mut fold = Fold::default();
+    for word in words {
+        fold.fold(*word);
+    }
+    fold.upper()
+}
+
+/// The hash of a node.
+pub(super) fn of_node(node: &Node) -> u32 {
+    let mut fold = Fold::default();
+    match node {
+        Node::Number(value) => fold.fold(value.word()),
+        Node::Symbol(symbol) => symbol.hash(&mut fold),
+        Node::Linear(constant, terms) => {
+            fold.fold(constant.word());
+            for (c, id) in terms {
+                fold.fold(c.word());
+                fold.fold(id.index() as u64);
+            }
+        }
+        Node::Power(base, exponent) => {
+            fold.fold(exponent.word());
+            fold.fold(base.index() as u64);
+        }
+        Node::Call(function, _) => fold.fold(*function as u64),
+        Node::Compare(relation, ..) => fold.fold(*relation as u64),
+        Node::Truth(value) => fold.fold(u64::from(*value)),
+        Node::Product(_) | Node::Select(..) | Node::And(..) | Node::Or(..) | Node::Not(_) => {}
+    }
+    if !matches!(node, Node::Linear(..) | Node::Power(..)) {
+        node.for_each_child(|id| fold.fold(id.index() as u64));
+    }
+    fold.upper()
 }

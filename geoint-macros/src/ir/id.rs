@@ -5,10 +5,12 @@
 pub(crate) struct Id(u32);
 
 impl Id {
+    #[inline(always)]
     pub(crate) fn index(self) -> usize {
         self.0 as usize
     }
 
+    #[inline(always)]
     pub(super) fn from_index(index: usize) -> Id {
         Id(index as u32)
     }

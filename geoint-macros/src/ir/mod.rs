@@ -3,7 +3,7 @@
 mod call;
 pub(crate) mod graph;
 pub(crate) mod collect;
-mod hash;
+pub(crate) mod hash;
 mod id;
 mod known;
 pub(crate) mod number;
@@ -20,6 +20,7 @@ mod table;
 pub(crate) use graph::{Graph, Node, Partial};
 pub(crate) use hash::HashMap;
 pub(crate) use id::Id;
+pub(crate) use known::Known;
 pub(crate) use number::Ratio;
 pub(crate) use number::{Number, factors_of_radicand};
 pub(crate) use of_steps::of_steps;

@@ -1,16 +1,17 @@
 //! Nodes as formulas: for messages, documentation and snapshots.
 
 use super::graph::{Graph, Node};
+use super::hash::HashMap;
 use super::id::Id;
 use super::number::{Number, Ratio};
 use super::op::{Function, Relation, Symbol};
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
 /// Longer formulas are cut in messages.
 const MESSAGE_LENGTH: usize = 90;
 
-/// More nodes than a message has room for are not printed: most have a character of their own.
-const NODES_OF_MESSAGE: usize = 3 * MESSAGE_LENGTH;
+/// More than a message has room for is not printed: most nodes have a character of their own, symbols their names.
+const SIZE_OF_MESSAGE: usize = 4 * MESSAGE_LENGTH;
 
 /// Of a longer formula only the beginning is printed: shared nodes are printed again wherever they are read, and a formula can
 /// be exponentially longer than its graph.
@@ -20,8 +21,12 @@ const MOST_NODES: usize = 1000;
 pub(crate) struct Printer<'a, F> {
     graph: &'a Graph,
     name: F,
-    /// How many nodes may still be printed.
+    /// What it has named before.
+    names: RefCell<HashMap<Symbol, String>>,
+    /// How many nodes may still be printed; or how many characters of names, and other nodes.
     left: Cell<usize>,
+    /// Whether names count by their characters.
+    cut: Cell<bool>,
 }
 
 /// How tightly an operand must hold together.
@@ -35,7 +40,7 @@ enum Precedence {
 
 impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
     pub(crate) fn new(graph: &'a Graph, name: F) -> Self {
-        Printer { graph, name, left: Cell::new(0) }
+        Printer { graph, name, names: RefCell::default(), left: Cell::new(0), cut: Cell::new(false) }
     }
 
     /// What is printed.
@@ -45,18 +50,20 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
 
     /// What users call a symbol.
     pub(crate) fn named(&self, symbol: Symbol) -> String {
-        (self.name)(symbol)
+        self.names.borrow_mut().entry(symbol).or_insert_with(|| (self.name)(symbol)).clone()
     }
 
     /// The whole formula, unless it is very long.
     pub(crate) fn formula(&self, id: Id) -> String {
         self.left.set(MOST_NODES);
+        self.cut.set(false);
         self.print(id, Precedence::Sum)
     }
 
     /// The formula, cut if it would not fit into a message.
     pub(crate) fn excerpt(&self, id: Id) -> String {
-        self.left.set(NODES_OF_MESSAGE);
+        self.left.set(SIZE_OF_MESSAGE);
+        self.cut.set(true);
         let formula = self.print(id, Precedence::Sum);
         if formula.chars().count() <= MESSAGE_LENGTH {
             return formula;
@@ -71,7 +78,13 @@ impl<'a, F: Fn(Symbol) -> String> Printer<'a, F> {
             Node::Number(value) => {
                 (number(*value), if value.is_negative() { Precedence::Sum } else { Precedence::Atom })
             }
-            Node::Symbol(symbol) => ((self.name)(*symbol), Precedence::Atom),
+            Node::Symbol(symbol) => {
+                let name = self.named(*symbol);
+                if self.cut.get() {
+                    self.left.set(left.saturating_sub(name.len()));
+                }
+                (name, Precedence::Atom)
+            }
             Node::Linear(constant, terms) => self.linear(*constant, terms),
             Node::Product(_) | Node::Power(..) | Node::Call(Function::RecipPositive, _) => {
                 self.fraction(Number::ONE, id)

@@ -16,26 +16,86 @@ impl Graph {
 
     /// Bases and exponents of a product, however nested.
     pub(crate) fn factors(&self, id: Id) -> Vec<(Id, Ratio)> {
-        let (mut factors, mut open) = (vec![], vec![id]);
-        while let Some(id) = open.pop() {
-            match self.node(id) {
-                Node::Product(ids) => open.extend(ids),
-                Node::Power(base, exponent) => factors.push((*base, *exponent)),
-                _ => factors.push((id, Ratio::ONE)),
+        let mut factors = vec![];
+        self.push_factors(id, &mut factors);
+        factors
+    }
+
+    fn push_factors(&self, id: Id, factors: &mut Vec<(Id, Ratio)>) {
+        match self.node(id) {
+            Node::Product(ids) => {
+                for id in ids.iter().rev() {
+                    self.push_factors(*id, factors);
+                }
+            }
+            Node::Power(base, exponent) => factors.push((*base, *exponent)),
+            _ => factors.push((id, Ratio::ONE)),
+        }
+    }
+
+    /// Whether a node, or something that it is a product or power of, is one of others.
+    fn is_made_of(&self, id: Id, others: &[Id]) -> bool {
+        for other in others {
+            if *other == id {
+                return true;
             }
         }
-        factors
+        match self.node(id) {
+            Node::Product(ids) => {
+                for id in ids {
+                    if self.is_made_of(*id, others) {
+                        return true;
+                    }
+                }
+                false
+            }
+            Node::Power(base, _) => others.contains(base),
+            _ => false,
+        }
+    }
+
+    /// Whether two nodes may have a base in common.
+    fn may_meet(&self, a: Id, b: Id) -> bool {
+        match self.node(a) {
+            Node::Product(_) => {
+                let mut bases = vec![a];
+                self.push_bases(a, &mut bases);
+                self.is_made_of(b, &bases)
+            }
+            Node::Power(base, _) => self.is_made_of(b, &[a, *base]),
+            _ => self.is_made_of(b, &[a]),
+        }
+    }
+
+    fn push_bases(&self, id: Id, bases: &mut Vec<Id>) {
+        match self.node(id) {
+            Node::Product(ids) => {
+                for id in ids {
+                    self.push_bases(*id, bases);
+                }
+            }
+            Node::Power(base, _) => bases.push(*base),
+            _ => bases.push(id),
+        }
     }
 
     /// a·b. Stays nested as it was written (a product that others use as well is computed once), unless some base
     /// meets an equal one: then powers are merged.
     pub(crate) fn mul(&mut self, a: Id, b: Id) -> Id {
-        match (self.as_number(a), self.as_number(b)) {
-            (Some(c), _) => return self.scale(c, b),
-            (_, Some(c)) => return self.scale(c, a),
-            _ => {}
+        if let Node::Number(c) = *self.node(a) {
+            return self.scale(c, b);
+        }
+        if let Node::Number(c) = *self.node(b) {
+            return self.scale(c, a);
         }
         let ((ca, a), (cb, b)) = (self.coefficient(a), self.coefficient(b));
+        let merged = if self.may_meet(a, b) { self.met(a, b) } else { None };
+        let product = merged.unwrap_or_else(|| self.intern(Node::Product(if a < b { vec![a, b] } else { vec![b, a] })));
+        self.scale(ca.mul(cb), product)
+    }
+
+    /// a·b with merged powers, if some base meets an equal one.
+    fn met(&mut self, a: Id, b: Id) -> Option<Id> {
         let (mut left, mut right) = (self.factors(a), self.factors(b));
         // A product that is the base of the other side's power meets it as a whole.
         if right.iter().any(|(base, _)| *base == a) {
@@ -45,14 +105,7 @@ impl Graph {
             right = vec![(b, Ratio::ONE)];
         }
         let meets = right.iter().any(|(base, _)| left.iter().any(|(other, _)| other == base));
-        let product = if meets {
-            self.merged(left.into_iter().chain(right).collect())
-        } else {
-            let mut pair = vec![a, b];
-            pair.sort();
-            self.intern(Node::Product(pair))
-        };
-        self.scale(ca.mul(cb), product)
+        meets.then(|| self.merged(left.into_iter().chain(right).collect()))
     }
 
     fn merged(&mut self, mut factors: Vec<(Id, Ratio)>) -> Id {
@@ -89,8 +142,12 @@ impl Graph {
     }
 
     pub(crate) fn product(&mut self, ids: &[Id]) -> Id {
-        let product = ids.iter().copied().reduce(|product, id| self.mul(product, id));
-        product.unwrap_or_else(|| self.integer(1))
+        let [first, rest @ ..] = ids else { return self.integer(1) };
+        let mut product = *first;
+        for id in rest {
+            product = self.mul(product, *id);
+        }
+        product
     }
 
     pub(crate) fn recip(&mut self, a: Id) -> Id {

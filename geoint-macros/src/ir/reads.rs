@@ -1,8 +1,11 @@
 //! Which symbols a node reads.
 
 use super::graph::Node;
+use super::hash;
 use super::id::Id;
+use super::known::Known;
 use super::op::Symbol;
+use super::table::Table;
 
 /// What a node reads of phase space.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,6 +26,16 @@ impl Reads {
     /// Whether the value changes along a motion.
     pub(crate) fn moves(self) -> bool {
         self.state() || self.t
+    }
+
+    /// What a node reads, from what operands do.
+    pub(super) fn of_node(node: &Node, operands: &[Reads]) -> Reads {
+        if let Node::Symbol(symbol) = node {
+            return Reads::of(*symbol);
+        }
+        let mut reads = Reads::default();
+        node.for_each_child(|child| reads = reads.or(operands[child.index()]));
+        reads
     }
 
     /// What reading a symbol is.
@@ -55,26 +68,22 @@ impl Reads {
     }
 }
 
-/// The symbols that nodes read.
+/// The symbols that nodes read, of those of which it was asked: sets, of which there are few.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Symbols {
     /// In the order in which they came.
     all: Vec<Symbol>,
-    /// Of each node.
-    read: Vec<Read>,
-}
-
-/// Symbols as bits, 64 a word, by their places among all; and what they are.
-#[derive(Clone, Debug, Default)]
-struct Read {
-    bits: Vec<u64>,
-    reads: Reads,
+    /// Symbols as bits, 64 a word, by their places among all.
+    sets: Vec<Vec<u64>>,
+    known: Known,
+    /// The set of each node.
+    pub(super) of: Table<u32>,
 }
 
 impl Symbols {
     /// What a node reads, in order.
     pub(super) fn of(&self, id: Id) -> Vec<Symbol> {
-        let bits = &self.read[id.index()].bits;
+        let bits = &self.sets[self.of[id] as usize];
         let mut symbols = vec![];
         for (place, symbol) in self.all.iter().enumerate().take(64 * bits.len()) {
             if bits[place / 64] >> (place % 64) & 1 == 1 {
@@ -85,35 +94,48 @@ impl Symbols {
         symbols
     }
 
-    pub(super) fn reads(&self, id: Id) -> Reads {
-        self.read[id.index()].reads
+    /// Notes what a node reads, whose operands are known.
+    pub(super) fn note(&mut self, id: Id, node: &Node) {
+        let bits = match node {
+            Node::Symbol(symbol) => self.alone(*symbol),
+            node => self.union(node),
+        };
+        let hash = hash::of_words(&bits);
+        let set = self.known.find(hash, |set| self.sets[set] == bits).unwrap_or_else(|| {
+            self.known.insert(hash, self.sets.len());
+            self.sets.push(bits);
+            self.sets.len() - 1
+        });
+        self.of.insert(id, set as u32);
     }
 
-    /// Notes what the next node reads.
-    pub(super) fn push(&mut self, node: &Node) {
-        let mut read = Read::default();
-        match node {
-            Node::Symbol(symbol) => {
-                let place = self.all.iter().position(|other| other == symbol).unwrap_or(self.all.len());
-                if place == self.all.len() {
-                    self.all.push(*symbol);
-                }
-                read.bits.resize(place / 64 + 1, 0);
-                read.bits[place / 64] = 1 << (place % 64);
-                read.reads = Reads::of(*symbol);
+    fn alone(&mut self, symbol: Symbol) -> Vec<u64> {
+        let place = self.all.iter().position(|other| *other == symbol).unwrap_or(self.all.len());
+        if place == self.all.len() {
+            self.all.push(symbol);
+        }
+        let mut bits = vec![0; place / 64 + 1];
+        bits[place / 64] = 1 << (place % 64);
+        bits
+    }
+
+    fn union(&self, node: &Node) -> Vec<u64> {
+        let mut bits: Vec<u64> = vec![];
+        let mut last = None;
+        node.for_each_child(|child| {
+            let set = self.of[child];
+            if last == Some(set) {
+                return;
             }
-            node => node.for_each_child(|child| read.join(&self.read[child.index()])),
-        }
-        self.read.push(read);
-    }
-}
-
-impl Read {
-    fn join(&mut self, other: &Read) {
-        if self.bits.len() < other.bits.len() {
-            self.bits.resize(other.bits.len(), 0);
-        }
-        self.bits.iter_mut().zip(&other.bits).for_each(|(word, other)| *word |= other);
-        self.reads = self.reads.or(other.reads);
+            last = Some(set);
+            let others = self.sets[set as usize].as_slice();
+            if bits.len() < others.len() {
+                bits.resize(others.len(), 0);
+            }
+            for (word, other) in bits.iter_mut().zip(others) {
+                *word |= other;
+            }
+        });
+        bits
     }
 }

@@ -4,6 +4,7 @@ use super::graph::Node;
 use super::id::Id;
 use super::number::Number;
 use super::op::Function;
+use super::table::Table;
 
 /// What is known of a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -14,10 +15,10 @@ pub(crate) enum Sign {
 }
 
 /// The sign of a node, from its operands and their signs.
-pub(super) fn sign(node: &Node, operands: &[Node], signs: &[Sign]) -> Sign {
+pub(super) fn sign(node: &Node, operands: &[Node], signs: &Table<Sign>) -> Sign {
     use Function::{Abs, Cbrt, Cos, Cosh, Exp, Exp2, Hypot, Max, Min, Sin, Tanh};
     use Sign::{NotNegative, Positive, Unknown};
-    let of = |id: Id| signs[id.index()];
+    let of = |id: Id| signs[id];
     let largest = |args: &[Id]| args.iter().map(|arg| of(*arg)).max().unwrap_or(Unknown);
     let smallest = |args: &[Id]| args.iter().map(|arg| of(*arg)).min().unwrap_or(Unknown);
     match node {

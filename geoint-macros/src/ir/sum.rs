@@ -19,12 +19,20 @@ impl Graph {
     /// a + b. A sum on the left is continued; one on the right stays together as it was written, unless some term of it
     /// meets an equal one.
     pub(crate) fn add(&mut self, a: Id, b: Id) -> Id {
-        let left = self.terms(a, a != b);
-        let right = self.terms(b, false);
-        let apart = self.terms(b, true);
-        let meets = apart.1.iter().any(|(_, t)| left.1.iter().any(|(_, s)| s == t));
-        let right = if meets { apart } else { right };
-        self.linear(left.0.add(right.0), left.1.into_iter().chain(right.1).collect())
+        let (constant, mut terms) = self.terms(a, a != b);
+        let (c, mut right) = self.terms(b, self.meets(&terms, b));
+        terms.append(&mut right);
+        self.linear(constant.add(c), terms)
+    }
+
+    /// Whether one of some terms is a term of a node.
+    fn meets(&self, terms: &[(Number, Id)], id: Id) -> bool {
+        let is_there = |id: Id| terms.iter().any(|(_, term)| *term == id);
+        match self.node(id) {
+            Node::Number(_) => false,
+            Node::Linear(_, terms) => terms.iter().any(|(_, term)| is_there(*term)),
+            _ => is_there(id),
+        }
     }
 
     pub(crate) fn neg(&mut self, a: Id) -> Id {
@@ -36,10 +44,11 @@ impl Graph {
             return self.zero();
         }
         // Sums that share a term are taken apart.
-        let (left, right) = (self.terms(a, true), self.terms(b, true));
-        if right.1.iter().any(|(_, t)| left.1.iter().any(|(_, s)| s == t)) {
-            let negated = right.1.into_iter().map(|(c, t)| (c.neg(), t));
-            return self.linear(left.0.add(right.0.neg()), left.1.into_iter().chain(negated).collect());
+        let (constant, mut terms) = self.terms(a, true);
+        if self.meets(&terms, b) {
+            let (c, right) = self.terms(b, true);
+            terms.extend(right.into_iter().map(|(c, t)| (c.neg(), t)));
+            return self.linear(constant.add(c.neg()), terms);
         }
         let b = self.neg(b);
         self.add(a, b)
@@ -50,44 +59,83 @@ impl Graph {
         let mut constant = Number::ZERO;
         let mut all = vec![];
         for id in ids {
-            let (c, terms) = self.terms(*id, false);
-            constant = constant.add(c);
-            all.extend(terms);
+            match self.node(*id) {
+                Node::Number(_) | Node::Linear(..) => {
+                    let (c, mut terms) = self.terms(*id, false);
+                    constant = constant.add(c);
+                    all.append(&mut terms);
+                }
+                _ => all.push((Number::ONE, *id)),
+            }
+        }
+        self.linear(constant, all)
+    }
+
+    /// constant + Σ coefficient·node.
+    pub(super) fn scaled_sum(&mut self, constant: Number, scaled: &[(Number, Id)]) -> Id {
+        let mut constant = constant;
+        let mut all = vec![];
+        for (c, id) in scaled {
+            match self.node(*id) {
+                Node::Number(_) | Node::Linear(..) => {
+                    let (k, terms) = self.terms(*id, false);
+                    constant = constant.add(k.mul(*c));
+                    for (k, id) in terms {
+                        all.push((k.mul(*c), id));
+                    }
+                }
+                _ => all.push((*c, *id)),
+            }
         }
         self.linear(constant, all)
     }
 
     /// c·a.
     pub(crate) fn scale(&mut self, c: Number, a: Id) -> Id {
-        if c == Number::ONE {
+        if c.is_one() {
             return a;
         }
-        let (constant, terms) = self.terms(a, false);
-        self.linear(constant.mul(c), terms.into_iter().map(|(k, t)| (k.mul(c), t)).collect())
+        match self.node(a) {
+            Node::Number(_) | Node::Linear(..) => {
+                let (constant, mut terms) = self.terms(a, false);
+                for (k, _) in &mut terms {
+                    *k = k.mul(c);
+                }
+                self.linear(constant.mul(c), terms)
+            }
+            _ => self.linear(Number::ZERO, vec![(c, a)]),
+        }
     }
 
     /// constant + Σ coefficient·term, from terms that are not numbers.
     pub(crate) fn linear(&mut self, constant: Number, mut terms: Vec<(Number, Id)>) -> Id {
-        terms.sort_by_key(|(_, id)| *id);
-        terms.dedup_by(|next, kept| {
-            let same = next.1 == kept.1;
-            if same {
-                kept.0 = kept.0.add(next.0);
-            }
-            same
-        });
-        terms.retain(|(c, _)| !c.is_zero());
-        match terms[..] {
-            [] => self.number(constant),
-            [(Number::ONE, id)] if constant.is_zero() => id,
-            // A number times a sum times a number.
-            [(c, id)] if constant.is_zero() => match self.node(id) {
-                Node::Linear(k, inner) if k.is_zero() && inner.len() == 1 => {
-                    let (k, id) = inner[0];
-                    self.linear(Number::ZERO, vec![(c.mul(k), id)])
+        if !are_in_order(&terms) {
+            terms.sort_by_key(|(_, id)| *id);
+            terms.dedup_by(|next, kept| {
+                let same = next.1 == kept.1;
+                if same {
+                    kept.0 = kept.0.add(next.0);
                 }
-                _ => self.intern(Node::Linear(constant, terms)),
-            },
+                same
+            });
+            terms.retain(|(c, _)| !c.is_zero());
+        }
+        match terms.as_slice() {
+            [] => self.number(constant),
+            [(c, id)] if constant.is_zero() => {
+                let (c, id) = (*c, *id);
+                if c.is_one() {
+                    return id;
+                }
+                // A number times a sum times a number.
+                match self.node(id) {
+                    Node::Linear(k, inner) if k.is_zero() && inner.len() == 1 => {
+                        let (k, id) = inner[0];
+                        self.linear(Number::ZERO, vec![(c.mul(k), id)])
+                    }
+                    _ => self.intern(Node::Linear(constant, terms)),
+                }
+            }
             _ => self.intern(Node::Linear(constant, terms)),
         }
     }
@@ -105,4 +153,16 @@ impl Graph {
         let (constant, terms) = self.terms(id, true);
         self.linear(constant.neg(), terms.into_iter().map(|(c, t)| (c.neg(), t)).collect())
     }
+}
+
+/// Whether terms are as those of nodes: no term twice, in order, and none with the coefficient zero.
+fn are_in_order(terms: &[(Number, Id)]) -> bool {
+    let mut next = 0;
+    for (c, id) in terms {
+        if c.is_zero() || id.index() < next {
+            return false;
+        }
+        next = id.index() + 1;
+    }
+    true
 }

@@ -2,43 +2,65 @@
 
 use super::id::Id;
 
-/// A map from nodes to values, as an array: nodes are numbered without gaps.
+/// A map from nodes to values: nodes are numbered without gaps, and the number of a node leads to the place of its value.
 #[derive(Clone, Debug)]
-pub(crate) struct Table<T>(Vec<Option<T>>);
+pub(crate) struct Table<T> {
+    /// One more than the place of a node's value, or 0. The allocator gives zeros away; in an unoptimised build every other
+    /// initial value would be written by a loop.
+    places: Vec<u32>,
+    values: Vec<T>,
+}
 
 impl<T> Default for Table<T> {
     fn default() -> Self {
-        Table(vec![])
+        Table { places: vec![], values: vec![] }
     }
 }
 
 impl<T: Copy> Table<T> {
     pub(crate) fn get(&self, id: Id) -> Option<T> {
-        self.0.get(id.index()).copied().flatten()
+        match self.place(id) {
+            0 => None,
+            place => Some(self.values.as_slice()[place - 1]),
+        }
     }
 
     pub(crate) fn insert(&mut self, id: Id, value: T) {
-        if self.0.len() <= id.index() {
-            self.0.resize(id.index() + 1, None);
+        let place = self.place(id);
+        if place > 0 {
+            self.values.as_mut_slice()[place - 1] = value;
+            return;
         }
-        self.0[id.index()] = Some(value);
+        if self.places.len() <= id.index() {
+            let mut longer = vec![0; (id.index() + 1).next_power_of_two()];
+            longer[..self.places.len()].copy_from_slice(&self.places);
+            self.places = longer;
+        }
+        self.values.push(value);
+        self.places.as_mut_slice()[id.index()] = self.values.len() as u32;
     }
 
     /// The nodes that have a value, in order.
     pub(crate) fn ids(&self) -> impl Iterator<Item = Id> + '_ {
-        self.0.iter().enumerate().filter(|(_, value)| value.is_some()).map(|(i, _)| Id::from_index(i))
+        self.places.iter().enumerate().filter(|(_, place)| **place > 0).map(|(i, _)| Id::from_index(i))
     }
 
     pub(crate) fn contains(&self, id: Id) -> bool {
-        self.get(id).is_some()
+        self.place(id) > 0
+    }
+
+    #[inline(always)]
+    fn place(&self, id: Id) -> usize {
+        let places = self.places.as_slice();
+        if id.index() < places.len() { places[id.index()] as usize } else { 0 }
     }
 }
 
 impl<T: Copy> std::ops::Index<Id> for Table<T> {
     type Output = T;
 
-    /// The value of a node that is known to have one.
+    /// The value of a node that is known to have one: operands are visited before what is built of them.
     fn index(&self, id: Id) -> &T {
-        self.0[id.index()].as_ref().expect("operands are visited before what is built of them")
+        &self.values.as_slice()[self.places.as_slice()[id.index()] as usize - 1]
     }
 }

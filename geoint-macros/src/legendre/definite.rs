@@ -26,7 +26,7 @@ struct Square {
 pub(crate) fn definite(graph: &mut Graph, lagrangian: Id, degrees: u32) -> Option<Definite> {
     let mut definite = Definite::default();
     let mut squares = vec![];
-    let known = Degrees::of(graph, is_velocity);
+    let known = Degrees::of(graph, &[lagrangian], is_velocity);
     if !is_sum(graph, &known, (lagrangian, &[]), (&mut definite.not_negative, &mut squares)) {
         return None;
     }

@@ -24,6 +24,7 @@ mod unseen;
 mod value;
 
 use crate::diagnostics::{Diagnostics, Result};
+use crate::ir::HashMap;
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 use crate::parse::{Argument, Energy, Form};
 pub(crate) use flow::{Integral, Skew, canonical};
@@ -32,7 +33,7 @@ use loops::{Leaving, Loop};
 use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use scope::{Around, Scopes};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Display;
 use std::rc::Rc;
 use value::{Callable, Value};
@@ -99,7 +100,7 @@ pub(crate) fn body(energy: &Energy) -> Result<Lowered> {
         graph: Graph::default(),
         errors: Diagnostics::default(),
         scopes: Scopes::of_file(&energy.options.outside, &energy.functions),
-        places: HashMap::new(),
+        places: HashMap::default(),
         constants: vec![],
         parameters: energy.parameters().map(|parameter| parameter.shape.len()).sum::<usize>() as u32,
         evaluations: 0,

@@ -1,8 +1,8 @@
 //! Names and what they are bound to: variables and items, level by level, as rustc resolves them.
 
 use super::value::{Callable, Constant, Value};
+use crate::ir::HashMap;
 use crate::parse::{Function, Outside};
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Nested scopes of one function body. A clone shares its levels until one of both changes: that is how a closure

@@ -18,8 +18,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
 
     pub(super) fn linear(&mut self, constant: Number, terms: Vec<(Number, Id)>) -> Operand {
         // What is known earlier is added up earlier.
-        let (now, early): (Vec<_>, Vec<_>) =
-            terms.into_iter().partition(|(_, id)| self.levels.of(self.graph, *id) == Some(self.level));
+        let (mut now, mut early) = (vec![], vec![]);
+        for (c, id) in terms {
+            if self.is_now(id) { now.push((c, id)) } else { early.push((c, id)) }
+        }
         let mut summands = vec![];
         match early[..] {
             [] if constant.is_zero() => {}
@@ -42,7 +44,9 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             summands.push(self.summand(c, id));
         }
         // What is there last is added last. Start with something that is there already and needs no sign.
-        summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
+        if summands.len() > 1 {
+            summands.sort_by_key(|term| self.ready(&term.value).max(term.times.map_or(0, |times| self.ready(&times))));
+        }
         let start = summands
             .iter()
             .position(|term| !term.negative && term.times.is_none())
@@ -61,6 +65,11 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
             };
         }
         sum
+    }
+
+    /// Whether a node is computed at this level.
+    fn is_now(&mut self, id: Id) -> bool {
+        matches!(self.levels.of(self.graph, id), Some(level) if level == self.level)
     }
 
     /// A term as one value.
@@ -83,8 +92,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     fn summand(&mut self, c: Number, id: Id) -> Term {
         let mut factors = vec![];
         self.flat_factors(id, true, &mut factors);
-        let (now, early): (Vec<Id>, Vec<Id>) =
-            factors.into_iter().partition(|id| self.levels.of(self.graph, *id) == Some(self.level));
+        let (mut now, mut early) = (vec![], vec![]);
+        for id in factors {
+            if self.is_now(id) { now.push(id) } else { early.push(id) }
+        }
         let mut negative = false;
         let mut above = vec![];
         if early.is_empty() {
@@ -115,7 +126,10 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
         above.sort_by_key(|factor| self.ready(factor));
         let denominator = below.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
         let last = if denominator.is_none() && above.len() > 1 { above.pop() } else { None };
-        let numerator = above.into_iter().reduce(|a, b| self.emit(Instruction::Mul(a, b)));
+        let mut numerator = None;
+        for factor in above {
+            numerator = Some(numerator.map_or(factor, |product| self.emit(Instruction::Mul(product, factor))));
+        }
         let value = match (numerator, denominator) {
             (Some(a), Some(b)) => self.emit(Instruction::Div(a, b)),
             (None, Some(b)) => self.emit(Instruction::Div(Operand::Constant(Number::ONE), b)),
@@ -126,11 +140,11 @@ impl<F: Fn(Symbol) -> usize> Lowering<'_, F> {
     }
 
     /// The factors of a product, taken apart where nothing else needs it as a whole.
-    fn flat_factors(&mut self, id: Id, root: bool, factors: &mut Vec<Id>) {
-        match self.graph.node(id).clone() {
+    fn flat_factors(&self, id: Id, root: bool, factors: &mut Vec<Id>) {
+        match self.graph.node(id) {
             Node::Product(ids) if root || self.is_single(id) => {
                 for id in ids {
-                    self.flat_factors(id, false, factors);
+                    self.flat_factors(*id, false, factors);
                 }
             }
             _ => factors.push(id),

@@ -121,15 +121,16 @@ impl Instruction {
 impl Block {
     /// The values that its statements compute, without those that only a branch needs.
     pub(crate) fn registers(&self) -> Vec<Register> {
-        let of = |statement: &Statement| match statement {
-            Statement::Let(register, _) => vec![*register],
-            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
-            Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
-            Statement::FlowMatrix(register, ..) => vec![*register],
-            Statement::FlowChange(registers, ..) => registers.clone(),
-            Statement::If { registers, .. } => registers.clone(),
-        };
-        self.statements.iter().flat_map(of).collect()
+        let mut all = vec![];
+        for statement in &self.statements {
+            match statement {
+                Statement::Let(register, _) | Statement::FlowMatrix(register, ..) => all.push(*register),
+                Statement::SinCos(sin, cos, _) => all.extend([*sin, *cos]),
+                Statement::Kepler(registers, _) => all.extend(registers.as_flattened()),
+                Statement::FlowChange(registers, ..) | Statement::If { registers, .. } => all.extend(registers),
+            }
+        }
+        all
     }
 
     /// Registers that hold a matrix.

@@ -1,8 +1,7 @@
 //! Kernels: the routines of one piece of work, and when the symbols that they read are known.
 
 use super::block::{Block, Operations};
-use super::levels::KnownLevels;
-use super::levels::width_of_slots;
+use super::levels::{KnownLevels, Slots};
 use super::lowering::Lowering;
 use crate::ir::{Graph, Id, Symbol};
 
@@ -87,14 +86,14 @@ impl Plan {
 /// the routines of the last level.
 pub(crate) fn plan(graph: &mut Graph, level: impl Fn(Symbol) -> usize, stores: &[&[Id]], last: &[&[Id]]) -> Plan {
     let mut levels = KnownLevels::new(level);
-    let mut slots: Vec<Vec<Id>> = vec![vec![]; stores.len()];
+    let mut slots = vec![Slots::default(); stores.len()];
     let last = last.iter().map(|roots| Lowering::run(graph, &mut levels, &mut slots, stores.len(), roots)).collect();
     let mut store_blocks = vec![];
     for (level, own) in stores.iter().enumerate().rev() {
         // Slots of this level are complete: only later levels ask for them.
-        let roots = [own, &slots[level][..]].concat();
+        let roots = [own, &slots[level].nodes[..]].concat();
         store_blocks.push(Lowering::run(graph, &mut levels, &mut slots, level, &roots));
     }
     store_blocks.reverse();
-    Plan { stores: store_blocks, last, slots: slots.iter().map(|slots| width_of_slots(graph, slots)).collect() }
+    Plan { stores: store_blocks, last, slots: slots.iter().map(|slots| slots.width).collect() }
 }

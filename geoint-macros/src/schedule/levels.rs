@@ -22,7 +22,11 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
                 Node::Symbol(symbol) => Some((self.of_symbol)(*symbol)),
                 Node::Number(_) | Node::Truth(_) => None,
                 // What is made of constants but is not one, like 1/0, is known first.
-                node => Some(node.children().iter().filter_map(|child| self.known[*child]).max().unwrap_or(0)),
+                node => {
+                    let mut last = 0;
+                    node.for_each_child(|child| last = self.known[child].map_or(last, |level| level.max(last)));
+                    Some(last)
+                }
             };
             self.known.insert(id, level);
         }
@@ -30,13 +34,31 @@ impl<F: Fn(Symbol) -> usize> KnownLevels<F> {
     }
 }
 
-/// How many numbers nodes are together: a matrix is more than one.
-pub(super) fn width_of_slots(graph: &Graph, slots: &[Id]) -> usize {
-    let width = |id: &Id| match graph.node(*id) {
-        Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
-        _ => 1,
-    };
-    slots.iter().map(width).sum()
+/// What a level stores for later ones.
+#[derive(Clone, Default)]
+pub(super) struct Slots {
+    pub(super) nodes: Vec<Id>,
+    /// Where each of them begins.
+    begins: Table<usize>,
+    /// How many numbers they are together: a matrix is more than one.
+    pub(super) width: usize,
+}
+
+impl Slots {
+    /// Where a node is, which gets a slot if it has none.
+    pub(super) fn slot(&mut self, graph: &Graph, id: Id) -> usize {
+        if let Some(begin) = self.begins.get(id) {
+            return begin;
+        }
+        let begin = self.width;
+        self.begins.insert(id, begin);
+        self.nodes.push(id);
+        self.width += match graph.node(id) {
+            Node::Call(Function::FlowMatrix, args) => whole(graph, args[0]).pow(2),
+            _ => 1,
+        };
+        begin
+    }
 }
 
 /// A number that counts something.

@@ -1,8 +1,8 @@
 //! One routine: nodes to statements.
 
 use super::block::{Block, Instruction, Operand, Register, Statement};
-use super::levels::{KnownLevels, width_of_slots};
-use crate::ir::{Function, Graph, HashMap, Id, Node, Ratio, Symbol, Table};
+use super::levels::{KnownLevels, Slots};
+use crate::ir::{Function, Graph, HashMap, Id, Known, Node, Ratio, Symbol, Table, hash};
 
 /// Powers of one base.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -29,15 +29,28 @@ pub(super) enum Of {
 pub(super) struct Scope {
     pub(super) block: Block,
     pub(super) values: Table<Operand>,
-    numbered: HashMap<Instruction, Operand>,
+    /// Statements by their instructions.
+    numbered: Known,
     /// What is computed here whatever the conditions are.
     pub(super) always: Table<()>,
+}
+
+impl Scope {
+    /// The value of an instruction with a hash, if there is one.
+    fn known(&self, hash: u32, instruction: &Instruction) -> Option<Register> {
+        let statements = self.block.statements.as_slice();
+        let is = |number: usize| matches!(&statements[number], Statement::Let(_, other) if other == instruction);
+        self.numbered.find(hash, is).and_then(|number| match &statements[number] {
+            Statement::Let(register, _) => Some(*register),
+            _ => None,
+        })
+    }
 }
 
 pub(super) struct Lowering<'a, F> {
     pub(super) graph: &'a mut Graph,
     pub(super) levels: &'a mut KnownLevels<F>,
-    slots: &'a mut Vec<Vec<Id>>,
+    slots: &'a mut [Slots],
     pub(super) level: usize,
     pub(super) uses: Table<usize>,
     pub(super) scopes: Vec<Scope>,
@@ -52,7 +65,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     pub(super) fn run(
         graph: &'a mut Graph,
         levels: &'a mut KnownLevels<F>,
-        slots: &'a mut Vec<Vec<Id>>,
+        slots: &'a mut [Slots],
         level: usize,
         roots: &[Id],
     ) -> Block {
@@ -80,7 +93,10 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     fn block(&mut self, roots: &[Id]) -> Block {
         let always = self.always(roots);
         self.scopes.push(Scope { always, ..Scope::default() });
-        let results = roots.iter().map(|root| self.operand(*root)).collect();
+        let mut results = vec![];
+        for root in roots {
+            results.push(self.operand(*root));
+        }
         let mut block = self.scopes.pop().map(|scope| scope.block).unwrap_or_default();
         block.results = results;
         block
@@ -91,13 +107,17 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         let mut seen: Table<()> = Table::default();
         let mut open = roots.to_vec();
         while let Some(id) = open.pop() {
-            if self.levels.of(self.graph, id) != Some(self.level) || seen.contains(id) {
+            if seen.contains(id) || self.levels.of(self.graph, id) != Some(self.level) {
                 continue;
             }
             seen.insert(id, ());
             match self.graph.node(id) {
                 Node::Select(condition, _, _) => open.push(*condition),
-                node => node.for_each_child(|child| open.push(child)),
+                node => node.for_each_child(|child| {
+                    if !seen.contains(child) {
+                        open.push(child);
+                    }
+                }),
             }
         }
         seen
@@ -114,7 +134,9 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
         // Slots hold numbers; a condition is decided again where it is needed.
         match self.levels.of(self.graph, id) {
-            Some(level) if level < self.level && !self.is_condition(id) => return self.slot(level, id),
+            Some(level) if level < self.level && !self.is_condition(id) => {
+                return Operand::Slot(level, self.slots[level].slot(self.graph, id));
+            }
             _ => {}
         }
         if let Node::Symbol(symbol) = self.graph.node(id) {
@@ -124,8 +146,9 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
             return known;
         }
         // Computed as far outside as it is needed whatever the conditions are.
-        let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(self.scopes.len() - 1);
-        let inner = self.scopes.split_off(home + 1);
+        let last = self.scopes.len() - 1;
+        let home = self.scopes.iter().position(|scope| scope.always.contains(id)).unwrap_or(last);
+        let inner = if home < last { self.scopes.split_off(home + 1) } else { vec![] };
         let operand = self.compute(id);
         self.scopes[home].values.insert(id, operand);
         self.scopes.extend(inner);
@@ -137,16 +160,12 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
     }
 
     pub(super) fn known(&self, id: Id) -> Option<Operand> {
-        self.scopes.iter().find_map(|scope| scope.values.get(id))
-    }
-
-    fn slot(&mut self, level: usize, id: Id) -> Operand {
-        let slots = &mut self.slots[level];
-        let index = slots.iter().position(|other| *other == id).unwrap_or_else(|| {
-            slots.push(id);
-            slots.len() - 1
-        });
-        Operand::Slot(level, width_of_slots(self.graph, &self.slots[level][..index]))
+        for scope in &self.scopes {
+            if let Some(known) = scope.values.get(id) {
+                return Some(known);
+            }
+        }
+        None
     }
 
     /// The value of an instruction; equal ones are one statement.
@@ -154,16 +173,18 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         if let Instruction::Neg(Operand::Constant(value)) = instruction {
             return Operand::Constant(value.neg());
         }
-        if let Some(known) = self.scopes.iter().find_map(|scope| scope.numbered.get(&instruction)) {
-            return *known;
+        let hash = hash::of(&instruction);
+        for scope in &self.scopes {
+            if let Some(known) = scope.known(hash, &instruction) {
+                return Operand::Register(known);
+            }
         }
         let register = self.register(instruction.ready(|operand| self.ready(operand)));
-        let operand = Operand::Register(register);
         if let Some(scope) = self.scopes.last_mut() {
-            scope.block.statements.push(Statement::Let(register, instruction.clone()));
-            scope.numbered.insert(instruction, operand);
+            scope.numbered.insert(hash, scope.block.statements.len());
+            scope.block.statements.push(Statement::Let(register, instruction));
         }
-        operand
+        Operand::Register(register)
     }
 
     pub(super) fn register(&mut self, ready: u32) -> Register {

@@ -25,7 +25,7 @@ pub(crate) fn dissipated_by_velocities(graph: &mut Graph, lagrangian: Id, coordi
 
 /// Finds them, if there is an action that H reads.
 pub(crate) fn dissipated(graph: &mut Graph, energy: Id, coordinates: &Shape) -> Option<Dissipated> {
-    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
     let mut momenta = momenta::momenta(graph, &degrees, energy, coordinates);
     momenta.retain(|momentum| is_homogeneous(graph, momentum.value));
     of(graph, energy, coordinates, momenta)

@@ -18,7 +18,7 @@ pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) ->
     let energy = Substitution::new(as_momentum).apply(graph, lagrangian);
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_rigid());
-    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
+    let degrees = Degrees::of(graph, &[energy], |symbol| matches!(symbol, Symbol::Q(_) | Symbol::P(_)));
     momenta::of_generators(graph, &degrees, energy, coordinates, &generators)
 }
 
@@ -26,6 +26,6 @@ pub(crate) fn noether(graph: &mut Graph, lagrangian: Id, coordinates: &Shape) ->
 pub(crate) fn translations(graph: &mut Graph, root: Id, coordinates: &Shape) -> Vec<Momentum> {
     let mut generators = generators(coordinates);
     generators.retain(|generator| generator.is_translation());
-    let degrees = Degrees::of(graph, |symbol| matches!(symbol, Symbol::Q(_)));
+    let degrees = Degrees::of(graph, &[root], |symbol| matches!(symbol, Symbol::Q(_)));
     momenta::of_generators(graph, &degrees, root, coordinates, &generators)
 }

@@ -132,12 +132,11 @@ pub(crate) fn identity(graph: &mut Graph, root: Id) -> Identity {
 
 /// Whether a node is proven to be zero, where no reason is wanted if it is not: what floating point shows to differ from zero is not tried.
 pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
-    let differs = |graph: &Graph| matches!(rounding::shown(graph, &[root], &graph.symbols(root)), Shown::Differs(..));
     let proven = |graph: &mut Graph| match multiplied::multiplied(graph, root, PRODUCTS) {
         multiplied::Verdict::Zero => true,
         _ => matches!(residues::residues(graph, root), residues::Verdict::Zero(_)),
     };
-    graph.is_zero(root) || !differs(graph) && proven(graph)
+    graph.is_zero(root) || !rounding::differs(graph, root) && proven(graph)
 }
 
 /// Leaves the directions along which a node may be constant: floating point does not show that it changes, a derivative may prove that it does not.

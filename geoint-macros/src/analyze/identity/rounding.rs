@@ -9,7 +9,7 @@ use sized::{Evaluation, Sized};
 /// Values of symbols.
 pub(super) type State = Vec<(Symbol, Ratio)>;
 
-/// How symbols change together.
+/// How positions change together.
 pub(crate) type Direction = Vec<(Symbol, Ratio)>;
 
 /// What floating point shows.
@@ -35,6 +35,15 @@ const STEP: Ratio = Ratio { numerator: 5, denominator: 8 };
 
 /// The value of Σ terms at states that look random, against the size of the terms.
 pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
+    shown_at(graph, terms, (symbols, STATES))
+}
+
+/// Whether a few states show that a node is not zero.
+pub(super) fn differs(graph: &Graph, root: Id) -> bool {
+    matches!(shown_at(graph, &[root], (&graph.symbols(root), FEW as u32)), Shown::Differs(..))
+}
+
+fn shown_at(graph: &Graph, terms: &[Id], (symbols, enough): (&[Symbol], u32)) -> Shown {
     let mut evaluation = Evaluation::new(graph, terms);
     let mut states = 0;
     for draw in 0..DRAWS {
@@ -47,7 +56,7 @@ pub(super) fn shown(graph: &Graph, terms: &[Id], symbols: &[Symbol]) -> Shown {
             return Shown::Differs(state, sum.value);
         }
         states += 1;
-        if states == STATES {
+        if states == enough {
             return Shown::Zero;
         }
     }
@@ -73,7 +82,7 @@ pub(super) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Dire
                 let rate = direction.iter().find(|(other, _)| other == symbol).and_then(|(_, rate)| rate.mul(STEP));
                 *value = rate.and_then(|rate| value.add(rate)).unwrap_or(*value);
             }
-            let there = evaluation.sum(&[root], &moved);
+            let there = evaluation.moved(root, &moved);
             let change = Sized { value: there.value - here.value, size: there.size + here.size };
             !(change.is_finite() && change.differs())
         });

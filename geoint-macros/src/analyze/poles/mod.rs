@@ -42,7 +42,8 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
         }
     }
     let computed: HashSet<Id> = graph.reachable(divided).into_iter().collect();
-    let zeros = Zeros::new(graph);
+    let terms: Vec<Id> = all.iter().map(|(_, term, ..)| *term).collect();
+    let zeros = Zeros::new(graph, &terms);
     let mut found: Vec<Pole> = vec![];
     let mut joined = vec![];
     for (node, term, one_sided, condition) in all {
@@ -70,7 +71,8 @@ pub(crate) fn poles(graph: &mut Graph, divided: &[Id], partial: &[Partial]) -> V
     for Partial { node, condition } in partial {
         ends.extend(edges(graph, *node).into_iter().map(|term| (term, *condition)));
     }
-    let zeros = Zeros::new(graph);
+    let terms: Vec<Id> = ends.iter().map(|(term, _)| *term).collect();
+    let zeros = Zeros::new(graph, &terms);
     for (term, condition) in ends {
         let known = found.iter().any(|pole| pole.vanishes == term && pole.condition.is_none());
         if !known && zeros.has_gap(graph, term) {

@@ -68,8 +68,8 @@ enum One {
 type Forms = Option<(BTreeSet<Id>, Signs)>;
 
 impl Zeros {
-    pub(super) fn new(graph: &Graph) -> Self {
-        let degrees = Degrees::of(graph, |symbol| symbol.is_coordinate() || symbol == Symbol::T);
+    pub(super) fn new(graph: &Graph, terms: &[Id]) -> Self {
+        let degrees = Degrees::of(graph, terms, |symbol| symbol.is_coordinate() || symbol == Symbol::T);
         Zeros { degrees }
     }
 

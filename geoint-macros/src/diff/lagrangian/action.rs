@@ -3,6 +3,7 @@
 use super::super::forward::jacobian;
 use super::super::gradient::{Gradient, discrete_gradient, partial};
 use super::{Given, ends, force, means, polarisation, stage};
+use crate::ir::collect::collected_with;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Number, Symbol};
 
@@ -66,7 +67,8 @@ pub(crate) fn decaying(graph: &mut Graph, given: Given<'_>, lagrangian: Id) -> V
     let unknowns: Vec<Symbol> = (0..degrees).map(Symbol::Dv).chain([Symbol::Ds]).collect();
     let [matrix, steps_by] = [&residual, &steps].map(|values| jacobian(graph, values, &unknowns).concat());
     let roots = [residual, steps, matrix, steps_by].concat();
-    super::ends::by_slopes(graph, &roots, &given.read(), &increments)
+    let ends = super::ends::by_slopes(graph, &given.read(), &increments);
+    collected_with(graph, &roots, &ends)
 }
 
 /// p₀·v₀ − L.

@@ -5,14 +5,15 @@ use super::super::slope::Slopes;
 use crate::ir::substitute::Substitution;
 use crate::ir::{Function, Graph, Id, Node, Symbol};
 
-/// The roots of an equation with such values in place, for what `given` reads, where the increments of positions are known.
-pub(super) fn by_slopes(graph: &mut Graph, roots: &[Id], given: &[Id], increments: &[Id]) -> Vec<Id> {
+/// The sines and cosines at the end of a step, and such values in their place, of what `given` reads, where the increments of positions are
+/// known.
+pub(super) fn by_slopes(graph: &mut Graph, given: &[Id], increments: &[Id]) -> Vec<(Id, Id)> {
     let mut slopes = Slopes::default();
     let mut moved = Substitution::new(|_: &mut Graph, symbol| match symbol {
         Symbol::Dq(i) => Some(increments[i as usize]),
         _ => None,
     });
-    let mut replaced = Substitution::new(|_: &mut Graph, _| None);
+    let mut replaced = vec![];
     for id in graph.reachable(given) {
         let circular = matches!(graph.node(id), Node::Call(Function::Sin | Function::Cos, _));
         // Time at the end is not that of the slopes.
@@ -23,7 +24,7 @@ pub(super) fn by_slopes(graph: &mut Graph, roots: &[Id], given: &[Id], increment
         let end = moved.apply(graph, end);
         let increment = slopes.increment(graph, id);
         let increment = moved.apply(graph, increment);
-        replaced.insert(end, graph.add(id, increment));
+        replaced.push((end, graph.add(id, increment)));
     }
-    roots.iter().map(|root| replaced.apply(graph, *root)).collect()
+    replaced
 }

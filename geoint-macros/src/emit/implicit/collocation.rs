@@ -17,7 +17,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
     let unknown = context.unknown_type(coordinates.len());
     let places = context.unknown_places(coordinates.len());
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, plan, ["Constants", "constants"]);
-    let evaluate = context.planned(&plan.last[0], (coordinates, "y"), |values| {
+    let evaluate = context.body(&plan.last[0], (coordinates, "y"), |values| {
         write_field(context, ["f", "jacobian"], &plan.last[0], &values)
     });
     let momenta = momenta(context.energy.degrees());
@@ -63,9 +63,7 @@ pub(super) fn collocation(context: &Context<'_>, field: &FieldKernels<Plan>) -> 
                 y: &#unknown,
                 f: &mut #unknown,
                 jacobian: &mut Square<#unknown>,
-            ) {
-                #evaluate
-            }
+            ) #evaluate
             #[inline(always)]
             fn add(&self, prepared: &#prepared, w: R, f: &#unknown, y: &mut #unknown) {
                 #add

@@ -21,9 +21,8 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
     let names = [["Constants", "constants"], ["Start", "begin"]];
     let given = ((&before[..], "x"), &quote!(), &quote!(t: R, x: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, given);
-    let image = context.planned(&plan.last[0], (unknowns, "d"), |values| {
-        write_field(context, ["f", "matrix"], &plan.last[0], &values)
-    });
+    let image = context
+        .body(&plan.last[0], (unknowns, "d"), |values| write_field(context, ["f", "matrix"], &plan.last[0], &values));
     let end = context.planned(&plan.last[1], (unknowns, "d"), |values| quote!([#(#values),*]));
     quote! {
         impl<R: Real> ImplicitStep<#method, R> for #name {
@@ -40,9 +39,7 @@ pub(super) fn step(context: &Context<'_>, method: &str, step: &StepKernel<Plan>)
                 d: &#unknown,
                 f: &mut #unknown,
                 matrix: &mut Square<#unknown>,
-            ) {
-                #image
-            }
+            ) #image
             #[inline(always)]
             fn end(&self, prepared: &#prepared, start: &#started, d: &#unknown) -> #unknown {
                 #end
@@ -58,7 +55,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
     let (unknown, places) = (context.unknown_type(n), context.unknown_places(n));
     let Prepared { types, functions, prepared, .. } =
         Prepared::for_stages(context, plan, ["StageConstants", "stage_constants"]);
-    let body = context.planned(&plan.last[0], (moved, "x"), |values| {
+    let body = context.body(&plan.last[0], (moved, "x"), |values| {
         let (values, derivatives) = values.split_at(n + 1);
         let (field, by) = derivatives.split_at(n * n);
         let (field, by) = (write("f_by", &square(&places), field), write("decay_by", &places, by));
@@ -88,9 +85,7 @@ pub(super) fn stages(context: &Context<'_>, stages: &StageKernel<Plan>) -> Token
                 x: &#unknown,
                 (f, decay): (&mut #unknown, &mut R),
                 (f_by, decay_by): (&mut Square<#unknown>, &mut #unknown),
-            ) {
-                #body
-            }
+            ) #body
             #[inline]
             fn decay(&self, prepared: &#prepared, t: R, x: &#unknown) -> R {
                 #decay

@@ -26,10 +26,10 @@ pub(super) fn discrete_field(
     let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
-    let slope = context.planned(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
+    let slope = context.body(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
     let equation = field.folded.then(|| {
         let equation =
-            context.planned(&plan.last[1], given, |values| write_field(context, names[1], &plan.last[1], &values));
+            context.body(&plan.last[1], given, |values| write_field(context, names[1], &plan.last[1], &values));
         quote! {
             #[inline(always)]
             fn equation(
@@ -40,9 +40,7 @@ pub(super) fn discrete_field(
                 d: &#unknown,
                 image: &mut #unknown,
                 matrix: &mut Square<#unknown>,
-            ) {
-                #equation
-            }
+            ) #equation
         }
     });
     let mean: Vec<Symbol> = (0..plan.last[2].results.len() as u32).map(Symbol::Dp).collect();
@@ -80,9 +78,7 @@ pub(super) fn discrete_field(
                 d: &#unknown,
                 f: &mut #unknown,
                 jacobian: &mut Square<#unknown>,
-            ) {
-                #slope
-            }
+            ) #slope
             #equation
             #[inline(always)]
             fn drift(&self, prepared: &#prepared, p: &#unknown) -> #unknown {
@@ -203,7 +199,7 @@ pub(super) fn fourth_order(
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
     let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let image = context.planned(&plan.last[0], (&field.increments, "d"), |values| {
+    let image = context.body(&plan.last[0], (&field.increments, "d"), |values| {
         write_field(context, ["image", "matrix"], &plan.last[0], &values)
     });
     quote! {
@@ -221,9 +217,7 @@ pub(super) fn fourth_order(
                 d: &#unknown,
                 image: &mut #unknown,
                 matrix: &mut Square<#unknown>,
-            ) {
-                #image
-            }
+            ) #image
         }
     }
 }

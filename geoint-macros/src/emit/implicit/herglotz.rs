@@ -117,7 +117,7 @@ fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &Step
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
     let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, s: &R, v: &#array));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let equation = context.planned(&plan.last[0], (unknowns, "d"), |values| {
+    let equation = context.body(&plan.last[0], (unknowns, "d"), |values| {
         write_derivatives(&places, (&["residual", "increments"], &["matrix", "increments_by_d"]), &values)
     });
     quote! {
@@ -139,9 +139,7 @@ fn polarised(context: &Context<'_>, StepKernel { unknowns, kernel: plan }: &Step
                 d: &#unknown,
                 [residual, increments]: [&mut #unknown; 2],
                 [matrix, increments_by_d]: [&mut Square<#unknown>; 2],
-            ) {
-                #equation
-            }
+            ) #equation
         }
     }
 }

@@ -23,8 +23,8 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
     let mass = mass_form(context, mass);
     let Prepared { types, functions, prepared, .. } = Prepared::for_stages(context, stage, ["Constants", "constants"]);
     let force = context.planned(&stage.last[1], (&[], ""), |values| write("force", &places, &values));
-    let stage = context
-        .planned(&stage.last[0], (&[], ""), |values| write_derivatives(&places, (&DERIVED, &DERIVATIVES), &values));
+    let stage =
+        context.body(&stage.last[0], (&[], ""), |values| write_derivatives(&places, (&DERIVED, &DERIVATIVES), &values));
     let polarised = match polarised {
         Ok(plan) => self::polarised(context, increments, (plan, *keeps)),
         Err(missing) => not_polarised(context, graph, *missing),
@@ -53,9 +53,7 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
                 v: &#array,
                 [momentum, force]: [&mut #array; 2],
                 [momentum_by_q, mass, force_by_q, force_by_v]: &mut [Square<#array>; 4],
-            ) {
-                #stage
-            }
+            ) #stage
             #[inline(always)]
             fn force(&self, prepared: &#prepared, t: R, q: &#array, v: &#array) -> #array {
                 let mut force = <#array as Array>::zero();
@@ -71,7 +69,8 @@ pub(super) fn velocities(context: &Context<'_>, graph: &Graph, kernels: &Velocit
 pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> TokenStream {
     let MassKernels { mass, definite, quadratic } = kernels;
     let (name, array, action) = (self_type(context), context.array(), context.action());
-    let mass = context.values(mass, |values| write_field(context, ["momentum", "mass"], &mass.last[0], &values));
+    let mass = &mass.last[0];
+    let mass = context.body(mass, (&[], ""), |values| write_field(context, ["momentum", "mass"], mass, &values));
     let definite = definite.as_ref().map(|(weights, values)| {
         let holds = context.values(values, |values| {
             let (weights, others) = values.split_at(*weights);
@@ -97,9 +96,7 @@ pub(super) fn mass_form(context: &Context<'_>, kernels: &MassKernels<Plan>) -> T
                 v: &#array,
                 s: &#action,
                 (momentum, mass): (&mut #array, &mut Square<#array>),
-            ) {
-                #mass
-            }
+            ) #mass
         }
     }
 }
@@ -111,7 +108,7 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], (plan, keeps): (&Plan
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
     let start = ((&[][..], ""), &parts, &quote!(t: R, z: &#phase, v: &#array));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
-    let equation = context.planned(&plan.last[0], (increments, "d"), |values| {
+    let equation = context.body(&plan.last[0], (increments, "d"), |values| {
         write_derivatives(&places, (&["residual", "impulse"], &["matrix", "impulse_by_d"]), &values)
     });
     let kept = if keeps { quote!(VelocityEnergy) } else { quote!(()) };
@@ -134,9 +131,7 @@ fn polarised(context: &Context<'_>, increments: &[Symbol], (plan, keeps): (&Plan
                 d: &#array,
                 [residual, impulse]: [&mut #array; 2],
                 [matrix, impulse_by_d]: [&mut Square<#array>; 2],
-            ) {
-                #equation
-            }
+            ) #equation
         }
     }
 }

@@ -7,9 +7,10 @@ mod ratio;
 
 pub(crate) use ratio::Ratio;
 use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
 
 /// A constant.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Number {
     Exact(Ratio),
     /// c·√r with an integer r > 1 that is no multiple of a small square.
@@ -62,8 +63,14 @@ impl Number {
         }
     }
 
+    #[inline(always)]
     pub(crate) fn is_zero(self) -> bool {
-        self == Number::ZERO
+        matches!(self, Number::Exact(ratio) if ratio.numerator == 0)
+    }
+
+    #[inline(always)]
+    pub(crate) fn is_one(self) -> bool {
+        matches!(self, Number::Exact(ratio) if ratio.numerator == 1 && ratio.denominator == 1)
     }
 
     pub(crate) fn is_negative(self) -> bool {
@@ -74,7 +81,11 @@ impl Number {
     }
 
     pub(crate) fn neg(self) -> Number {
-        self.mul(Number::MINUS_ONE)
+        match self {
+            Number::Exact(ratio) => Number::Exact(ratio.neg()),
+            Number::Root(ratio, radicand) => Number::Root(ratio.neg(), radicand),
+            Number::Float(_) => Number::float(-self.to_f64()),
+        }
     }
 
     pub(crate) fn add(self, other: Number) -> Number {
@@ -88,8 +99,11 @@ impl Number {
     }
 
     pub(crate) fn mul(self, other: Number) -> Number {
+        if self.is_one() {
+            return other;
+        }
         match (self, other) {
-            (Number::ONE, product) | (product, Number::ONE) => return product,
+            (product, Number::ONE) => return product,
             (Number::Exact(a), Number::Exact(b)) => a.mul(b).map(Number::Exact),
             (Number::Exact(a), Number::Root(b, r)) | (Number::Root(b, r), Number::Exact(a)) => {
                 a.mul(b).map(|c| Number::root(c, r))
@@ -168,8 +182,23 @@ impl Number {
         }
     }
 
+    /// Equal for equal numbers, and seldom for others.
+    pub(crate) fn word(self) -> u64 {
+        match self {
+            Number::Exact(ratio) => ratio.word(),
+            Number::Root(ratio, radicand) => ratio.word() ^ (radicand as u64) << 8,
+            Number::Float(bits) => bits,
+        }
+    }
+
     pub(crate) fn compare(self, other: Number) -> Option<Ordering> {
         self.to_f64().partial_cmp(&other.to_f64())
+    }
+}
+
+impl Hash for Number {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        state.write_u64(self.word());
     }
 }
 

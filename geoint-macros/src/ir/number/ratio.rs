@@ -82,6 +82,12 @@ impl Ratio {
         Ratio::new(self.denominator, self.numerator)
     }
 
+    /// Equal for equal ratios, and seldom for others.
+    #[inline(always)]
+    pub(crate) fn word(self) -> u64 {
+        self.numerator as u64 ^ (self.denominator as u64) << 32
+    }
+
     pub(crate) fn neg(self) -> Ratio {
         Ratio { numerator: -self.numerator, ..self }
     }
@@ -107,6 +113,11 @@ impl Ratio {
 
     /// The nearest `f64`.
     pub(crate) fn to_f64(self) -> f64 {
+        // Much cheaper, and the most common.
+        let (n, d) = (self.numerator as i32, self.denominator as i32);
+        if i128::from(n) == self.numerator && i128::from(d) == self.denominator {
+            return f64::from(n) / f64::from(d);
+        }
         if self.is_short() {
             return self.numerator as f64 / self.denominator as f64;
         }

@@ -54,6 +54,17 @@ impl<'a> Evaluation<'a> {
         &self.values
     }
 
+    /// The value of a node at another state, where all that it is built of is the same but for what reads positions.
+    pub(super) fn moved(&mut self, root: Id, state: &State) -> Sized {
+        for id in &self.order {
+            if self.graph.reads(*id).q {
+                let value = sized(self.graph, *id, &self.values, state);
+                self.values.insert(*id, value);
+            }
+        }
+        self.values[root]
+    }
+
     /// Σ terms at a state.
     pub(super) fn sum(&mut self, terms: &[Id], state: &State) -> Sized {
         let values = self.at(state);
@@ -68,11 +79,27 @@ fn sized(graph: &Graph, id: Id, values: &Table<Sized>, state: &State) -> Sized {
     match graph.node(id) {
         Node::Number(number) => constant(*number),
         Node::Symbol(symbol) => {
-            let known = state.iter().find(|(other, _)| other == symbol);
-            alone(known.map_or(f64::NAN, |(_, value)| value.to_f64()))
+            for (other, value) in state {
+                if other == symbol {
+                    return alone(value.to_f64());
+                }
+            }
+            alone(f64::NAN)
         }
-        Node::Linear(c, terms) => terms.iter().fold(constant(*c), |sum, (c, term)| sum.add(constant(*c).mul(of(term)))),
-        Node::Product(ids) => ids.iter().map(of).fold(alone(1.0), Sized::mul),
+        Node::Linear(c, terms) => {
+            let mut sum = constant(*c);
+            for (c, term) in terms {
+                sum = sum.add(constant(*c).mul(of(term)));
+            }
+            sum
+        }
+        Node::Product(ids) => {
+            let mut product = alone(1.0);
+            for id in ids {
+                product = product.mul(of(id));
+            }
+            product
+        }
         Node::Power(base, exponent) => perturbed(&[of(base)], |x| x[0].powf(exponent.to_f64())),
         Node::Call(function, args) => {
             perturbed(&args.iter().map(of).collect::<Vec<_>>(), |x| function_value(*function, x))

@@ -18,7 +18,7 @@ fn changes(graph: &mut Graph, energy: Id, j: Id, degrees: u32) -> (f64, f64) {
     let tree = diff::discrete_gradient(graph, energy, degrees);
     let mut noise = Noise(7);
     let mut values: HashMap<Symbol, f64> = HashMap::new();
-    for id in graph.ids() {
+    for id in graph.ids_from(0) {
         if let crate::ir::Node::Symbol(symbol) = graph.node(id) {
             values.insert(*symbol, noise.between(0.3, 1.4));
         }
