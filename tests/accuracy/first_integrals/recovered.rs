@@ -168,7 +168,7 @@ fn without_an_energy_the_report_says_why() {
     reports(Swelling::REPORT, "div f = t + 2, not 0: it is ");
     reports(TurningForce::<f64>::REPORT, "no energy has this field: ∂²H/∂x[0]∂x[1] − ∂²H/∂x[1]∂x[0] would be ");
     reports(TurningForce::<f64>::REPORT, "div f = 0, proven by multiplying out");
-    reports(Bell::REPORT, "no antiderivative is known here of 1/exp(x[1]²)");
+    reports(Bell::REPORT, "canonical, H = x[0]²/2 + ∫ 1/exp(x[1]²) dx[1]");
     reports(FromASource::REPORT, "canonical, with an energy on each simply connected domain");
     reports(Prey::<f64>::REPORT, "Jacobi's multiplier: div(μf) = 0 with μ = 1/(x[0]·x[1])");
     reports(Prey::<f64>::REPORT, "f = J ∇H/μ with H = ");

@@ -16,6 +16,18 @@ pub(crate) enum NoEnergy {
     NotCanonical([Symbol; 2], Identity),
     /// The field is proven to have an energy, but this term has no antiderivative that is known here; or the field is too long.
     NotElementary(Option<Id>, Proof),
+    /// The field is proven to have this energy, of which some terms stay integrals.
+    Integrals(Open),
+}
+
+/// An energy some terms of which have no antiderivative that is known here.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Open {
+    /// The other terms, if there are any.
+    pub(crate) elementary: Option<Id>,
+    /// Of what is to be integrated over which variable: it reads no other one, so that the energy is the sum.
+    pub(crate) integrals: Vec<(Id, Symbol)>,
+    pub(crate) proof: Proof,
 }
 
 /// What the antiderivative of 1/u is, where u is not known to be positive.
@@ -64,7 +76,7 @@ pub(crate) fn antiderivative(
             }
         }
     }
-    let mut energy = graph.zero();
+    let (mut energy, mut integrals) = (graph.zero(), vec![]);
     for (variable, slope) in variables.iter().zip(slopes) {
         let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
         let rest = graph.sub(*slope, known);
@@ -73,37 +85,52 @@ pub(crate) fn antiderivative(
         }
         // As it is written, or multiplied out.
         let written = crate::analyze::terms(graph, rest);
-        let integral = match sum_of_antiderivatives(graph, &written, (*variable, logarithm)) {
-            Ok(integral) => integral,
-            Err(term) => {
-                let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
-                let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(unknown(term))?;
-                let terms = sums.terms(graph, 0);
-                sum_of_antiderivatives(graph, &terms, (*variable, logarithm)).map_err(unknown)?
+        let (mut integral, mut open) = sum_of_antiderivatives(graph, &written, (*variable, logarithm));
+        if let Some(term) = open.first() {
+            let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
+            let sums = Sums::of(graph, &[rest], PRODUCTS).ok_or(unknown(*term))?;
+            let terms = sums.terms(graph, 0);
+            (integral, open) = sum_of_antiderivatives(graph, &terms, (*variable, logarithm));
+            let others =
+                |term: Id| variables.iter().any(|other| other != variable && graph.symbols(term).contains(other));
+            if let Some(term) = open.iter().find(|term| others(**term)) {
+                return Err(unknown(*term));
             }
-        };
+        }
         energy = graph.add(energy, integral);
+        integrals.extend(open.into_iter().map(|term| (term, *variable)));
     }
     let found = diff::jacobian(graph, &[energy], variables).remove(0);
     let mut exact = Proof::Multiplied;
-    for (found, slope) in found.iter().zip(slopes) {
+    for ((found, slope), variable) in found.iter().zip(slopes).zip(variables) {
         let back = graph.neg(*slope);
-        match sum_is_zero(graph, &[*found, back]) {
+        let open = integrals.iter().filter(|(_, over)| over == variable).map(|(term, _)| *term);
+        let sum: Vec<Id> = [*found, back].into_iter().chain(open).collect();
+        match sum_is_zero(graph, &sum) {
             Identity::Zero(how) => exact = exact.weaker(how),
             _ => return Err(NoEnergy::NotElementary(None, proof)),
         }
     }
-    Ok((energy, exact))
+    if integrals.is_empty() {
+        return Ok((energy, exact));
+    }
+    let elementary = (energy != graph.zero()).then_some(energy);
+    Err(NoEnergy::Integrals(Open { elementary, integrals, proof: exact }))
 }
 
 /// What is integrated over, and how reciprocals are.
 type By = (Symbol, Logarithm);
 
-/// ∫ Σ terms dx, or the first term that has none here.
-fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> Result<Id, Id> {
-    let parts: Result<Vec<Id>, Id> =
-        terms.iter().map(|term| antiderivative_of_term(graph, *term, by).ok_or(*term)).collect();
-    parts.map(|parts| graph.sum(&parts))
+/// ∫ Σ terms dx of the terms that have an antiderivative here, and the others.
+fn sum_of_antiderivatives(graph: &mut Graph, terms: &[Id], by: By) -> (Id, Vec<Id>) {
+    let (mut known, mut open) = (vec![], vec![]);
+    for term in terms {
+        match antiderivative_of_term(graph, *term, by) {
+            Some(integral) => known.push(integral),
+            None => open.push(*term),
+        }
+    }
+    (graph.sum(&known), open)
 }
 
 /// ∫ term dx, if it is one of: a power, or a function of the table, of something times the derivative of that; or a power of x times an

@@ -3,10 +3,10 @@
 use super::super::kernel::Context;
 use super::flow::{OfField, entries};
 use crate::analyze::Identity;
-use crate::analyze::liouville::NoEnergy;
+use crate::analyze::liouville::{NoEnergy, Open};
 use crate::check::wording::{at_witness, open, proven};
 use crate::derive::{Liouville, Multiplier, Parted, Recovered};
-use crate::ir::{Symbol, print::Printer};
+use crate::ir::{Id, Symbol, print::Printer};
 use std::fmt::{Result as Written, Write};
 
 pub(super) fn of_field<F: Fn(Symbol) -> String>(
@@ -67,6 +67,16 @@ fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, 
             );
             let proof = proven(*proof, "canonical");
             writeln!(text, "- canonical, with an energy on each simply connected domain, {proof}; {why}")?;
+        }
+        Some(Err(NoEnergy::Integrals(Open { elementary, integrals, proof }))) => {
+            let elementary = elementary.iter().map(|energy| printer.formula(*energy));
+            let open = |(term, over): &(Id, Symbol)| format!("∫ {} d{}", printer.formula(*term), printer.named(*over));
+            let energy: Vec<String> = elementary.chain(integrals.iter().map(open)).collect();
+            let (energy, proof) = (energy.join(" + "), proven(*proof, "canonical"));
+            writeln!(
+                text,
+                "- canonical, H = {energy}, {proof}; no antiderivative of that is known here: steps do not keep H, and Gauss methods are symplectic"
+            )?;
         }
         Some(Ok(Recovered { energy, proof, everywhere })) => {
             let energy = printer.formula(*energy);

@@ -68,9 +68,21 @@ fn fields_without_an_energy_are_refused() {
     ] {
         assert!(matches!(recovered(1, &field, &quote!(0.0)), Err(NoEnergy::NotCanonical(..))), "{field}");
     }
-    // e^(−p²) has an antiderivative that is not elementary.
-    let gauss = quote!([(-p * p).exp(), 0.0]);
-    assert!(matches!(recovered(1, &gauss, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));
+}
+
+/// e^(−p²) has an antiderivative that is not elementary.
+#[test]
+fn what_has_no_antiderivative_stays_an_integral() {
+    let gauss = quote!([(-p * p).exp(), -q]);
+    let Err(NoEnergy::Integrals(open)) = recovered(1, &gauss, &quote!(0.0)) else { panic!("{gauss}") };
+    assert_eq!((open.integrals.len(), open.integrals[0].1), (1, Symbol::Q(1)));
+    assert!(open.elementary.is_some());
+    // Beside q alone nothing is left but an integral.
+    let Err(NoEnergy::Integrals(open)) = recovered(1, &quote!([0.0, (q * q).sin()]), &quote!(0.0)) else { panic!() };
+    assert_eq!((open.elementary, open.integrals[0].1), (None, Symbol::Q(0)));
+    // It reads both: a line integral, which is no sum over variables.
+    let both = quote!([q * (-p * p * q * q).exp(), -p * (-p * p * q * q).exp()]);
+    assert!(matches!(recovered(1, &both, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));
 }
 
 #[test]
