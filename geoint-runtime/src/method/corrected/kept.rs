@@ -10,6 +10,10 @@ use crate::system::{Invariants, PhaseSpace};
 /// A correction of one invariant changes the others, which are corrected again (S. Kaczmarz, Bull. Acad. Polon. Sci. A 35 (1937) 355).
 const SWEEPS: usize = 8;
 
+/// Where an invariant changes so many times as much with the last digits of coordinates as where the run began, it is not settled: near a
+/// collision the way from there to here has lost what decides.
+const STEEPER: f64 = 16.0;
+
 /// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients. Nothing where they differ by more than
 /// rounding of many steps: then it is not rounding.
 ///
@@ -23,16 +27,33 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     let moved = difference(z, origin);
     let changes = invariants.changes(system, origin, &moved);
     let gradients = invariants.gradients(system, z);
+    let first = invariants.gradients(system, origin);
+    let points = [origin.as_slice(), moved.as_slice()];
+    let both = I::Values::entries_of(&gradients).iter().zip(I::Values::entries_of(&first));
+    for (here, there) in both {
+        if is_steeper(points, [here.as_slice(), there.as_slice()]) {
+            return S::Phase::zero();
+        }
+    }
     let mut back = S::Phase::zero();
     for _ in 0..SWEEPS {
         for (gradient, change) in I::Values::entries_of(&gradients).iter().zip(changes.as_slice()) {
-            let points = [origin.as_slice(), moved.as_slice()];
             if !undo((gradient.as_slice(), *change), points, back.as_mut_slice()) {
                 return S::Phase::zero();
             }
         }
     }
     if back.is_finite() { back } else { S::Phase::zero() }
+}
+
+/// Whether the last digits of coordinates change an invariant much more by the first gradient than by the second.
+#[inline(never)]
+fn is_steeper<R: Real>([origin, moved]: [&[R]; 2], gradients: [&[R]; 2]) -> bool {
+    let [here, there] = gradients.map(|gradient| {
+        let terms = gradient.iter().enumerate();
+        terms.map(|(i, slope)| (origin[i].magnitude() + moved[i].magnitude()) * slope.magnitude()).sum::<f64>()
+    });
+    here > STEEPER * there
 }
 
 /// Adds to the way `back` what undoes the rest of a change along a gradient; whether the change is rounding.
