@@ -17,7 +17,7 @@ use crate::schedule::{Kernel, Levels};
 use std::collections::HashSet;
 
 /// What the energy of a flow is called.
-pub(crate) const ENERGY: &str = "energy";
+const ENERGY: &str = "energy";
 
 /// A flow before its methods are derived.
 #[derive(Debug)]

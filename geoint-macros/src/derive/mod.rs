@@ -24,7 +24,7 @@ pub(crate) use constraints::constrained;
 pub(crate) use contact::contact;
 pub(crate) use domain::{Check, Domain, Sign};
 pub(crate) use exact::parts::{Parted, parts};
-pub(crate) use flow::{ENERGY, Flow, Named, Origin, flow};
+pub(crate) use flow::{Flow, Named, Origin, flow};
 pub(crate) use forced::forced;
 pub(crate) use implicit::MOST_UNKNOWNS;
 pub(crate) use jet::JetKernel;

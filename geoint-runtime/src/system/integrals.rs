@@ -1,6 +1,6 @@
 //! What a flow keeps, and the mean velocities that keep it to order 4.
 
-use super::{Hamiltonian, PhaseSpace, VectorField};
+use super::{Graded, Hamiltonian, PhaseSpace, VectorField};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
@@ -98,11 +98,9 @@ pub trait KeptMomenta<R: Real = f64>: Hamiltonian<R> {
     note = "methods for every field: `Gauss`, `ImplicitMidpoint`, `RK4`, `DOP853`",
     note = "with a `constraint`: `Suzuki4.of(DiscreteGradient)`, `Suzuki4.of(Rattle)`"
 )]
-pub trait FourthOrderField<R: Real = f64>: VectorField<R> {
+pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
     /// `()`; see [`Method::Proof`](crate::Method::Proof).
     type Proof;
-    /// What of it does not read time: rounding of many steps is taken away from that.
-    type Kept: Invariants<Self, R> + Default;
     /// What depends on parameters and h.
     type FourthParameters: Copy + core::fmt::Debug;
     /// What depends on the start of a step.

@@ -127,13 +127,12 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
 pub(super) fn canonical_fourth_order(
     context: &Context<'_>,
     momenta: &Plan,
-    (autonomous, kept): (bool, TokenStream),
+    autonomous: bool,
 ) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
     let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
     let count = momenta.last[0].results.len() / (2 * degrees);
     let columns = Literal::usize_unsuffixed(1 + count);
-    let kept = if count > 0 { quote!(EnergyAndMomenta<#autonomous>) } else { kept };
     let places: Vec<Vec<usize>> = (0..count)
         .flat_map(|k| context.unknown_places(2 * degrees).into_iter().map(move |place| [&[1 + k], &place[..]].concat()))
         .collect();
@@ -160,7 +159,6 @@ pub(super) fn canonical_fourth_order(
         }
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
-            type Kept = #kept;
             type FourthParameters = fourth_order::ParametersOf<Self, R>;
             type FourthStart = fourth_order::Begun<#array>;
 
@@ -193,7 +191,7 @@ pub(super) fn canonical_fourth_order(
 pub(super) fn fourth_order(
     context: &Context<'_>,
     field: &FieldKernels<Plan>,
-    (plan, kept): (&Plan, TokenStream),
+    plan: &Plan,
 ) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
@@ -205,7 +203,6 @@ pub(super) fn fourth_order(
     quote! {
         impl<R: Real> FourthOrderField<R> for #name {
             type Proof = ();
-            type Kept = #kept;
             #types
 
             #functions

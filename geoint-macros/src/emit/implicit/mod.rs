@@ -12,11 +12,10 @@ mod velocities;
 
 use super::kernel::{Context, write};
 use super::structure::self_type;
-use crate::derive::{ContactStages, ENERGY, FieldKernels, Implicit, MOST_UNKNOWNS, System};
+use crate::derive::{ContactStages, FieldKernels, Implicit, MOST_UNKNOWNS, System};
 use crate::ir::{Graph, Number};
-use crate::parse::Form;
 use crate::schedule::{Block, Operand, Plan};
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 /// The implementations for implicit methods, of any form.
@@ -49,14 +48,14 @@ pub(super) fn implicit(context: &Context<'_>, graph: &Graph, system: &System<Pla
 
 fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<Plan>, &System<Plan>)) -> TokenStream {
     let proven = &system.proven;
-    let [by_gradient, to_order_four] = kept(context, system);
-    let discrete = field.discrete.as_ref().map(|plan| discrete::discrete_field(context, field, (plan, by_gradient)));
+    let kept = kept(field, system);
+    let discrete = field.discrete.as_ref().map(|plan| discrete::discrete_field(context, field, (plan, kept)));
     let nothing_kept = field.nothing_kept.map(|missing| discrete::nothing_kept(context, graph, missing));
     let fourth = match &field.fourth {
-        Some(plan) => Some(discrete::fourth_order(context, field, (plan, to_order_four))),
+        Some(plan) => Some(discrete::fourth_order(context, field, plan)),
         None => proven.contains(&"Conservative").then(|| {
             let autonomous = proven.contains(&"Autonomous");
-            discrete::canonical_fourth_order(context, &field.momenta, (autonomous, to_order_four))
+            discrete::canonical_fourth_order(context, &field.momenta, autonomous)
         }),
     };
     let collocation = collocation::collocation(context, field);
@@ -64,21 +63,14 @@ fn field(context: &Context<'_>, graph: &Graph, (field, system): (&FieldKernels<P
     quote!(#discrete #nothing_kept #fourth #collocation #canonical)
 }
 
-/// What `DiscreteGradient` and `FourthOrder` keep of what does not read time: the energy, or all integrals of a field. Of a structure the first one
-/// keeps H, and leaves Casimirs to the middle of its steps.
-fn kept(context: &Context<'_>, system: &System<Plan>) -> [TokenStream; 2] {
-    let (nothing, all) = (quote!(()), quote!(KeptIntegrals));
+/// What steps along discrete gradients keep and does not read time: the energy and the momenta beside it, or all integrals of a field.
+fn kept(field: &FieldKernels<Plan>, system: &System<Plan>) -> TokenStream {
+    let autonomous = system.proven.contains(&"Autonomous");
     match &system.integrals {
-        None if system.proven.contains(&"Autonomous") => [quote!(CanonicalEnergy), quote!(CanonicalEnergy)],
-        Some(integrals) if !integrals.steady.is_empty() => match context.energy.form {
-            Form::Structured => {
-                let energy = integrals.steady.iter().position(|i| integrals.names[*i] == ENERGY);
-                let energy = energy.map(Literal::usize_unsuffixed).map(|k| quote!(Integral<#k>));
-                [energy.unwrap_or(nothing), all]
-            }
-            _ => [all.clone(), all],
-        },
-        _ => [nothing.clone(), nothing],
+        None if !field.momenta.last[0].results.is_empty() => quote!(EnergyAndMomenta<#autonomous>),
+        None if autonomous => quote!(CanonicalEnergy),
+        Some(integrals) if !integrals.steady.is_empty() => quote!(KeptIntegrals),
+        _ => quote!(()),
     }
 }
 

@@ -811,7 +811,6 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Spring {
         type Proof = ();
-        type Kept = ();
         type FourthParameters = fourth_order::ParametersOf<Self, R>;
         type FourthStart = fourth_order::Begun<[R; 1]>;
         #[inline]

@@ -704,7 +704,6 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Coupled {
         type Proof = ();
-        type Kept = CanonicalEnergy;
         type FourthParameters = fourth_order::ParametersOf<Self, R>;
         type FourthStart = fourth_order::Begun<[R; 2]>;
         #[inline]

@@ -1191,7 +1191,6 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Turning<R> {
         type Proof = ();
-        type Kept = KeptIntegrals;
         type FourthParameters = [R; 12];
         type FourthStart = [R; 8];
         #[inline]

@@ -553,7 +553,6 @@ const _: () = {
     }
     impl<R: Real> FourthOrderField<R> for Pendulum<R> {
         type Proof = ();
-        type Kept = CanonicalEnergy;
         type FourthParameters = fourth_order::ParametersOf<Self, R>;
         type FourthStart = fourth_order::Begun<[R; 1]>;
         #[inline]

@@ -4,18 +4,15 @@ use super::scales::STEPS;
 use crate::scalar::Real;
 use crate::solving::rounding::ROUNDINGS;
 use crate::space::Array;
-use crate::space::vector::difference;
+use crate::space::vector::{difference, sum_of_products};
 use crate::system::{Invariants, PhaseSpace};
 
-/// A correction of one invariant changes the others, which are corrected again (S. Kaczmarz, Bull. Acad. Polon. Sci. A 35 (1937) 355).
-const SWEEPS: usize = 8;
-
-/// Where an invariant changes so many times as much with the last digits of coordinates as where the run began, it is not settled: near a
+/// Where an invariant changes so many times as much with the last digits of coordinates as where the run began, nothing is settled: near a
 /// collision the way from there to here has lost what decides.
 const STEEPER: f64 = 16.0;
 
-/// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients. Nothing where they differ by more than
-/// rounding of many steps: then it is not rounding.
+/// What leads from `z` back to where `invariants` are what they were at `origin`, along their gradients: none moves the ones before it (E. Schmidt,
+/// Math. Ann. 63 (1907) 442). One that has changed by more than the rounding of many steps is left alone: the method does not keep it.
 ///
 /// A coordinate that is where it was at the origin stays there, so that a momentum that nothing changes is the same to the last bit.
 pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
@@ -26,68 +23,83 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
 ) -> S::Phase {
     let moved = difference(z, origin);
     let changes = invariants.changes(system, origin, &moved);
-    let gradients = invariants.gradients(system, z);
+    let mut gradients = invariants.gradients(system, z);
     let first = invariants.gradients(system, origin);
-    let points = [origin.as_slice(), moved.as_slice()];
-    let both = I::Values::entries_of(&gradients).iter().zip(I::Values::entries_of(&first));
-    for (here, there) in both {
-        if is_steeper(points, [here.as_slice(), there.as_slice()]) {
+    let way = [origin.as_slice(), moved.as_slice()];
+    let directions = I::Values::entries(&mut gradients);
+    for (here, there) in directions.iter().zip(I::Values::entries_of(&first)) {
+        if steepness(way, here.as_slice()) > STEEPER * steepness(way, there.as_slice()) {
             return S::Phase::zero();
         }
     }
     let mut back = S::Phase::zero();
-    for _ in 0..SWEEPS {
-        for (gradient, change) in I::Values::entries_of(&gradients).iter().zip(changes.as_slice()) {
-            if !undo((gradient.as_slice(), *change), points, back.as_mut_slice()) {
-                return S::Phase::zero();
-            }
-        }
+    for (k, change) in changes.as_slice().iter().enumerate() {
+        let (before, direction) = directions.split_at_mut(k);
+        let direction = direction[0].as_mut_slice();
+        undo((direction, *change), way, &mut before.iter().map(Array::as_slice), back.as_mut_slice());
+    }
+    for (i, back) in back.as_mut_slice().iter_mut().enumerate() {
+        *back *= R::from_f64(unit(way, i));
     }
     if back.is_finite() { back } else { S::Phase::zero() }
 }
 
-/// Whether the last digits of coordinates change an invariant much more by the first gradient than by the second.
-#[inline(never)]
-fn is_steeper<R: Real>([origin, moved]: [&[R]; 2], gradients: [&[R]; 2]) -> bool {
-    let [here, there] = gradients.map(|gradient| {
-        let terms = gradient.iter().enumerate();
-        terms.map(|(i, slope)| (origin[i].magnitude() + moved[i].magnitude()) * slope.magnitude()).sum::<f64>()
-    });
-    here > STEEPER * there
+/// How large a coordinate has been on the way from the origin.
+fn size<R: Real>([origin, moved]: [&[R]; 2], i: usize) -> f64 {
+    origin[i].magnitude() + moved[i].magnitude()
 }
 
-/// Adds to the way `back` what undoes the rest of a change along a gradient; whether the change is rounding.
+/// What a coordinate is measured in: its distance from zero may mean nothing.
+fn unit<R: Real>(way: [&[R]; 2], i: usize) -> f64 {
+    f64::min(size(way, i), STEPS * way[1][i].magnitude())
+}
+
+/// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
 #[inline(never)]
-fn undo<R: Real>((gradient, change): (&[R], R), [origin, moved]: [&[R]; 2], back: &mut [R]) -> bool {
-    let unit = |i: usize| {
-        let size = origin[i].magnitude() + moved[i].magnitude();
-        (size, f64::min(size, STEPS * moved[i].magnitude()))
-    };
-    let (mut rest, mut rounding, mut terms) = (change, 0.0, 0.0);
-    for (i, slope) in gradient.iter().enumerate() {
-        let (size, unit) = unit(i);
-        rounding += size * slope.magnitude();
-        terms += unit * slope.magnitude();
-        rest += *slope * back[i];
+fn steepness<R: Real>(way: [&[R]; 2], gradient: &[R]) -> f64 {
+    gradient.iter().enumerate().map(|(i, slope)| size(way, i) * slope.magnitude()).sum()
+}
+
+/// Adds to the way `back`, in units of coordinates, what undoes a change along its gradient, if the change is rounding. What is left of the gradient
+/// is the direction in which `others` do not change.
+///
+/// There is none where it nearly depends on them, as that of an angular momentum does on that of the energy on a circle: the rounding of one
+/// evaluation would grow beyond that of as many steps.
+#[inline(never)]
+fn undo<'a, R: Real>(
+    (gradient, change): (&mut [R], R),
+    way: [&[R]; 2],
+    others: &mut dyn Iterator<Item = &'a [R]>,
+    back: &mut [R],
+) {
+    let most = STEPS * ROUNDINGS * R::epsilon() * steepness(way, gradient);
+    let terms: f64 = gradient.iter().enumerate().map(|(i, slope)| unit(way, i) * slope.magnitude()).sum();
+    let is_rounding = change.magnitude() <= most && terms.is_finite() && terms > 0.0;
+    let scale = R::from_f64(if is_rounding { 1.0 / terms } else { 0.0 });
+    for (i, slope) in gradient.iter_mut().enumerate() {
+        *slope = if is_rounding { *slope * R::from_f64(unit(way, i)) * scale } else { scale };
     }
-    // Rounding of as many steps. Not a number is no rounding either.
-    if !(change.magnitude() <= STEPS * ROUNDINGS * R::epsilon() * rounding && terms.is_finite()) {
-        return false;
-    }
-    // Where the gradient vanishes there is nothing to do.
-    let [scale, mut square] = [R::from_f64(if terms > 0.0 { 1.0 / terms } else { 0.0 }), R::from_f64(0.0)];
-    for (i, slope) in gradient.iter().enumerate() {
-        let part = *slope * R::from_f64(unit(i).1) * scale;
-        square += part * part;
-    }
-    if square.magnitude() > 0.0 {
-        let multiplier = rest * scale / square;
-        for (i, slope) in gradient.iter().enumerate() {
-            let unit = R::from_f64(unit(i).1);
-            back[i] += -(multiplier * unit * (*slope * unit * scale));
+    let rest = change * scale + sum_of_products(gradient, back);
+    let whole = sum_of_products(gradient, gradient);
+    for other in others {
+        let square = sum_of_products(other, other);
+        if square.magnitude() > 0.0 {
+            add(gradient, -(sum_of_products(gradient, other) / square), other);
         }
     }
-    true
+    let square = sum_of_products(gradient, gradient);
+    if square.magnitude() * STEPS > whole.magnitude() {
+        add(back, -(rest / square), gradient);
+    } else {
+        gradient.fill(R::from_f64(0.0));
+    }
+}
+
+/// x + w·d.
+fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
+    for (x, d) in x.iter_mut().zip(d) {
+        *x = w.multiply_add(*d, *x);
+    }
 }
 
 /// The address of what is compiled once for a scalar.

@@ -9,7 +9,7 @@ use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
-use crate::system::{FourthOrderField, Invariants, Poles};
+use crate::system::{FourthOrderField, Invariants, KeptBy, Poles};
 
 /// Coefficients of a step.
 #[derive(Clone, Debug)]
@@ -58,7 +58,7 @@ impl<S: FourthOrderField<R>, R: Real, P: Probe<S, R>> StepEquation<S::Phase, Dec
     for Equation<'_, S, R>
 {
     const PATIENT: bool = P::PATIENT;
-    const SETTLED: bool = <<S as FourthOrderField<R>>::Kept as Invariants<S, R>>::Values::LEN > 0;
+    const SETTLED: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     #[inline(always)]
     fn origin(&self) -> S::Phase {
@@ -99,11 +99,11 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     type Proof = <S as FourthOrderField<R>>::Proof;
     type Prepared = Prepared<S, R>;
     type Memory = Memory<S::Phase>;
-    const KEEPS: bool = <<S as FourthOrderField<R>>::Kept as Invariants<S, R>>::Values::LEN > 0;
+    const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     #[inline]
     fn way_back(_: &Self::Prepared, system: &S, origin: &S::Phase, z: &S::Phase) -> S::Phase {
-        kept::way_back(system, &<S as FourthOrderField<R>>::Kept::default(), origin, z)
+        kept::way_back(system, &KeptBy::<S, R>::default(), origin, z)
     }
 
     fn claims(&self) -> Claims {
