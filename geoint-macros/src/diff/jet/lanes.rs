@@ -93,6 +93,8 @@ pub(crate) struct Group {
 pub(crate) struct Lanes {
     pub(crate) arrays: Vec<[Operand; LANES]>,
     pub(crate) groups: Vec<Group>,
+    /// Sums that would be alone in a group.
+    alone: Vec<Sum>,
     known: HashMap<[Operand; LANES], usize>,
     /// Of every sum the group and the place in it.
     places: HashMap<Sum, (usize, usize)>,
@@ -120,11 +122,13 @@ impl Lanes {
         for (weight, kind) in kinds {
             let (whole, rest) = kind.split_at(kind.len() - kind.len() % LANES);
             whole.chunks(LANES).for_each(|group| lanes.push(weight, group));
-            match weight {
+            let free = common.len().next_multiple_of(LANES) - common.len();
+            match (weight, rest.len()) {
                 // Few squares fill lanes of others.
-                Weight::Square if rest.len() < LANES - 1 => common.extend(rest),
-                _ if !rest.is_empty() => lanes.push(weight, rest),
-                _ => {}
+                (Weight::Square, 1) if free > 0 => common.extend(rest),
+                (Weight::Square, 2..LANES) if rest.len() < LANES - 1 => common.extend(rest),
+                (_, 0) => {}
+                _ => lanes.push(weight, rest),
             }
         }
         common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
@@ -132,6 +136,10 @@ impl Lanes {
     }
 
     fn push(&mut self, weight: Weight, sums: &[Sum]) {
+        if let [sum] = sums {
+            self.alone.push(*sum);
+            return;
+        }
         let place = self.groups.len();
         self.places.extend(sums.iter().enumerate().map(|(lane, sum)| (*sum, (place, lane))));
         // Lanes that nothing needs repeat the last.
@@ -146,6 +154,11 @@ impl Lanes {
             self.arrays.push(operands);
             next
         })
+    }
+
+    /// Whether an operand is read in a sum that is alone.
+    pub(crate) fn is_read_alone(&self, operand: Operand) -> bool {
+        self.alone.iter().any(|sum| sum.operands.contains(&operand))
     }
 
     /// The group of a sum, and the place in it.
