@@ -4,6 +4,7 @@ mod cost;
 mod jets;
 mod eval;
 mod facts;
+mod families;
 mod flows;
 mod fuzz;
 mod precise;
