@@ -31,9 +31,7 @@ impl<A: Array> Iteration<A> {
                 return Found::solution(x, A::zero());
             }
         }
-        let found;
-        (*self, found) = self.search(start, *equation, watch);
-        found
+        self.search(start, *equation, watch)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.

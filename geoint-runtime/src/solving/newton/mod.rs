@@ -57,10 +57,6 @@ impl<A: Array> Found<A> {
     fn solution(x: A, lost: A) -> Self {
         Found { x, lost, outcome: Ok(()) }
     }
-
-    fn none(refusal: Refusal) -> Self {
-        Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
-    }
 }
 
 impl<A: Array> Record<A::Real> for Newton<A> {
@@ -149,8 +145,7 @@ impl<A: Array> Newton<A> {
             }
             return Found::corrected(guess, &delta);
         };
-        let found;
-        (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        let found = self.iteration.search(start, *equation, watch);
         self.choose(equation.origin(), found.x);
         found
     }
