@@ -120,8 +120,8 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let distant =
-            Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
+        let (origin, standstill, explicit) = (equation.origin(), equation.standstill(), equation.explicit());
+        let distant = Distant { origin, standstill, explicit };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many((guess, None), &distant, residual);
@@ -281,7 +281,7 @@ impl<A: Array> Iteration<A> {
 
 /// The addresses of what is compiled once for a shape of unknowns.
 pub(crate) fn compiled<A: Array>() -> [*const (); 2] {
-    [Iteration::<A>::search::<dyn Residual<A>, Distant<'_, A>> as *const (), Iteration::<A>::choose as *const ()]
+    [Iteration::<A>::search::<dyn Residual<A>, Distant<A>> as *const (), Iteration::<A>::choose as *const ()]
 }
 
 /// Where an iteration starts.
