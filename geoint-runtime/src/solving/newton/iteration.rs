@@ -147,7 +147,7 @@ impl<A: Array> Iteration<A> {
                 // The constant here: nothing of that is compiled for steps that never take it.
                 Attempt::Damped if E::PATIENT => damped::approach_solution(&self.sizes, equation, watch),
                 Attempt::Explicit | Attempt::Damped => {
-                    let guess = explicit(equation);
+                    let guess = explicit(&equation);
                     scale.include(&equation.origin(), &guess);
                     guess
                 }
@@ -295,7 +295,7 @@ enum Attempt<A> {
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: impl StepEquation<A, W>) -> A {
+pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: &impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }
