@@ -134,8 +134,7 @@ impl<A: Array> Sizes<A> {
     }
 
     /// Whether every entry of a residual is small beside the entry of `origin + x`.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
         (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
