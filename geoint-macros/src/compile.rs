@@ -144,7 +144,7 @@ fn hamiltonian(energy: &Energy, mut lowered: Lowered, legendre: Option<&Legendre
     let division = split::divided(graph, &structure, energy, groups); // a part with an exact flow, and a rest
     let pieces = split::coupled_pieces(graph, &structure, energy.degrees(), groups); // flows in closed form, beside kick and drift
     let (derived, gradient) =
-        derive::canonical(graph, &structure, (&division, pieces.as_ref()), &partial, energy.degrees()); // nodes for every method
+        derive::canonical(graph, &structure, (&division, pieces.as_ref()), &partial, energy.degrees(), legendre); // nodes for every method
     check::requests(energy, &structure, graph, &lowered.places, |symbol| context.user_name(symbol))?; // asked for = proven?
     check::division(energy, &division, graph, &lowered.places, |symbol| context.user_name(symbol))?;
     if let Some(pieces) = &pieces {

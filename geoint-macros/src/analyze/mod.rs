@@ -26,7 +26,7 @@ pub(crate) use degree::Degrees;
 pub(crate) use forces::Forces;
 pub(crate) use identity::{
     Direction, Identity, Proof, Remainder, Value, Why, Witness, claims, crossings, identity, is_regular, liouville,
-    retain_constant, search, vanishes,
+    multiple, retain_constant, search, vanishes,
 };
 pub(crate) use jumps::{Jump, conditions, decided, jumps};
 pub(crate) use mean_value::MeanValue;

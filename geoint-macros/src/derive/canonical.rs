@@ -5,11 +5,12 @@ use super::exact::kick_drift::{kick_drift, modified_energy};
 use super::exact::perturbed;
 use super::exact::pieces::{self, Followed};
 use super::implicit;
-use super::jet::JetKernel;
+use super::jet::{self, JetKernel};
 use super::system::{Implicit, Missing, System};
 use crate::analyze::{Split, Structure};
 use crate::diff::{self, Gradient};
 use crate::ir::{Graph, Id, Partial};
+use crate::legendre::Legendre;
 use crate::messages::{COUPLED, COUPLED_IN_PIECES, DAMPED, FORCED, NO_CANONICAL_PIECES};
 use crate::parse::Form;
 use crate::schedule::{Kernel, Levels};
@@ -22,6 +23,7 @@ pub(crate) fn canonical(
     (division, pieces): (&Division, Option<&Pieces>),
     partial: &[Partial],
     degrees: u32,
+    legendre: Option<&Legendre>,
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, structure.energy, degrees);
     let fields = implicit::field(graph, &gradient, structure, degrees);
@@ -54,9 +56,14 @@ pub(crate) fn canonical(
         (structure.degree.is_some_and(|degree| degree <= 3) && steady, "QuadraticField"),
         (matches!(pieces, Some(Ok(found)) if found.nystrom), "NystromPieces"),
     ];
-    // Of an equation of second order, all there is of f.
-    let force = &rates[rates.len() - degrees as usize..];
-    let jet = JetKernel::canonical(graph, &gradient, force);
+    let forms = jet::forms(graph, structure.energy, &gradient, legendre).into_iter().map(|gradient| {
+        let rates = diff::field::rates(graph, &gradient, structure);
+        // Of an equation of second order, all there is of f.
+        let force = &rates[rates.len() - degrees as usize..];
+        [&gradient.p, force].concat()
+    });
+    let forms: Vec<Vec<Id>> = forms.collect();
+    let jet = JetKernel::canonical(graph, &forms, degrees);
     let system = System {
         proven: proven.into_iter().filter(|(holds, _)| *holds).map(|(_, name)| name).collect(),
         value: Some(Kernel::new(Levels::One, vec![structure.energy])),

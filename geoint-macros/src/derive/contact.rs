@@ -2,7 +2,7 @@
 
 use super::domain::{Domain, Roots};
 use super::exact::pieces::{self, Followed};
-use super::jet::JetKernel;
+use super::jet::{self, JetKernel};
 use super::system::{
     ContactKernels, ContactStages, FlowKernel, GradientKick, Implicit, KickDrift, Missing, Modified, System, Undamped,
 };
@@ -28,8 +28,11 @@ pub(crate) fn contact(
 ) -> (System, Gradient) {
     let gradient = diff::gradient(graph, energy, degrees);
     let rates = lift.then(|| rates_of_lift(graph, energy, &gradient));
-    let followed = rates.clone().unwrap_or_else(|| self::rates(graph, energy, &gradient));
-    let jet = JetKernel::contact(graph, &followed);
+    let followed = match &rates {
+        Some(rates) => vec![rates.clone()],
+        None => all_rates(graph, energy, &gradient, legendre),
+    };
+    let jet = JetKernel::canonical(graph, &followed, degrees);
     let rate = rates.map(|rates| Kernel::new(Levels::One, rates));
     let what = if lift { Followed::Lift } else { Followed::Contact };
     let pieces = pieces::kernels(graph, what, (found, NO_PIECES));
@@ -83,6 +86,12 @@ pub(super) fn rates(graph: &mut Graph, energy: Id, gradient: &Gradient) -> Vec<I
     let work = graph.sum(&action);
     let action = graph.sub(work, energy);
     [&gradient.p[..], &force, &[action]].concat()
+}
+
+/// The same in all forms that are known.
+fn all_rates(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Option<&Legendre>) -> Vec<Vec<Id>> {
+    let forms = jet::forms(graph, energy, gradient, legendre);
+    forms.iter().map(|gradient| rates(graph, energy, gradient)).collect()
 }
 
 /// q', p' and s' of a lift: momenta stand still, and s' = p·∂H/∂p − H is that of p = 0.

@@ -1,8 +1,9 @@
 //! The Taylor coefficients of a solution, of every form whose rates are nodes.
 
-use crate::diff::Gradient;
 use crate::diff::jet::{self, Jet};
+use crate::diff::{Gradient, by_velocities};
 use crate::ir::{Graph, Id, Symbol};
+use crate::legendre::Legendre;
 use crate::schedule::{Kernel, Levels};
 
 /// With more series than this users would wait for code that is run slowly.
@@ -16,37 +17,39 @@ pub(crate) struct JetKernel<K = Kernel> {
 }
 
 impl JetKernel {
-    /// Of coordinates by their rates.
-    pub(super) fn new(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Option<JetKernel> {
-        let jet = jet::jet(graph, rates);
+    /// Of coordinates by their rates, in the form of them that takes the fewest sums.
+    fn new(graph: &mut Graph, forms: &[Vec<(Symbol, Id)>]) -> Option<JetKernel> {
+        let jets = forms.iter().map(|rates| jet::jet(graph, rates));
+        let jet = jets.min_by_key(Jet::half_convolutions)?;
         let start = Kernel::new(Levels::One, jet.values.clone());
         (jet.series.len() <= MOST_SERIES).then_some(JetKernel { jet, start })
     }
 
     /// Of x' = f(x, t).
     pub(super) fn of_field(graph: &mut Graph, field: &[Id]) -> Option<JetKernel> {
-        let rates: Vec<(Symbol, Id)> = (0..).map(Symbol::Q).zip(field.iter().copied()).collect();
-        JetKernel::new(graph, &rates)
+        let rates = (0..).map(Symbol::Q).zip(field.iter().copied()).collect();
+        JetKernel::new(graph, &[rates])
     }
 
-    /// Of q' = ∂H/∂p, p' = force.
-    pub(super) fn canonical(graph: &mut Graph, gradient: &Gradient, force: &[Id]) -> Option<JetKernel> {
-        let rates: Vec<(Symbol, Id)> = rates(&gradient.p, force).collect();
-        JetKernel::new(graph, &rates)
-    }
-
-    /// Of a contact system, whose rates are given one after the other.
-    pub(super) fn contact(graph: &mut Graph, all: &[Id]) -> Option<JetKernel> {
-        let n = all.len() / 2;
-        let rates: Vec<(Symbol, Id)> = rates(&all[..n], &all[n..2 * n]).chain([(Symbol::S, all[2 * n])]).collect();
-        JetKernel::new(graph, &rates)
+    /// Of q' and p', and s' if there is an action, which are given one after the other.
+    pub(super) fn canonical(graph: &mut Graph, forms: &[Vec<Id>], degrees: u32) -> Option<JetKernel> {
+        let symbols = || (0..degrees).map(Symbol::Q).chain((0..degrees).map(Symbol::P)).chain([Symbol::S]);
+        let forms: Vec<_> = forms.iter().map(|rates| symbols().zip(rates.iter().copied()).collect()).collect();
+        JetKernel::new(graph, &forms)
     }
 }
 
-/// Velocities and forces with what they are rates of.
-fn rates(velocities: &[Id], forces: &[Id]) -> impl Iterator<Item = (Symbol, Id)> {
-    let velocities = (0..).map(Symbol::Q).zip(velocities.iter().copied());
-    velocities.chain((0..).map(Symbol::P).zip(forces.iter().copied()))
+/// ∇H, and if it is another formula with ∂H/∂q in velocities.
+pub(super) fn forms(graph: &mut Graph, energy: Id, gradient: &Gradient, legendre: Option<&Legendre>) -> Vec<Gradient> {
+    let by_velocities = match legendre {
+        Some(legendre) => legendre
+            .forces
+            .iter()
+            .any(|force| graph.reads(*force).v)
+            .then(|| by_velocities::of_lagrangian(graph, &legendre.forces, gradient)),
+        None => by_velocities::of_energy(graph, energy, gradient),
+    };
+    [gradient.clone()].into_iter().chain(by_velocities).collect()
 }
 
 impl<K> JetKernel<K> {

@@ -34,13 +34,18 @@ pub(crate) struct SecondOrder {
 
 /// f at a point.
 pub(crate) fn field(graph: &mut Graph, gradient: &Gradient, structure: &Structure, degrees: u32) -> Field {
-    let f = right_side(graph, gradient, structure, |_, entry| entry);
+    let f = rates(graph, gradient, structure);
     let unknowns = unknowns(structure, degrees, Symbol::Q, Symbol::P);
     let mut jacobian = jacobian(graph, &f, &unknowns);
     if structure.conservative() {
         share(graph, &mut jacobian, structure.reduced().is_some());
     }
     Field { unknowns, f, jacobian }
+}
+
+/// The right-hand side alone: of an equation of second order the force.
+pub(crate) fn rates(graph: &mut Graph, gradient: &Gradient, structure: &Structure) -> Vec<Id> {
+    right_side(graph, gradient, structure, |_, entry| entry)
 }
 
 /// ∇²H is symmetric: of two equal derivatives, which may be written differently, one is computed.

@@ -1,5 +1,6 @@
 //! Derivations on the graph: gradient, Hessian, divided differences, and the field of implicit methods.
 
+pub(crate) mod by_velocities;
 pub(crate) mod constraint;
 pub(crate) mod contact;
 pub(crate) mod field;

@@ -25,6 +25,41 @@ pub(crate) fn element(base: TokenStream, indices: &[usize]) -> TokenStream {
     base.into_iter().chain(indices).collect()
 }
 
+/// What a routine is given: a variable, or an entry of an array.
+pub(crate) struct Given {
+    /// Entries of one array have one number.
+    pub(super) array: usize,
+    pub(super) base: TokenStream,
+    pub(super) indices: Vec<usize>,
+}
+
+impl Given {
+    pub(super) fn entry(array: usize, base: TokenStream, indices: Vec<usize>) -> Self {
+        Given { array, base, indices }
+    }
+
+    pub(super) fn alone(base: TokenStream) -> Self {
+        Given { array: 0, base, indices: vec![] }
+    }
+}
+
+impl ToTokens for Given {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        tokens.extend(element(self.base.clone(), &self.indices));
+    }
+}
+
+/// Numbers of arrays that routines are given; those of parameters follow.
+pub(super) mod array {
+    pub(in crate::emit) const POSITIONS: usize = 0;
+    pub(super) const MOMENTA: usize = 1;
+    pub(super) const VELOCITIES: usize = 2;
+    pub(super) const KICKS: usize = 3;
+    pub(in crate::emit) const UNKNOWNS: usize = 4;
+    pub(in crate::emit) const INCREMENTS: usize = 5;
+    pub(in crate::emit) const PARAMETERS: usize = 6;
+}
+
 /// `base[i][j]… = value;` for every value.
 pub(crate) fn write(base: &str, places: &[Vec<usize>], values: &[TokenStream]) -> TokenStream {
     let base = format_ident!("{base}");
@@ -118,38 +153,39 @@ impl<'a> Context<'a> {
     /// All scalars of parameters, in order.
     pub(super) fn scalars(&self) -> Vec<TokenStream> {
         let count: usize = self.energy.parameters().map(|argument| argument.shape.len()).sum();
-        (0..count as u32).map(|i| self.parameter(i)).collect()
+        (0..count as u32).map(|i| self.parameter(i).to_token_stream()).collect()
     }
 
     /// A scalar of a parameter, or a constant from outside.
-    fn parameter(&self, index: u32) -> TokenStream {
+    fn parameter(&self, index: u32) -> Given {
         let mut rest = index as usize;
-        for argument in self.energy.parameters() {
+        for (number, argument) in self.energy.parameters().enumerate() {
             if rest < argument.shape.len() {
                 let name = &argument.name;
-                return element(quote!(self.#name), &argument.shape.indices(rest));
+                return Given::entry(array::PARAMETERS + number, quote!(self.#name), argument.shape.indices(rest));
             }
             rest -= argument.shape.len();
         }
         let constant = &self.constants[rest];
-        quote!(R::from_f64((#constant) as f64))
+        Given::alone(quote!(R::from_f64((#constant) as f64)))
     }
 
     /// What a symbol is called in every routine.
-    pub(crate) fn input(&self, symbol: Symbol) -> TokenStream {
+    pub(crate) fn input(&self, symbol: Symbol) -> Given {
+        let of = |array, base, i| Given::entry(array, base, self.coordinate(i));
         match symbol {
-            Symbol::Q(i) => element(quote!(q), &self.coordinate(i)),
-            Symbol::P(i) => element(quote!(p), &self.coordinate(i)),
-            Symbol::V(i) => element(quote!(v), &self.coordinate(i)),
-            Symbol::S => quote!(*s),
-            Symbol::T => quote!(t),
-            Symbol::H => quote!(h),
-            Symbol::G => quote!(g),
+            Symbol::Q(i) => of(array::POSITIONS, quote!(q), i),
+            Symbol::P(i) => of(array::MOMENTA, quote!(p), i),
+            Symbol::V(i) => of(array::VELOCITIES, quote!(v), i),
+            Symbol::S => Given::alone(quote!(*s)),
+            Symbol::T => Given::alone(quote!(t)),
+            Symbol::H => Given::alone(quote!(h)),
+            Symbol::G => Given::alone(quote!(g)),
             Symbol::Parameter(i) => self.parameter(i),
             // What a kick adds before a flow.
-            Symbol::Dp(i) => element(quote!(dp), &self.coordinate(i)),
+            Symbol::Dp(i) => of(array::KICKS, quote!(dp), i),
             // Other increments are unknowns wherever they are read.
-            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => TokenStream::new(),
+            Symbol::Dq(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => Given::alone(TokenStream::new()),
         }
     }
 
@@ -222,11 +258,11 @@ impl<'a> Context<'a> {
     }
 
     /// What a symbol is called where `unknowns` are in the array `increment` or `y`.
-    pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> TokenStream {
+    pub(crate) fn input_or_unknown(&self, unknowns: &[Symbol], array: &str, symbol: Symbol) -> Given {
         match unknowns.iter().position(|unknown| *unknown == symbol) {
             Some(i) => {
-                let array = format_ident!("{array}");
-                element(quote!(#array), &self.unknown_places(unknowns.len())[i])
+                let name = format_ident!("{array}");
+                Given::entry(array::UNKNOWNS, quote!(#name), self.unknown_places(unknowns.len()).swap_remove(i))
             }
             None => self.input(symbol),
         }
@@ -235,6 +271,11 @@ impl<'a> Context<'a> {
     /// The values of a plan's only routine, or of its first.
     pub(crate) fn values(&self, plan: &Plan, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
         self.planned(&plan.last[0], (&[], ""), finish)
+    }
+
+    /// A routine that writes its results.
+    pub(crate) fn written(&self, block: &Block, targets: &[Given]) -> TokenStream {
+        straight_line::assignments(block, (&self.registers, &|symbol| self.input(symbol)), targets)
     }
 
     /// What the routine of a level stores for later ones, as an array.

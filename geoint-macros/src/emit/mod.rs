@@ -12,6 +12,7 @@ mod implicit;
 mod jet;
 mod kernel;
 mod lagrangian;
+mod loops;
 mod missing;
 mod poles;
 pub(crate) mod report;

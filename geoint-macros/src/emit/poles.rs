@@ -1,6 +1,6 @@
 //! Poles and conditions between the ends of a step: what the runtime asks of them.
 
-use super::kernel::{Context, element};
+use super::kernel::{Context, Given, array};
 use super::straight_line;
 use crate::analyze::Jump;
 use crate::derive::{Jumps, Margin, Margins, Poles, Signs};
@@ -101,10 +101,12 @@ fn positive(context: &Context<'_>, Margins { values, count, margins }: &Margins<
 fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) -> TokenStream {
     let parameters = context.scalars();
     let input = |symbol: Symbol| match symbol {
-        Symbol::Q(i) => element(quote!(z), &[i as usize]),
-        Symbol::P(i) => element(quote!(z), &[(context.energy.degrees() + i) as usize]),
-        Symbol::S => quote!(s),
-        Symbol::Parameter(i) if (i as usize) < parameters.len() => element(quote!(parameters), &[i as usize]),
+        Symbol::Q(i) => Given::entry(array::POSITIONS, quote!(z), vec![i as usize]),
+        Symbol::P(i) => Given::entry(array::POSITIONS, quote!(z), vec![(context.energy.degrees() + i) as usize]),
+        Symbol::S => Given::alone(quote!(s)),
+        Symbol::Parameter(i) if (i as usize) < parameters.len() => {
+            Given::entry(array::PARAMETERS, quote!(parameters), vec![i as usize])
+        }
         symbol => context.input(symbol),
     };
     let arms = choices.iter().enumerate().map(|(i, block)| {

@@ -6,21 +6,41 @@
 //! Most of what the macro emits comes from here, so tokens are pushed one by one: in an unoptimised build, as proc macros
 //! are, that is several times faster than quoting.
 
+use super::kernel::Given;
+use super::loops::Output;
 use crate::ir::{Function, HashMap, Number, Relation, Symbol};
 use crate::schedule::{Block, Instruction, Operand, Register, Statement};
 use proc_macro2::{Delimiter, Group, Ident, Literal, Punct, Spacing, Span, TokenStream, TokenTree};
-use quote::format_ident;
+use quote::{ToTokens, format_ident, quote};
 use std::cell::RefCell;
 
 /// The arrays in which routines find the slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 
-/// The statements of a block, in which registers have names that all routines share, and symbols are called as `input` says, followed by what
-/// `finish` makes of its results.
-pub(crate) fn routine(
+/// What registers are called in all routines, and what symbols are called in this one.
+pub(crate) type Names<'a> = (&'a RefCell<Vec<Ident>>, &'a dyn Fn(Symbol) -> Given);
+
+/// The statements of a block, followed by what `finish` makes of its results.
+pub(crate) fn routine(block: &Block, names: Names<'_>, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
+    let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
+    written(block, names, &[], |results| finish(results.into_iter().map(value).collect()))
+}
+
+/// The statements of a block, and those that write its results to `targets`.
+pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) -> TokenStream {
+    let write = |(target, output): (&Given, Output)| match output {
+        Output::Value(value) => quote!(#target = #value;),
+        Output::Loop(statement) => statement,
+        Output::Written => TokenStream::new(),
+    };
+    written(block, names, targets, |results| targets.iter().zip(results).map(write).collect())
+}
+
+fn written(
     block: &Block,
-    (registers, input): (&RefCell<Vec<Ident>>, &dyn Fn(Symbol) -> TokenStream),
-    finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+    (registers, input): Names<'_>,
+    targets: &[Given],
+    finish: impl FnOnce(Vec<Output>) -> TokenStream,
 ) -> TokenStream {
     let mut writer = Writer {
         input,
@@ -29,12 +49,15 @@ pub(crate) fn routine(
         given: vec![],
         words: vec![],
         registers: registers.take(),
+        members: HashMap::default(),
         tokens: vec![],
     };
-    let results = writer.block(block);
-    let declared = writer.declaration(&block.registers());
+    let (results, alone) = match writer.families(block, targets) {
+        Some(families) => writer.with_loops(block, families),
+        None => (writer.block(block).into_iter().map(Output::Value).collect(), block.registers()),
+    };
+    let mut tokens = writer.declaration(&alone);
     registers.replace(writer.registers);
-    let mut tokens = declared;
     tokens.extend(writer.given);
     tokens.extend(writer.tokens);
     tokens.extend(finish(results));
@@ -42,7 +65,7 @@ pub(crate) fn routine(
 }
 
 pub(super) struct Writer<'a> {
-    input: &'a dyn Fn(Symbol) -> TokenStream,
+    pub(super) input: &'a dyn Fn(Symbol) -> Given,
     /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
     names: HashMap<Operand, Ident>,
     /// The same names in order.
@@ -51,6 +74,8 @@ pub(super) struct Writer<'a> {
     /// Names are made once.
     words: Vec<(&'static str, Ident)>,
     registers: Vec<Ident>,
+    /// Registers that are entries of arrays.
+    pub(super) members: HashMap<Register, TokenStream>,
     tokens: Vec<TokenTree>,
 }
 
@@ -60,7 +85,11 @@ impl Writer<'_> {
         for statement in &block.statements {
             self.statement(statement);
         }
-        block.results.iter().map(|operand| self.inside(|writer| writer.operand(operand))).collect()
+        block.results.iter().map(|operand| self.result(operand)).collect()
+    }
+
+    pub(super) fn result(&mut self, operand: &Operand) -> TokenStream {
+        self.inside(|writer| writer.operand(operand))
     }
 
     /// `let (names, registers,);` of a routine, or of a branch, which has no names of its own.
@@ -86,7 +115,7 @@ impl Writer<'_> {
         })
     }
 
-    fn statement(&mut self, statement: &Statement) {
+    pub(super) fn statement(&mut self, statement: &Statement) {
         match statement {
             Statement::Let(register, instruction) => {
                 self.register(*register);
@@ -140,7 +169,7 @@ impl Writer<'_> {
         self.group(Delimiter::Brace, body);
     }
 
-    fn instruction(&mut self, instruction: &Instruction) {
+    pub(super) fn instruction(&mut self, instruction: &Instruction) {
         match instruction {
             Instruction::Neg(a) => self.prefix("-", a),
             Instruction::Not(a) => self.prefix("!", a),
@@ -171,7 +200,7 @@ impl Writer<'_> {
     }
 
     /// `x.name(args)`
-    fn method(&mut self, name: &'static str, x: &Operand, args: &[Operand]) {
+    pub(super) fn method(&mut self, name: &'static str, x: &Operand, args: &[Operand]) {
         self.operand(x);
         self.punct(".");
         self.word(name);
@@ -204,7 +233,10 @@ impl Writer<'_> {
     pub(super) fn operand(&mut self, operand: &Operand) {
         match operand {
             Operand::Truth(value) => self.word(if *value { "true" } else { "false" }),
-            Operand::Register(register) => self.register(*register),
+            Operand::Register(register) => match self.members.get(register) {
+                Some(entry) => self.tokens.extend(entry.clone()),
+                None => self.register(*register),
+            },
             Operand::Input(Symbol::T) => self.word("t"),
             Operand::Input(Symbol::H) => self.word("h"),
             Operand::Input(Symbol::G) => self.word("g"),
@@ -238,7 +270,7 @@ impl Writer<'_> {
         self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
-            Operand::Input(symbol) => self.tokens.extend((self.input)(symbol)),
+            Operand::Input(symbol) => self.tokens.extend((self.input)(symbol).into_token_stream()),
             Operand::Slot(level, index) => {
                 self.word(SLOTS[level]);
                 let index = self.inside(|writer| writer.literal(index));
@@ -276,6 +308,10 @@ impl Writer<'_> {
     }
 
     // ------------------------------------------------------------------------------------------------------ tokens
+
+    pub(super) fn extend(&mut self, tokens: TokenStream) {
+        self.tokens.extend(tokens);
+    }
 
     pub(super) fn word(&mut self, word: &'static str) {
         for (known, ident) in &self.words {

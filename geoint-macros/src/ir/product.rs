@@ -89,7 +89,7 @@ impl Graph {
             return self.scale(c, a);
         }
         let ((ca, a), (cb, b)) = (self.coefficient(a), self.coefficient(b));
-        let merged = if self.may_meet(a, b) { self.met(a, b) } else { None };
+        let merged = if self.may_meet(a, b) { self.met(a, b) } else { self.met_opposite(a, b) };
         let product = merged.unwrap_or_else(|| self.intern(Node::Product(if a < b { vec![a, b] } else { vec![b, a] })));
         self.scale(ca.mul(cb), product)
     }
@@ -106,6 +106,44 @@ impl Graph {
         }
         let meets = right.iter().any(|(base, _)| left.iter().any(|(other, _)| other == base));
         meets.then(|| self.merged(left.into_iter().chain(right).collect()))
+    }
+
+    /// a·b with merged powers, if a sum meets its opposite: (b − a)(a − b)² is −(a − b)³.
+    fn met_opposite(&mut self, a: Id, b: Id) -> Option<Id> {
+        if !self.has_sum(a) || !self.has_sum(b) {
+            return None;
+        }
+        let (mut left, right) = (self.factors(a), self.factors(b));
+        let mut coefficient = None;
+        for (base, exponent) in left.iter_mut().filter(|(_, exponent)| exponent.is_integer()) {
+            if let Some((opposite, _)) = right.iter().find(|(other, _)| self.is_opposite(*base, *other)) {
+                let sign = if exponent.numerator % 2 == 0 { Number::ONE } else { Number::ONE.neg() };
+                coefficient = Some(sign.mul(coefficient.unwrap_or(Number::ONE)));
+                *base = *opposite;
+            }
+        }
+        let coefficient = coefficient?;
+        let product = self.merged(left.into_iter().chain(right).collect());
+        Some(self.scale(coefficient, product))
+    }
+
+    /// Whether a sum is among the bases of a product.
+    fn has_sum(&self, id: Id) -> bool {
+        match self.node(id) {
+            Node::Product(ids) => ids.iter().any(|id| self.has_sum(*id)),
+            Node::Power(base, _) => matches!(self.node(*base), Node::Linear(..)),
+            node => matches!(node, Node::Linear(..)),
+        }
+    }
+
+    fn is_opposite(&self, a: Id, b: Id) -> bool {
+        match (self.node(a), self.node(b)) {
+            (Node::Linear(c, left), Node::Linear(d, right)) => {
+                let opposite = |(a, b): (&(Number, Id), &(Number, Id))| a.1 == b.1 && a.0 == b.0.neg();
+                *c == d.neg() && left.len() == right.len() && left.iter().zip(right).all(opposite)
+            }
+            _ => false,
+        }
     }
 
     fn merged(&mut self, mut factors: Vec<(Id, Ratio)>) -> Id {
@@ -129,7 +167,11 @@ impl Graph {
             let power = self.pow(base, exponent);
             match self.as_number(power) {
                 Some(c) => coefficient = coefficient.mul(c),
-                None => ids.push(power),
+                None => {
+                    let (c, power) = self.coefficient(power);
+                    coefficient = coefficient.mul(c);
+                    ids.push(power);
+                }
             }
         }
         ids.sort();
@@ -192,10 +234,11 @@ impl Graph {
                     return self.scale(c, power);
                 }
             }
-            // (b − a)² and (a − b)² are one node.
-            Node::Linear(..) if exponent.is_integer() && exponent.numerator % 2 == 0 && self.leads_negative(base) => {
+            // (b − a)² and (a − b)² are one node, and so are (b − a)³ and −(a − b)³. A pole is called as it was written.
+            Node::Linear(..) if exponent.is_integer() && exponent.numerator != -1 && self.leads_negative(base) => {
                 let positive = self.negated_sum(base);
-                return self.pow(positive, exponent);
+                let power = self.pow(positive, exponent);
+                return if exponent.numerator % 2 == 0 { power } else { self.neg(power) };
             }
             _ => {}
         }

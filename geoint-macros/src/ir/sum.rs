@@ -141,7 +141,7 @@ impl Graph {
     }
 
     /// Whether the first coefficient of a sum, or the only one, is negative.
-    pub(super) fn leads_negative(&self, id: Id) -> bool {
+    pub(crate) fn leads_negative(&self, id: Id) -> bool {
         match self.node(id) {
             Node::Linear(_, terms) => terms[0].0.is_negative(),
             Node::Number(value) => value.is_negative(),
@@ -149,7 +149,8 @@ impl Graph {
         }
     }
 
-    pub(super) fn negated_sum(&mut self, id: Id) -> Id {
+    /// −u with the sign in the sum.
+    pub(crate) fn negated_sum(&mut self, id: Id) -> Id {
         let (constant, terms) = self.terms(id, true);
         self.linear(constant.neg(), terms.into_iter().map(|(c, t)| (c.neg(), t)).collect())
     }

@@ -101,6 +101,41 @@ impl Instruction {
     /// How long a function takes, in units of one sum.
     pub(crate) const CALL_LATENCY: u32 = 10;
 
+    fn operands_mut(&mut self) -> Vec<&mut Operand> {
+        match self {
+            Instruction::Neg(a) | Instruction::Not(a) | Instruction::Sqrt(a) => vec![a],
+            Instruction::Compare(_, a, b)
+            | Instruction::And(a, b)
+            | Instruction::Or(a, b)
+            | Instruction::Add(a, b)
+            | Instruction::Sub(a, b)
+            | Instruction::Mul(a, b)
+            | Instruction::Div(a, b) => vec![a, b],
+            Instruction::MulAdd(a, b, c) => vec![a, b, c],
+            Instruction::Call(_, args) => args.iter_mut().collect(),
+        }
+    }
+
+    /// What it reads.
+    pub(super) fn operands(&self) -> Vec<Operand> {
+        self.clone().operands_mut().into_iter().map(|operand| *operand).collect()
+    }
+
+    /// Reads something else, in the same order.
+    pub(super) fn replace(&mut self, operands: &[Operand]) {
+        for (old, new) in self.operands_mut().into_iter().zip(operands) {
+            *old = *new;
+        }
+    }
+
+    /// How many of its first operands may change places.
+    pub(super) fn commuting(&self) -> usize {
+        match self {
+            Instruction::Add(..) | Instruction::Mul(..) | Instruction::MulAdd(..) => 2,
+            _ => 0,
+        }
+    }
+
     /// When the value is there, in units of one sum: after the last of its operands. Rounded figures that processors of
     /// the last ten years have in common; only the order of sums depends on them.
     pub(crate) fn ready(&self, operand: impl Fn(&Operand) -> u32) -> u32 {
@@ -118,19 +153,43 @@ impl Instruction {
     }
 }
 
+impl Statement {
+    /// The values that it computes, without those that only a branch needs.
+    pub(crate) fn registers(&self) -> Vec<Register> {
+        match self {
+            Statement::Let(register, _) | Statement::FlowMatrix(register, ..) => vec![*register],
+            Statement::SinCos(sin, cos, _) => vec![*sin, *cos],
+            Statement::Kepler(registers, _) => registers.as_flattened().to_vec(),
+            Statement::FlowChange(registers, ..) | Statement::If { registers, .. } => registers.clone(),
+        }
+    }
+
+    /// Calls a function for all that it reads, in branches too.
+    pub(super) fn for_each_operand(&self, visit: &mut dyn FnMut(&Operand)) {
+        match self {
+            Statement::Let(_, instruction) => instruction.operands().iter().for_each(visit),
+            Statement::SinCos(_, _, x) => visit(x),
+            Statement::Kepler(_, orbits) => orbits.iter().flatten().for_each(visit),
+            Statement::FlowMatrix(_, _, entries) => entries.iter().for_each(|(_, entry)| visit(entry)),
+            Statement::FlowChange(_, matrix, x) => {
+                visit(matrix);
+                x.iter().for_each(visit);
+            }
+            Statement::If { condition, first, second, .. } => {
+                visit(condition);
+                for branch in [first, second] {
+                    branch.statements.iter().for_each(|statement| statement.for_each_operand(visit));
+                    branch.results.iter().for_each(&mut *visit);
+                }
+            }
+        }
+    }
+}
+
 impl Block {
     /// The values that its statements compute, without those that only a branch needs.
     pub(crate) fn registers(&self) -> Vec<Register> {
-        let mut all = vec![];
-        for statement in &self.statements {
-            match statement {
-                Statement::Let(register, _) | Statement::FlowMatrix(register, ..) => all.push(*register),
-                Statement::SinCos(sin, cos, _) => all.extend([*sin, *cos]),
-                Statement::Kepler(registers, _) => all.extend(registers.as_flattened()),
-                Statement::FlowChange(registers, ..) | Statement::If { registers, .. } => all.extend(registers),
-            }
-        }
-        all
+        self.statements.iter().flat_map(Statement::registers).collect()
     }
 
     /// Registers that hold a matrix.

@@ -7,6 +7,7 @@
 
 mod arithmetic;
 mod block;
+mod families;
 mod kepler;
 mod matrix;
 mod kernel;
@@ -14,6 +15,7 @@ mod levels;
 mod lowering;
 
 pub(crate) use block::{Block, Instruction, Operand, Operations, Register, Statement};
+pub(crate) use families::{Families, Family, Indices, Item, Run, Source, families};
 #[cfg(test)]
 pub(crate) use kernel::plan;
 pub(crate) use kernel::{Kernel, Levels, Plan};

@@ -1,6 +1,7 @@
 //! Tests of the whole compiler; nothing outside of a proc-macro crate can call its insides.
 
 mod cost;
+mod jets;
 mod eval;
 mod facts;
 mod flows;

@@ -139,6 +139,25 @@ pub(crate) fn vanishes(graph: &mut Graph, root: Id) -> bool {
     graph.is_zero(root) || !rounding::differs(graph, root) && proven(graph)
 }
 
+/// The c, a number times powers of parameters, with which a = c·b is proven.
+pub(crate) fn multiple(graph: &mut Graph, a: Id, b: Id) -> Option<Id> {
+    let sums = multiplied::Sums::of(graph, &[a, b], PRODUCTS)?;
+    let [of_a, of_b] = [0, 1].map(|sum| sums.terms(graph, sum));
+    // One term of the one is c times a term of the other.
+    let last = *of_b.first()?;
+    for term in of_a {
+        let c = graph.div(term, last);
+        if !graph.reads(c).moves() {
+            let other = graph.mul(c, b);
+            let difference = graph.sub(a, other);
+            if vanishes(graph, difference) {
+                return Some(c);
+            }
+        }
+    }
+    None
+}
+
 /// Leaves the directions along which a node may be constant: floating point does not show that it changes, a derivative may prove that it does not.
 pub(crate) fn retain_constant(graph: &Graph, root: Id, directions: &mut Vec<Direction>) {
     rounding::retain_constant(graph, root, directions);

@@ -5,7 +5,7 @@
 
 use super::{Factor, Jet, Rule, Source};
 use crate::ir::HashMap;
-use std::collections::HashSet;
+use std::collections::{HashSet, VecDeque};
 
 /// Sums side by side.
 pub(crate) const LANES: usize = 4;
@@ -51,6 +51,11 @@ impl Sum {
     fn new(u: Operand, w: Operand) -> Sum {
         Sum { operands: [u, w], weight: if u == w { Weight::Square } else { Weight::One } }
     }
+
+    /// What an operand is multiplied with.
+    fn other(&self, operand: Operand) -> Operand {
+        self.operands[usize::from(self.operands[0] == operand)]
+    }
 }
 
 /// The sums in the coefficient of a series.
@@ -93,6 +98,8 @@ pub(crate) struct Group {
 pub(crate) struct Lanes {
     pub(crate) arrays: Vec<[Operand; LANES]>,
     pub(crate) groups: Vec<Group>,
+    /// Sums that would be alone in a group.
+    alone: Vec<Sum>,
     known: HashMap<[Operand; LANES], usize>,
     /// Of every sum the group and the place in it.
     places: HashMap<Sum, (usize, usize)>,
@@ -101,42 +108,100 @@ pub(crate) struct Lanes {
 impl Lanes {
     /// The groups, if there are enough sums.
     pub(crate) fn of(jet: &Jet) -> Option<Lanes> {
-        let mut kinds: Vec<(Weight, Vec<Sum>)> = vec![(Weight::One, vec![])];
         let mut known: HashSet<Sum> = HashSet::new();
         // In the order in which they are read: then those of a group are read, and their operands known, at nearly the same time.
-        for own in jet.order.iter().copied() {
-            for sum in sums(&jet.series[own].rule, own).into_iter().filter(|sum| known.insert(*sum)) {
-                match kinds.iter_mut().find(|(weight, _)| *weight == sum.weight) {
-                    Some((_, kind)) => kind.push(sum),
-                    None => kinds.push((sum.weight, vec![sum])),
-                }
-            }
-        }
-        if known.len() < FEWEST {
+        let all = jet.order.iter().flat_map(|own| sums(&jet.series[*own].rule, *own));
+        let all: Vec<Sum> = all.filter(|sum| known.insert(*sum)).collect();
+        if all.len() < FEWEST {
             return None;
         }
         let mut lanes = Lanes::default();
+        lanes.along_powers(&all);
+        let mut kinds: Vec<(Weight, Vec<Sum>)> = vec![(Weight::One, vec![])];
+        for sum in all.into_iter().filter(|sum| !lanes.places.contains_key(sum)) {
+            match kinds.iter_mut().find(|(weight, _)| *weight == sum.weight) {
+                Some((_, kind)) => kind.push(sum),
+                None => kinds.push((sum.weight, vec![sum])),
+            }
+        }
         let mut common = std::mem::take(&mut kinds[0].1);
         for (weight, kind) in kinds {
             let (whole, rest) = kind.split_at(kind.len() - kind.len() % LANES);
             whole.chunks(LANES).for_each(|group| lanes.push(weight, group));
-            match weight {
+            let free = common.len().next_multiple_of(LANES) - common.len();
+            match (weight, rest.len()) {
                 // Few squares fill lanes of others.
-                Weight::Square if rest.len() < LANES - 1 => common.extend(rest),
-                _ if !rest.is_empty() => lanes.push(weight, rest),
-                _ => {}
+                (Weight::Square, 1) if free > 0 => common.extend(rest),
+                (Weight::Square, 2..LANES) if rest.len() < LANES - 1 => common.extend(rest),
+                (_, 0) => {}
+                _ => lanes.push(weight, rest),
             }
         }
         common.chunks(LANES).for_each(|group| lanes.push(Weight::One, group));
         Some(lanes)
     }
 
+    /// Powers side by side, as those of the distances of bodies; then all that they are multiplied with, in the same lanes, and squares of that. So an
+    /// array of operands serves all sums in which they are, and what follows from sums stays in its lane.
+    fn along_powers(&mut self, all: &[Sum]) {
+        let mut reading: HashMap<Operand, Vec<Sum>> = HashMap::default();
+        for sum in all {
+            for operand in sum.operands {
+                reading.entry(operand).or_default().push(*sum);
+            }
+        }
+        let powers: Vec<Sum> = all.iter().copied().filter(|sum| matches!(sum.weight, Weight::Power(_))).collect();
+        let mut open: VecDeque<Vec<Operand>> = VecDeque::new();
+        let alike = powers.chunk_by(|a, b| a.weight == b.weight).flat_map(|alike| alike.chunks(LANES));
+        for group in alike.filter(|group| group.len() + 1 >= LANES) {
+            self.push(group[0].weight, group);
+            open.push_back(group.iter().map(|sum| sum.operands[1]).collect());
+        }
+        while let Some(operands) = open.pop_front() {
+            for weight in [Weight::One, Weight::Square] {
+                while let Some(sums) = self.next_of_each(weight, &operands, &reading) {
+                    let others: Vec<Operand> =
+                        sums.iter().zip(&operands).map(|(sum, operand)| sum.other(*operand)).collect();
+                    self.group(weight, &sums, [&others, &operands]);
+                    if weight == Weight::One {
+                        open.push_back(others);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A sum with each of the operands that is in no group.
+    fn next_of_each(
+        &self,
+        weight: Weight,
+        operands: &[Operand],
+        reading: &HashMap<Operand, Vec<Sum>>,
+    ) -> Option<Vec<Sum>> {
+        let mut found: Vec<Sum> = vec![];
+        for operand in operands {
+            let free = |sum: &&Sum| sum.weight == weight && !self.places.contains_key(*sum) && !found.contains(sum);
+            found.push(*reading.get(operand)?.iter().find(free)?);
+        }
+        Some(found)
+    }
+
     fn push(&mut self, weight: Weight, sums: &[Sum]) {
+        if let [sum] = sums {
+            self.alone.push(*sum);
+            return;
+        }
+        let operands = [0, 1].map(|k| sums.iter().map(|sum| sum.operands[k]).collect::<Vec<_>>());
+        self.group(weight, sums, [&operands[0], &operands[1]]);
+    }
+
+    /// A group of sums with these operands.
+    fn group(&mut self, weight: Weight, sums: &[Sum], operands: [&[Operand]; 2]) {
         let place = self.groups.len();
         self.places.extend(sums.iter().enumerate().map(|(lane, sum)| (*sum, (place, lane))));
         // Lanes that nothing needs repeat the last.
-        let lane = |lane: usize| sums[lane.min(sums.len() - 1)];
-        let operands = [0, 1].map(|k| self.array(std::array::from_fn(|i| lane(i).operands[k])));
+        let last = sums.len() - 1;
+        let operands = operands.map(|operands| self.array(std::array::from_fn(|lane| operands[lane.min(last)])));
         self.groups.push(Group { operands, weight });
     }
 
@@ -146,6 +211,11 @@ impl Lanes {
             self.arrays.push(operands);
             next
         })
+    }
+
+    /// Whether an operand is read in a sum that is alone.
+    pub(crate) fn is_read_alone(&self, operand: Operand) -> bool {
+        self.alone.iter().any(|sum| sum.operands.contains(&operand))
     }
 
     /// The group of a sum, and the place in it.

@@ -15,25 +15,26 @@ mod rules;
 pub(crate) use lanes::{LANES, Lanes, Operand, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
-use crate::ir::{Graph, HashMap, Id, Node, Symbol};
-use std::collections::VecDeque;
+use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};
+use std::collections::{HashSet, VecDeque};
 
 /// The program for coordinates by their rates.
 pub(crate) fn jet(graph: &mut Graph, rates: &[(Symbol, Id)]) -> Jet {
     let roots: Vec<Id> = rates.iter().map(|(_, rate)| *rate).collect();
-    let mut uses = HashMap::default();
-    for id in graph.reachable(&roots) {
-        graph.node(id).for_each_child(|child| *uses.entry(child).or_insert(0) += 1);
-    }
+    let resting = rates.iter().filter(|(_, rate)| graph.is_zero(*rate)).map(|(symbol, _)| *symbol).collect();
+    let resting = Resting(resting);
     let mut builder = Builder {
         graph,
-        uses,
+        resting,
+        uses: HashMap::default(),
+        alone: HashSet::default(),
         depths: Depths::default(),
         jet: Jet::default(),
         sources: HashMap::default(),
         values: HashMap::default(),
         open: VecDeque::new(),
     };
+    builder.look(&roots);
     for (symbol, rate) in rates {
         let (value, source) = (builder.value(*rate), builder.source(*rate));
         builder.jet.rates.push(Rate { symbol: *symbol, value, source });
@@ -59,9 +60,29 @@ impl Depths {
     }
 }
 
+/// The coordinates that stand still, as the momenta of cyclic ones.
+struct Resting(Vec<Symbol>);
+
+impl Resting {
+    fn is_constant(&self, graph: &Graph, id: Id) -> bool {
+        let reads = graph.reads(id);
+        let rests = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_)) || self.0.contains(symbol);
+        !reads.moves() || !self.0.is_empty() && !reads.t && graph.symbols(id).iter().all(rests)
+    }
+}
+
+/// Terms, with the first one positive.
+fn of_either_sign(terms: &[(Number, Id)]) -> Vec<(Number, Id)> {
+    let negative = terms.first().is_some_and(|(c, _)| c.is_negative());
+    terms.iter().map(|(c, term)| (if negative { c.neg() } else { *c }, *term)).collect()
+}
+
 struct Builder<'a> {
     graph: &'a mut Graph,
+    resting: Resting,
     uses: HashMap<Id, usize>,
+    /// What something reads other than in products with something else that moves, it or a multiple of it.
+    alone: HashSet<Id>,
     depths: Depths,
     jet: Jet,
     sources: HashMap<Id, Source>,
@@ -71,13 +92,37 @@ struct Builder<'a> {
 }
 
 impl Builder<'_> {
+    /// What is read, how often, and how.
+    fn look(&mut self, roots: &[Id]) {
+        let mut sums = HashSet::new();
+        self.alone.extend(roots);
+        for id in self.graph.reachable(roots).into_iter().rev() {
+            let node = self.graph.node(id).clone();
+            let moving = node.children().into_iter().filter(|child| !self.is_constant(*child)).count();
+            let alone = match &node {
+                // A sum with the other sign is the same sum.
+                Node::Linear(_, terms) if moving > 1 && !sums.insert(of_either_sign(terms)) => continue,
+                Node::Product(_) => moving == 1 && self.alone.contains(&id),
+                Node::Linear(constant, terms) if constant.is_zero() && terms.len() == 1 => self.alone.contains(&id),
+                _ => true,
+            };
+            node.for_each_child(|child| {
+                *self.uses.entry(child).or_insert(0) += 1;
+                if alone {
+                    let (_, child) = self.parted(child);
+                    self.alone.insert(child);
+                }
+            });
+        }
+    }
+
     fn depth(&mut self, id: Id) -> u32 {
         self.depths.of(self.graph, id)
     }
 
     /// Whether a node is a number in a step.
     fn is_constant(&self, id: Id) -> bool {
-        !self.graph.reads(id).moves()
+        self.resting.is_constant(self.graph, id)
     }
 
     /// A value at the start.

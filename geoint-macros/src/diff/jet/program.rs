@@ -174,8 +174,13 @@ impl Rule {
 }
 
 impl Jet {
+    /// Sums of n terms in all coefficients of order n, in halves.
+    pub(crate) fn half_convolutions(&self) -> usize {
+        self.series.iter().map(|series| series.rule.half_convolutions()).sum()
+    }
+
     /// Sums of n terms in all coefficients of order n.
     pub(crate) fn convolutions(&self) -> usize {
-        self.series.iter().map(|series| series.rule.half_convolutions()).sum::<usize>().div_ceil(2)
+        self.half_convolutions().div_ceil(2)
     }
 }

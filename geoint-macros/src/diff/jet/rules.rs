@@ -17,9 +17,15 @@ impl Builder<'_> {
         }
         match self.graph.node(id).clone() {
             Node::Symbol(symbol) => Rule::State(symbol),
-            Node::Linear(_, terms) => self.linear(terms),
+            Node::Linear(_, terms) => match self.with_other_sign(id) {
+                Some(other) => self.scaled_by(Number::MINUS_ONE, other),
+                None => self.linear(terms),
+            },
             Node::Product(_) => self.product(id),
-            Node::Power(base, exponent) => self.power(base, exponent),
+            Node::Power(base, exponent) => {
+                let (constant, moving) = self.parted(id);
+                if moving == id { self.power(base, exponent) } else { self.scaled(constant, moving) }
+            }
             Node::Call(function, args) => self.call(id, function, &args),
             Node::Select(condition, first, second) => self.select(condition, first, second),
             Node::Number(_) | Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) | Node::Truth(_) => {
@@ -57,6 +63,15 @@ impl Builder<'_> {
         }
     }
 
+    /// A sum that is read and is this one but for its sign, where that is how squares have it.
+    fn with_other_sign(&mut self, id: Id) -> Option<Id> {
+        if !self.graph.leads_negative(id) || self.graph.coefficient(id).1 != id {
+            return None;
+        }
+        let other = self.graph.negated_sum(id);
+        self.uses.contains_key(&other).then_some(other)
+    }
+
     fn linear(&mut self, terms: Vec<(Number, Id)>) -> Rule {
         let mut parts: Vec<(Id, Id)> = vec![];
         for (c, term) in self.factored(terms) {
@@ -82,10 +97,18 @@ impl Builder<'_> {
 
     /// A node that moves as a number of the step times what moves of it, wherever in products within each other that number stands: what is scaled
     /// twice would be waited for twice, and products of the same series are one.
-    fn parted(&mut self, id: Id) -> (Id, Id) {
+    pub(super) fn parted(&mut self, id: Id) -> (Id, Id) {
         let (c, inner) = self.graph.coefficient(id);
         let mut constant = self.graph.number(c);
-        let Node::Product(factors) = self.graph.node(inner).clone() else { return (constant, inner) };
+        let factors = match self.graph.node(inner).clone() {
+            Node::Product(factors) => factors,
+            Node::Power(base, exponent) if exponent.is_integer() && !self.is_constant(base) => {
+                let (number, rest) = self.parted(base);
+                let [number, rest] = [number, rest].map(|base| self.graph.pow(base, exponent));
+                return (self.graph.mul(constant, number), rest);
+            }
+            _ => return (constant, inner),
+        };
         let mut moving = vec![];
         for factor in factors {
             if self.is_constant(factor) {
@@ -129,15 +152,15 @@ impl Builder<'_> {
             let rest = self.graph.product(&moving);
             return self.scaled(sign, rest);
         }
-        // A reciprocal that nothing else reads is divided by.
+        // A reciprocal that is read in products alone is divided by: no series of it is needed.
         let single = moving.iter().position(|factor| {
-            matches!(self.graph.node(*factor), Node::Power(_, Ratio { numerator: -1, denominator: 1 }))
-                && self.uses.get(factor) == Some(&1)
+            matches!(self.graph.node(*factor), Node::Power(_, Ratio { numerator: -2..=-1, denominator: 1 }))
+                && !self.alone.contains(factor)
         });
         if let Some(place) = single {
-            let Node::Power(base, _) = *self.graph.node(moving.remove(place)) else { unreachable!() };
-            let numerator = self.graph.product(&moving);
-            if let Some(rule) = self.source(numerator).map(|numerator| Rule::Quotient(numerator, self.series(base))) {
+            let by = moving.remove(place);
+            let (numerator, by) = (self.graph.product(&moving), self.graph.recip(by));
+            if let Some(rule) = self.source(numerator).map(|numerator| Rule::Quotient(numerator, self.series(by))) {
                 return rule;
             }
         }
@@ -161,6 +184,10 @@ impl Builder<'_> {
         Rule::Product(self.series(a), self.series(b))
     }
 
+    fn scaled_by(&mut self, c: Number, u: Id) -> Rule {
+        Rule::Linear(vec![(Factor::Number(c), self.series(u))])
+    }
+
     /// factor·u for a number of the step.
     pub(super) fn scaled(&mut self, factor: Id, u: Id) -> Rule {
         let (factor, u) = self.of_one_term(factor, u);
@@ -181,7 +208,7 @@ impl Builder<'_> {
             let reciprocal = self.graph.recip(base);
             return Rule::Square(self.series(reciprocal));
         }
-        if !exponent.is_integer() || exponent.numerator < 0 {
+        if !exponent.is_integer() || exponent.numerator < 0 && !self.has_lower(base, exponent) {
             let u = self.series(base);
             return match exponent {
                 Ratio { numerator: -1, denominator: 1 } => Rule::Reciprocal(u),
@@ -189,11 +216,20 @@ impl Builder<'_> {
                 _ => Rule::Power(u, Factor::Number(Number::Exact(exponent))),
             };
         }
-        // The power rule divides by the base, which may be zero.
+        // The power rule divides by the base, which may be zero, and has twice the multiplications of a product.
         let half = Ratio::integer(exponent.numerator / 2);
         let rest = Ratio::integer(exponent.numerator - half.numerator);
         let [half, rest] = [half, rest].map(|exponent| self.graph.pow(base, exponent));
         self.times(half, rest)
+    }
+
+    /// Whether powers are there of which a negative one is the product.
+    fn has_lower(&mut self, base: Id, exponent: Ratio) -> bool {
+        let mut is_read = |exponent| {
+            let power = self.graph.pow(base, Ratio::integer(exponent));
+            self.uses.contains_key(&power)
+        };
+        exponent.numerator < -2 && (is_read(-1) || is_read(-2))
     }
 
     pub(super) fn select(&mut self, condition: Id, first: Id, second: Id) -> Rule {

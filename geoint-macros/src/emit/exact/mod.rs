@@ -5,7 +5,7 @@ mod kick_drift;
 mod perturbed;
 mod pieces;
 
-use super::kernel::{Context, element};
+use super::kernel::{Context, Given, array};
 use crate::derive::FlowKernel;
 use crate::ir::Symbol;
 use crate::schedule::Plan;
@@ -57,14 +57,18 @@ fn flow(context: &Context<'_>, name: &str, flow_kernel: &FlowKernel<Plan>) -> (T
 
 /// `d.q[i] = …; d.p[i] = …; d.s = …;`: what a flow from `x` adds.
 fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) if context.energy.form.is_flow() => element(quote!(d.z), &context.coordinate(*i)),
-        Symbol::Q(i) => element(quote!(d.z), &[&[0], &context.coordinate(*i)[..]].concat()),
-        Symbol::P(i) => element(quote!(d.z), &[&[1], &context.coordinate(*i)[..]].concat()),
-        _ => quote!(d.s),
+    let entry = |half: &[usize], i: u32| {
+        let indices = [half, &context.coordinate(i)[..]].concat();
+        Given::entry(array::INCREMENTS, quote!(d.z), indices)
+    };
+    let targets = flow.changes.iter().map(|symbol| match symbol {
+        Symbol::Q(i) if context.energy.form.is_flow() => entry(&[], *i),
+        Symbol::Q(i) => entry(&[0], *i),
+        Symbol::P(i) => entry(&[1], *i),
+        _ => Given::alone(quote!(d.s)),
     });
     let parts = context.per_coordinate();
-    let writes = context.planned(&flow.kernel.last[1], (&[], ""), |values| quote!(#(#places = #values;)*));
+    let writes = context.written(&flow.kernel.last[1], &targets.collect::<Vec<_>>());
     let point = if context.energy.form.is_flow() { quote!(q) } else { quote!([q, p]) };
     quote! {
         let PerCoordinate { z: #point, s } = x;
@@ -76,10 +80,6 @@ fn increments(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
 
 /// `q[i] = …; p[i] = …; *s = …;`
 fn assign(context: &Context<'_>, flow: &FlowKernel<Plan>) -> TokenStream {
-    let places = flow.changes.iter().map(|symbol| match symbol {
-        Symbol::Q(i) => element(quote!(q), &context.coordinate(*i)),
-        Symbol::P(i) => element(quote!(p), &context.coordinate(*i)),
-        _ => quote!(*s),
-    });
-    context.values(&flow.kernel, |values| quote!(#(#places = #values;)*))
+    let targets: Vec<Given> = flow.changes.iter().map(|symbol| context.input(*symbol)).collect();
+    context.written(&flow.kernel.last[0], &targets)
 }

@@ -3,7 +3,7 @@
 
 use super::{assign, increments};
 use crate::derive::{Missing, PieceKernel, PiecesOf};
-use crate::emit::kernel::{Context, element};
+use crate::emit::kernel::{Context, Given, array, element};
 use crate::emit::missing::unsatisfied;
 use crate::emit::straight_line;
 use crate::emit::structure::self_type;
@@ -140,7 +140,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
     let unknown = |symbol: Symbol| {
         let moved =
             piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
-        moved.map_or_else(|| context.input(symbol), |i| element(quote!(increment), &[i]))
+        moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, quote!(increment), vec![i]))
     };
     let equation = straight_line::routine(&piece.flow.kernel.last[0], (&context.registers, &unknown), |values| {
         let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];

@@ -53,12 +53,17 @@ impl Writer<'_> {
     /// Whether the coefficients of a series have an array of their own.
     pub(super) fn has_array(&self, source: Source) -> bool {
         let series = &self.jet.series[source];
-        let in_sums = self.lanes.is_none() && series.kept;
+        let in_sums = series.kept && self.is_read_alone(Operand { source, weighted: false });
         in_sums || series.before || matches!(series.rule, Rule::State(_))
     }
 
     pub(super) fn has_weighted_array(&self, source: Source) -> bool {
-        self.lanes.is_none() && self.jet.series[source].weighted
+        self.jet.series[source].weighted && self.is_read_alone(Operand { source, weighted: true })
+    }
+
+    /// Whether an operand is read in a sum that is not side by side with others.
+    fn is_read_alone(&self, operand: Operand) -> bool {
+        self.lanes.as_ref().is_none_or(|lanes| lanes.is_read_alone(operand))
     }
 
     /// The arrays, in order, as the body of an order and its calls name them.

@@ -1,0 +1,152 @@
+//! How many sums of series a coefficient takes: as few as by hand.
+
+use super::lowered;
+use crate::diff::{self, by_velocities, jet};
+use crate::ir::{Graph, Id, Symbol};
+use proc_macro2::TokenStream;
+use quote::quote;
+
+/// Sums in halves, a square is one: of ∂H/∂q as it is, and in velocities.
+fn sums(item: TokenStream, degrees: u32) -> (usize, Option<usize>) {
+    let (_, mut lowered) = lowered(item);
+    let graph = &mut lowered.graph;
+    let gradient = diff::gradient(graph, lowered.energy, degrees);
+    let sums = |graph: &mut Graph, gradient: &diff::Gradient| {
+        let forces: Vec<Id> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
+        let velocities = (0..).map(Symbol::Q).zip(gradient.p.iter().copied());
+        let rates: Vec<_> = velocities.chain((0..).map(Symbol::P).zip(forces)).collect();
+        jet::jet(graph, &rates).half_convolutions()
+    };
+    let by_velocities = by_velocities::of_energy(graph, lowered.energy, &gradient);
+    (sums(graph, &gradient), by_velocities.map(|gradient| sums(graph, &gradient)))
+}
+
+/// sin and cos of three angles 12, sin² 1, p·cos of both momenta 4, velocities 4, v₁v₂ and that times sin 4.
+#[test]
+fn the_double_pendulum_takes_as_many_as_by_hand() {
+    let pendulum = quote! {
+        fn pendulum(q: [f64; 2], p: [f64; 2], m1: f64, m2: f64, l1: f64, l2: f64, g: f64) -> f64 {
+            let (sin, cos) = (q[0] - q[1]).sin_cos();
+            (m2 * l2 * l2 * p[0] * p[0] + (m1 + m2) * l1 * l1 * p[1] * p[1] - 2.0 * m2 * l1 * l2 * p[0] * p[1] * cos)
+                / (2.0 * m2 * l1 * l1 * l2 * l2 * (m1 + m2 * sin * sin))
+                - (m1 + m2) * g * l1 * q[0].cos() - m2 * g * l2 * q[1].cos()
+        }
+    };
+    let (as_it_is, by_velocities) = sums(pendulum, 2);
+    assert_eq!(by_velocities, Some(25));
+    assert!(as_it_is > 25);
+}
+
+/// The same with what 2 and masses divide taken to other places: the determinant is a multiple of the denominator.
+#[test]
+fn a_denominator_may_be_written_otherwise() {
+    let pendulum = quote! {
+        fn pendulum(q: [f64; 2], p: [f64; 2], m: f64, k: f64) -> f64 {
+            let c = (q[0] - q[1]).cos();
+            (p[0] * p[0] / k + (m + k) * p[1] * p[1] / (k * k) - 2.0 * p[0] * p[1] * c / k) / (m / k + 1.0 - c * c)
+                - q[0].cos() - q[1].cos()
+        }
+    };
+    assert_eq!(sums(pendulum, 2).1, Some(25));
+}
+
+/// An arm of two links: sin and cos of three angles 12, cos² 1, momenta times M 6, velocities 4, v₁(v₁ + v₂) and that times sin 4.
+#[test]
+fn an_arm_has_common_factors() {
+    let arm = quote! {
+        fn arm(q: [f64; 2], p: [f64; 2], a: f64, b: f64, c: f64, g: f64) -> f64 {
+            let cos = q[1].cos();
+            (b * p[0] * p[0] - 2.0 * (b + c * cos) * p[0] * p[1] + (a + 2.0 * c * cos) * p[1] * p[1])
+                / (2.0 * (a * b - b * b - c * c * cos * cos))
+                + g * (2.0 * q[0].sin() + (q[0] + q[1]).sin())
+        }
+    };
+    let (as_it_is, by_velocities) = sums(arm, 2);
+    assert_eq!(by_velocities, Some(27));
+    assert!(as_it_is > 27);
+}
+
+/// In polar coordinates: r² 1, the angular velocity w 2, w² 1, rw² 2; and of the spring sin and cos 4, r·sin 2.
+#[test]
+fn polar_coordinates_divide_by_the_square() {
+    let spring = quote! {
+        fn spring(q: [f64; 2], p: [f64; 2], m: f64, k: f64, l: f64, g: f64) -> f64 {
+            (p[0] * p[0] + p[1] * p[1] / (q[0] * q[0])) / (2.0 * m) + k * (q[0] - l) * (q[0] - l) / 2.0
+                - m * g * q[0] * q[1].cos()
+        }
+    };
+    assert_eq!(sums(spring, 2).1, Some(12));
+}
+
+/// L is a number: r⁻¹ 2, r⁻² 1, r⁻³ 2; whether it is a momentum or a parameter.
+#[test]
+fn momenta_of_cyclic_coordinates_are_numbers() {
+    let kepler = quote! {
+        fn kepler(q: [f64; 2], p: [f64; 2], m: f64) -> f64 {
+            p[0] * p[0] / (2.0 * m) + p[1] * p[1] / (2.0 * m * q[0] * q[0]) - m / q[0]
+        }
+    };
+    let radial = quote! {
+        fn radial(q: f64, p: f64, m: f64, l: f64) -> f64 {
+            p * p / (2.0 * m) + l * l / (2.0 * m * q * q) - m / q
+        }
+    };
+    let (as_it_is, by_velocities) = sums(kepler, 2);
+    assert_eq!([Some(as_it_is), by_velocities, Some(sums(radial, 1).0)], [Some(5); 3]);
+}
+
+/// A bead on a parabola: q² 1, v 2, v² 1, qv² 2.
+#[test]
+fn a_mass_may_depend_on_the_position() {
+    let bead = quote! {
+        fn bead(q: f64, p: f64, m: f64, a: f64, g: f64) -> f64 {
+            p * p / (2.0 * m * (1.0 + 4.0 * a * a * q * q)) + m * g * a * q * q
+        }
+    };
+    let (as_it_is, by_velocities) = sums(bead, 1);
+    assert_eq!(by_velocities, Some(6));
+    assert!(as_it_is > 6);
+}
+
+/// Where no velocity is quadratic, or M does not change, there is one form.
+#[test]
+fn other_energies_have_one_form() {
+    let relativistic = quote! {
+        fn relativistic(q: f64, p: f64) -> f64 {
+            (1.0 + p * p / (1.0 + q * q)).sqrt()
+        }
+    };
+    let pendulum = quote! {
+        fn pendulum(q: f64, p: f64, m: f64) -> f64 {
+            p * p / (2.0 * m) - q.cos()
+        }
+    };
+    assert_eq!(sums(relativistic, 1).1, None);
+    assert_eq!(sums(pendulum, 1).1, None);
+}
+
+/// The distances of six bodies in groups of four: r⁻³ for all, and differences of positions in the same lanes for each coordinate.
+#[test]
+fn arrays_of_pairs_serve_all_sums() {
+    let bodies = quote! {
+        fn bodies(q: [[f64; 3]; 6], p: [[f64; 3]; 6], m: [f64; 6]) -> f64 {
+            let mut energy = 0.0;
+            for i in 0..6 {
+                energy += (p[i][0] * p[i][0] + p[i][1] * p[i][1] + p[i][2] * p[i][2]) / (2.0 * m[i]);
+                for j in 0..i {
+                    let d = [q[i][0] - q[j][0], q[i][1] - q[j][1], q[i][2] - q[j][2]];
+                    energy -= m[i] * m[j] / (d[0] * d[0] + d[1] * d[1] + d[2] * d[2]).sqrt();
+                }
+            }
+            energy
+        }
+    };
+    let (_, mut lowered) = lowered(bodies);
+    let graph = &mut lowered.graph;
+    let gradient = diff::gradient(graph, lowered.energy, 18);
+    let forces: Vec<_> = gradient.q.iter().map(|slope| graph.neg(*slope)).collect();
+    let rates: Vec<_> = (0..).map(Symbol::P).zip(forces).collect();
+    let lanes = jet::Lanes::of(&jet::jet(graph, &rates)).expect("there are many sums");
+    // Of 15 pairs r², r⁻³ and three differences; squares and products of three, and powers.
+    assert_eq!([lanes.arrays.len(), lanes.groups.len()], [4 * 5, 4 * 7]);
+}
