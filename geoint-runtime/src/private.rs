@@ -37,13 +37,17 @@ pub use geoint_macros::{put_energy_function_above_it, resume};
 /// What is seldom done is compiled with this crate, where it does not depend on the shape of unknowns, or for usual shapes. Programs take it
 /// from here, since it is never inlined. These are its addresses, because only what somebody names is compiled.
 #[inline(never)]
-pub fn compiled() -> [[*const (); 2]; 9] {
+pub fn compiled() -> [[*const (); 2]; 12] {
     use crate::method::corrected::kept::compiled as kept;
+    use crate::method::discrete_gradient::gonzalez::compiled as metric;
     use crate::solving::newton::compiled as search;
     use crate::solving::noise::compiled as noise;
     use crate::system::compiled as poles;
     let [one, two, three, four] =
         [search::<[f64; 1]>(), search::<[f64; 2]>(), search::<[f64; 3]>(), search::<[f64; 4]>()];
+    // Positions and momenta together, of one and of two degrees of freedom.
+    let [pair, pairs] = [search::<[[f64; 1]; 2]>(), search::<[[f64; 2]; 2]>()];
     let kept = [kept::<f64>(), kept::<f32>()];
-    [poles::<f64>(), poles::<f32>(), noise::<f64>(), noise::<f32>(), kept, one, two, three, four]
+    let metrics = [metric::<[f64; 1]>(), metric::<[f64; 2]>()];
+    [poles::<f64>(), poles::<f32>(), noise::<f64>(), noise::<f32>(), kept, metrics, one, two, three, four, pair, pairs]
 }

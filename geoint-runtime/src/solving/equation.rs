@@ -69,10 +69,10 @@ pub(crate) trait StepEquation<A: Array, W: Observer + ?Sized>: Copy {
 
 /// An equation behind pointers, for what is done seldom: it is compiled once for all equations of so many unknowns.
 #[derive(Clone, Copy)]
-pub(crate) struct Distant<'a, A> {
+pub(crate) struct Distant<A> {
     pub(crate) origin: A,
     pub(crate) standstill: f64,
-    pub(crate) explicit: &'a dyn Fn() -> A,
+    pub(crate) explicit: A,
 }
 
 /// x − g(x), and 1 − g'(x) in a matrix, as a [`Distant`] equation is evaluated, and who watches that.
@@ -98,7 +98,7 @@ impl<A: Array, W: Observer + ?Sized, E: StepEquation<A, W>> Residual<A> for Resi
     }
 }
 
-impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<'_, A> {
+impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<A> {
     const PATIENT: bool = true;
 
     fn standstill(&self) -> f64 {
@@ -110,7 +110,7 @@ impl<A: Array> StepEquation<A, dyn Residual<A> + '_> for Distant<'_, A> {
     }
 
     fn explicit(&self) -> A {
-        (self.explicit)()
+        self.explicit
     }
 
     fn evaluate(&self, residual: &mut (dyn Residual<A> + '_), x: &A, matrix: &mut Square<A>) -> A {

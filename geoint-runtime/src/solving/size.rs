@@ -134,8 +134,7 @@ impl<A: Array> Sizes<A> {
     }
 
     /// Whether every entry of a residual is small beside the entry of `origin + x`.
-    #[cold]
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn resolve(&self, residual: &A, origin: &A, x: &A) -> bool {
         (0..A::LEN).all(|i| residual.as_slice()[i].magnitude() <= RESOLVED * self.of(i).max(sum(origin, x, i)))
     }
@@ -144,14 +143,18 @@ impl<A: Array> Sizes<A> {
     /// entry has no size but the correction; not a number if `delta` is none.
     #[inline(always)]
     pub(crate) fn relative(&self, delta: &A, origin: &A, x: &A) -> f64 {
-        largest((0..A::LEN).map(|i| {
-            let change = delta.as_slice()[i].magnitude();
-            // Nothing to correct is no correction, even of zero.
+        // Sizes first, by choices between numbers: a choice between ways to go on would be guessed wrongly wherever sizes and coordinates are nearly
+        // as large as each other.
+        let mut sizes = A::zero();
+        for (i, size) in sizes.as_mut_slice().iter_mut().enumerate() {
+            let (before, now) = (self.of(i), sum(origin, x, i) + delta.as_slice()[i].magnitude());
             // `f64::max` would take three instructions more, and lose what is not a number.
-            let (size, now) = (self.of(i), sum(origin, x, i) + change);
-            let size = if size > now { size } else { now };
-            if change == 0.0 { 0.0 } else { change / size }
-        }))
+            let largest = if before > now { before } else { now };
+            // Nothing to correct is no correction, even of zero: a size of zero is that of a change of zero.
+            *size = A::Real::from_f64(if largest == 0.0 { 1.0 } else { largest });
+        }
+        let ratio = |(change, size): (&A::Real, &A::Real)| change.magnitude() / size.magnitude();
+        largest(delta.as_slice().iter().zip(sizes.as_slice()).map(ratio))
     }
 }
 

@@ -25,23 +25,34 @@ pub(crate) fn way_back<S: PhaseSpace<R>, R: Real, I: Invariants<S, R>>(
     let changes = invariants.changes(system, origin, &moved);
     let mut gradients = invariants.gradients(system, z);
     let first = invariants.gradients(system, origin);
-    let way = [origin.as_slice(), moved.as_slice()];
-    let directions = I::Values::entries(&mut gradients);
-    for (here, there) in directions.iter().zip(I::Values::entries_of(&first)) {
-        if steepness(way, here.as_slice()) > STEEPER * steepness(way, there.as_slice()) {
-            return S::Phase::zero();
-        }
-    }
     let mut back = S::Phase::zero();
-    for (k, change) in changes.as_slice().iter().enumerate() {
-        let (before, direction) = directions.split_at_mut(k);
-        let direction = direction[0].as_mut_slice();
-        undo((direction, *change), way, &mut before.iter().map(Array::as_slice), back.as_mut_slice());
+    undo_all(
+        (S::Phase::flatten_mut(I::Values::entries(&mut gradients)), S::Phase::flatten(I::Values::entries_of(&first))),
+        changes.as_slice(),
+        [origin.as_slice(), moved.as_slice()],
+        back.as_mut_slice(),
+    );
+    back
+}
+
+/// The way back from gradients here and at the origin, one after the other. No system is known here: it is compiled once for a scalar.
+#[inline(never)]
+fn undo_all<R: Real>((gradients, first): (&mut [R], &[R]), changes: &[R], way: [&[R]; 2], back: &mut [R]) {
+    let n = back.len();
+    let mut both = gradients.chunks_exact(n).zip(first.chunks_exact(n));
+    if both.any(|(here, there)| steepness(way, here) > STEEPER * steepness(way, there)) {
+        return;
     }
-    for (i, back) in back.as_mut_slice().iter_mut().enumerate() {
+    for (k, change) in changes.iter().enumerate() {
+        let (before, gradient) = gradients.split_at_mut(k * n);
+        undo((&mut gradient[..n], *change), way, before.chunks_exact(n), back);
+    }
+    for (i, back) in back.iter_mut().enumerate() {
         *back *= R::from_f64(unit(way, i));
     }
-    if back.is_finite() { back } else { S::Phase::zero() }
+    if !back.iter().all(|x| x.magnitude().is_finite()) {
+        back.fill(R::from_f64(0.0));
+    }
 }
 
 /// How large a coordinate has been on the way from the origin.
@@ -55,7 +66,6 @@ fn unit<R: Real>(way: [&[R]; 2], i: usize) -> f64 {
 }
 
 /// How much an invariant changes with its coordinates, each by its size: times the last digit this is its rounding.
-#[inline(never)]
 fn steepness<R: Real>(way: [&[R]; 2], gradient: &[R]) -> f64 {
     gradient.iter().enumerate().map(|(i, slope)| size(way, i) * slope.magnitude()).sum()
 }
@@ -65,11 +75,10 @@ fn steepness<R: Real>(way: [&[R]; 2], gradient: &[R]) -> f64 {
 ///
 /// There is none where it nearly depends on them, as that of an angular momentum does on that of the energy on a circle: the rounding of one
 /// evaluation would grow beyond that of as many steps.
-#[inline(never)]
 fn undo<'a, R: Real>(
     (gradient, change): (&mut [R], R),
     way: [&[R]; 2],
-    others: &mut dyn Iterator<Item = &'a [R]>,
+    others: impl Iterator<Item = &'a [R]>,
     back: &mut [R],
 ) {
     let most = STEPS * ROUNDINGS * R::epsilon() * steepness(way, gradient);
@@ -104,5 +113,5 @@ fn add<R: Real>(x: &mut [R], w: R, d: &[R]) {
 
 /// The address of what is compiled once for a scalar.
 pub(crate) fn compiled<R: Real>() -> *const () {
-    undo::<R> as *const ()
+    undo_all::<R> as *const ()
 }

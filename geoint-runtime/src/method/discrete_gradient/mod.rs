@@ -28,7 +28,7 @@ mod columns;
 mod coordinate_increment;
 mod energy;
 mod fourth_order;
-mod gonzalez;
+pub(crate) mod gonzalez;
 mod itoh_abe;
 mod matrix;
 mod mean;

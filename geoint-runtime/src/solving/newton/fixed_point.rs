@@ -23,7 +23,7 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> Found<A> {
         if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
-            let guess = start.0.unwrap_or_else(|| explicit(*equation));
+            let guess = start.0.unwrap_or_else(|| explicit(&{ *equation }));
             let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
             if let Some(x) = found {
@@ -31,9 +31,7 @@ impl<A: Array> Iteration<A> {
                 return Found::solution(x, A::zero());
             }
         }
-        let found;
-        (*self, found) = self.search(start, *equation, watch);
-        found
+        self.search(start, *equation, watch)
     }
 
     /// x = g(x), if that attracts strongly enough. Where it does there is one solution, and it is continuous in h.

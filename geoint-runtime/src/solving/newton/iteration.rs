@@ -120,25 +120,23 @@ impl<A: Array> Iteration<A> {
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let distant =
-            Distant { origin: equation.origin(), standstill: equation.standstill(), explicit: &|| equation.explicit() };
+        let (origin, standstill, explicit) = (equation.origin(), equation.standstill(), equation.explicit());
+        let distant = Distant { origin, standstill, explicit };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
             return self.of_many((guess, None), &distant, residual);
         }
-        let found;
-        (*self, found) = self.search((guess, None), distant, residual);
-        found
+        self.search((guess, None), distant, residual)
     }
 
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
     #[inline(never)]
     pub(super) fn search<W: Observer + ?Sized, E: StepEquation<A, W>>(
-        mut self,
+        &mut self,
         (extrapolated, mut first): Start<A>,
         equation: E,
         watch: &mut W,
-    ) -> (Self, Found<A>) {
+    ) -> Found<A> {
         let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
         self.by_series |= self.looks();
         loop {
@@ -149,26 +147,23 @@ impl<A: Array> Iteration<A> {
                 // The constant here: nothing of that is compiled for steps that never take it.
                 Attempt::Damped if E::PATIENT => damped::approach_solution(&self.sizes, equation, watch),
                 Attempt::Explicit | Attempt::Damped => {
-                    let guess = explicit(equation);
+                    let guess = explicit(&equation);
                     scale.include(&equation.origin(), &guess);
                     guess
                 }
             };
-            match self.iterate((guess, first.take()), &attempt, &scale, &equation, watch) {
-                Ok((x, lost, iterations)) => {
-                    let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
-                    self.guesses.count(iterations, extrapolated, self.looks());
-                    return (self, Found::solution(x, lost));
-                }
-                Err(refusal) => {
-                    attempt = match attempt {
-                        // Something may have happened that was not to be foreseen.
-                        Attempt::Extrapolated(_) => Attempt::Explicit,
-                        // No guess leads to a solution.
-                        Attempt::Explicit if E::PATIENT => Attempt::Damped,
-                        _ => return (self, Found::none(refusal)),
-                    }
-                }
+            let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
+            if found.outcome.is_ok() {
+                let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
+                self.guesses.count(iterations, extrapolated, self.looks());
+                return found;
+            }
+            attempt = match attempt {
+                // Something may have happened that was not to be foreseen.
+                Attempt::Extrapolated(_) => Attempt::Explicit,
+                // No guess leads to a solution.
+                Attempt::Explicit if E::PATIENT => Attempt::Damped,
+                _ => return found,
             }
         }
     }
@@ -195,47 +190,50 @@ impl<A: Array> Iteration<A> {
         scale: &Sizes<A>,
         equation: &E,
         watch: &mut W,
-    ) -> Result<(A, A, u32), Refusal> {
+    ) -> (Found<A>, u32) {
         let origin = equation.origin();
         let mut x = guess;
         let mut matrix = A::fill(A::zero());
         let mut corrections = Corrections::of_order(2);
         let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
         let unjudged = self.guesses.composed() && !self.looks() && !matches!(attempt, Attempt::Damped);
-        let (mut lost, mut stuck, mut resolved) = (A::zero(), None, true);
-        for iterations in 1..=MAX_ITERATIONS {
-            let mut solved = false;
+        let (mut lost, mut stuck, mut iterations) = (A::zero(), None, 0);
+        // Whether the determinant is positive at the solution, if there is one. Numbers leave the loop by no `Result`: they would share its memory.
+        let positive = loop {
+            if iterations == MAX_ITERATIONS {
+                break None;
+            }
+            iterations += 1;
+            let (mut solved, mut left, before) = (false, A::zero(), x);
             let (delta, positive) = match first.take() {
                 Some(first) => first,
                 None => {
                     let mut delta = equation.residual(watch, &x, &mut matrix);
-                    // Where the matrix is large beyond measure, corrections are small wherever x is. Steps before have seen that it is not.
-                    resolved = extrapolated || self.sizes.resolve(&delta, &origin, &x);
+                    left = delta;
                     solved = corrections.slow() && self.is_of_last_digits(&origin, &delta, &matrix);
                     if let (false, Some(last)) = (solved, stuck.take()) {
                         // Only who watches measures what is rounding.
                         if !E::PATIENT {
-                            break;
+                            break None;
                         }
                         solved = self.is_noise(x, last, *equation, watch);
                     }
                     match linear::solve(&mut matrix, &mut delta, scale) {
                         Some(positive) => (delta, positive),
-                        None if delta.is_finite() => return Err(Refusal::Singular),
-                        None => return Err(corrections.not_converged()),
+                        None => break if delta.is_finite() { Some(false) } else { None },
                     }
                 }
             };
             if iterations == 1 && extrapolated && !self.sizes.exceed(&delta, FAR_OFF) {
-                return Err(corrections.not_converged());
+                break None;
             }
             if solved {
                 self.sizes.include(&origin, &x);
-                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+                break Some(positive);
             }
             lost = subtract(&mut x, &delta);
             if (if iterations == 1 { extrapolated } else { unjudged }) && self.is_last(&delta) {
-                return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+                break Some(positive);
             }
             if iterations <= UNJUDGED && unjudged {
                 continue;
@@ -245,9 +243,10 @@ impl<A: Array> Iteration<A> {
                 self.see(correction, corrections.last());
             }
             match corrections.judge::<A::Real>(correction) {
-                Verdict::Solved if resolved => {
+                // Where the matrix is large beyond measure, corrections are small wherever x is. Steps before have seen that it is not.
+                Verdict::Solved if extrapolated || self.sizes.resolve(&left, &origin, &before) => {
                     self.sizes.include(&origin, &x);
-                    return if positive { Ok((x, lost, iterations)) } else { Err(Refusal::Singular) };
+                    break Some(positive);
                 }
                 Verdict::Stuck => {
                     stuck = Some((delta, corrections.farther()));
@@ -256,10 +255,15 @@ impl<A: Array> Iteration<A> {
                 Verdict::Solved | Verdict::Continue => {}
             }
             if !correction.is_finite() {
-                break;
+                break None;
             }
-        }
-        Err(corrections.not_converged())
+        };
+        let outcome = match positive {
+            Some(true) => Ok(()),
+            Some(false) => Err(Refusal::Singular),
+            None => Err(corrections.not_converged()),
+        };
+        (Found { x, lost, outcome }, iterations)
     }
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
@@ -277,7 +281,7 @@ impl<A: Array> Iteration<A> {
 
 /// The addresses of what is compiled once for a shape of unknowns.
 pub(crate) fn compiled<A: Array>() -> [*const (); 2] {
-    [Iteration::<A>::search::<dyn Residual<A>, Distant<'_, A>> as *const (), Iteration::<A>::choose as *const ()]
+    [Iteration::<A>::search::<dyn Residual<A>, Distant<A>> as *const (), Iteration::<A>::choose as *const ()]
 }
 
 /// Where an iteration starts.
@@ -291,7 +295,7 @@ enum Attempt<A> {
 /// The explicit guess, if there is one.
 #[cold]
 #[inline(never)]
-pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: impl StepEquation<A, W>) -> A {
+pub(super) fn explicit<A: Array, W: Observer + ?Sized>(equation: &impl StepEquation<A, W>) -> A {
     let guess = equation.explicit();
     // It may look beyond the domain of the energy where the solution need not.
     if guess.is_finite() { guess } else { A::zero() }

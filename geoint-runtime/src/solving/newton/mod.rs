@@ -57,10 +57,6 @@ impl<A: Array> Found<A> {
     fn solution(x: A, lost: A) -> Self {
         Found { x, lost, outcome: Ok(()) }
     }
-
-    fn none(refusal: Refusal) -> Self {
-        Found { x: A::zero(), lost: A::zero(), outcome: Err(refusal) }
-    }
 }
 
 impl<A: Array> Record<A::Real> for Newton<A> {
@@ -149,8 +145,13 @@ impl<A: Array> Newton<A> {
             }
             return Found::corrected(guess, &delta);
         };
-        let found;
-        (self.iteration, found) = self.iteration.search(start, *equation, watch);
+        let mut iteration = self.iteration;
+        let distant = iteration.search(start, *equation, watch);
+        self.iteration = iteration;
+        // Entry by entry, so that what is found here stays in registers: the next step waits for it.
+        let mut found = Found { outcome: distant.outcome, ..Found::solution(A::zero(), A::zero()) };
+        found.x.copy_from(&distant.x);
+        found.lost.copy_from(&distant.lost);
         self.choose(equation.origin(), found.x);
         found
     }
