@@ -108,11 +108,8 @@ fn gap(a: &[f64], b: &[f64]) -> f64 {
 
 #[test]
 fn neighbours_with_numbers_of_their_own() {
-    let system = Row {
-        m: std::array::from_fn(|i| 1.0 + 0.1 * wave(i)),
-        k: std::array::from_fn(|i| 2.0 + wave(3 * i)),
-        g: 0.7,
-    };
+    let system =
+        Row { m: std::array::from_fn(|i| 1.0 + 0.1 * wave(i)), k: std::array::from_fn(|i| 2.0 + wave(3 * i)), g: 0.7 };
     let start = State::new(std::array::from_fn(wave), std::array::from_fn(|i| wave(2 * i + 1)));
     let [q, p] = verlet((0.01, 100), (start.q, start.p), |i| system.m[i], |q| row_by_hand(&system, q));
     let mut sim = system.integrator(StormerVerlet, 0.01, start);
@@ -136,7 +133,9 @@ fn neighbours_in_space() {
     let place = |i: usize| [wave(i), wave(2 * i + 5), wave(3 * i + 1)];
     let start = State::new(std::array::from_fn(place), [[0.0; 3]; N]);
     let flat = |x: &[[f64; 3]; N]| -> [f64; 3 * N] { std::array::from_fn(|i| x[i / 3][i % 3]) };
-    let force = |q: &[f64; 3 * N]| flat(&ring_by_hand(&system, &std::array::from_fn(|i| std::array::from_fn(|a| q[3 * i + a]))));
+    let force = |q: &[f64; 3 * N]| {
+        flat(&ring_by_hand(&system, &std::array::from_fn(|i| std::array::from_fn(|a| q[3 * i + a]))))
+    };
     let [q, p] = verlet((0.02, 50), (flat(&start.q), flat(&start.p)), |_| system.m, force);
     let mut sim = system.integrator(StormerVerlet, 0.02, start);
     sim.advance(50).expect("a regular motion");

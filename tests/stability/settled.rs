@@ -104,7 +104,9 @@ fn momenta_beside_the_energy() {
 /// the digits that decide: taken away there, the energy changes by 2·10⁻⁸.
 #[test]
 fn close_to_a_collision() {
-    for (e, [energies, momenta]) in [(0.99, [[1e-13, 1e-12], [1e-14, 1e-12]]), (0.9999, [[1e-11, 1e-10], [1e-14, 1e-10]])] {
+    for (e, [energies, momenta]) in
+        [(0.99, [[1e-13, 1e-12], [1e-14, 1e-12]]), (0.9999, [[1e-11, 1e-10], [1e-14, 1e-10]])]
+    {
         let speed = f64::sqrt((1.0 - e) / (1.0 + e));
         let [far, near] = [([1.0 + e, 0.0], [0.0, 1.3 * speed]), ([1.0 - e, 0.0], [0.0, 1.3 / speed])];
         for (k, (q, p)) in [far, near].into_iter().enumerate() {

@@ -21,7 +21,11 @@ pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 pub(crate) type Names<'a> = (&'a RefCell<Vec<Ident>>, &'a dyn Fn(Symbol) -> Given);
 
 /// The statements of a block, followed by what `finish` makes of its results.
-pub(crate) fn routine(block: &Block, names: Names<'_>, finish: impl FnOnce(Vec<TokenStream>) -> TokenStream) -> TokenStream {
+pub(crate) fn routine(
+    block: &Block,
+    names: Names<'_>,
+    finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
+) -> TokenStream {
     let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
     written(block, names, &[], |results| finish(results.into_iter().map(value).collect()))
 }

@@ -95,7 +95,8 @@ pub(crate) fn families(
 fn reads_of_many(statement: &Statement, place: &dyn Fn(Symbol) -> Option<Place>) -> bool {
     let mut found = false;
     statement.for_each_operand(&mut |operand| {
-        if let Operand::Input(symbol @ (Symbol::Q(i) | Symbol::P(i) | Symbol::V(i) | Symbol::Dq(i) | Symbol::Dp(i))) = operand
+        if let Operand::Input(symbol @ (Symbol::Q(i) | Symbol::P(i) | Symbol::V(i) | Symbol::Dq(i) | Symbol::Dp(i))) =
+            operand
             && *i as usize + 1 >= FEWEST
         {
             let last = place(*symbol).and_then(|(_, indices)| indices.into_iter().max());
@@ -108,7 +109,10 @@ fn reads_of_many(statement: &Statement, place: &dyn Fn(Symbol) -> Option<Place>)
 /// What a statement computes, and how; a sine with its cosine is the sine with two results.
 fn parts(statement: &Statement) -> Option<(Vec<Register>, Instruction)> {
     match statement {
-        Statement::Let(_, Instruction::Compare(..) | Instruction::And(..) | Instruction::Or(..) | Instruction::Not(_)) => None,
+        Statement::Let(
+            _,
+            Instruction::Compare(..) | Instruction::And(..) | Instruction::Or(..) | Instruction::Not(_),
+        ) => None,
         Statement::Let(register, instruction) => Some((vec![*register], instruction.clone())),
         Statement::SinCos(sin, cos, x) => Some((vec![*sin, *cos], Instruction::Call(Function::Sin, vec![*x]))),
         _ => None,
@@ -155,7 +159,8 @@ impl Finder<'_> {
                 }
                 continue;
             };
-            let mut colours: Vec<(u32, u32)> = instruction.operands().iter().map(|operand| self.colour(operand)).collect();
+            let mut colours: Vec<(u32, u32)> =
+                instruction.operands().iter().map(|operand| self.colour(operand)).collect();
             let depth = 1 + colours.iter().map(|(_, depth)| *depth).max().unwrap_or(0);
             colours[..instruction.commuting()].sort_unstable();
             deepest = deepest.max(depth);
@@ -343,9 +348,9 @@ impl Finder<'_> {
         }
         let written: Vec<Source> = targets.iter().flatten().map(|(array, _)| Source::Given(*array)).collect();
         // What is written while it is read may be read at the same place alone.
-        let target = self.target(home, targets).filter(|target| {
-            runs.iter().all(|run| run == target || !written.contains(&run.source))
-        });
+        let target = self
+            .target(home, targets)
+            .filter(|target| runs.iter().all(|run| run == target || !written.contains(&run.source)));
         let reads = runs.into_iter().enumerate().map(|(k, run)| (new + k, run)).collect();
         let Found { members, results, .. } = &self.found[home];
         Family { length: members.len(), reads, body, results: results.clone(), target }

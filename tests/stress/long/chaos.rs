@@ -81,14 +81,14 @@ pub(super) fn double_pendulum() -> Section {
         State::new([2.5, 3.0], [3.0, 1.0])
     }
     let mut jobs: Vec<Job> = vec![];
-    rows! { jobs, SYSTEM, SCALE, 1e5;
+    rows! { jobs, SYSTEM, SCALE, 1e6;
         start(), 0.01, 1e-2: ImplicitMidpoint, start(), 0.02, 1e-2: Gauss::<3>, start(), 0.05, 0.0: DiscreteGradient,
         start(), 0.02, 0.0: FourthOrder(DiscreteGradient);
         start()
     }
     Section {
         title: "Chaos: double pendulum",
-        text: "Masses 1.3 and 0.7 that turn over, over 10⁵ units of time: the largest error of the energy at a thousand times, over 30, about its two \
+        text: "Masses 1.3 and 0.7 that turn over, over 10⁶ units of time: the largest error of the energy at a thousand times, over 30, about its two \
                parts. They come to angles of thousands of radians, and what is rounded is these.",
         head: TITLES,
         jobs,

@@ -124,11 +124,7 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
 }
 
 /// `impl FourthOrderField` of a canonical system that is not damped: by the kernels of collocation and of discrete gradients.
-pub(super) fn canonical_fourth_order(
-    context: &Context<'_>,
-    momenta: &Plan,
-    autonomous: bool,
-) -> TokenStream {
+pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, autonomous: bool) -> TokenStream {
     let (name, phase, array) = (self_type(context), context.phase(), context.array());
     let (parts, degrees) = (context.parts(), context.energy.degrees() as usize);
     let count = momenta.last[0].results.len() / (2 * degrees);
@@ -188,11 +184,7 @@ pub(super) fn canonical_fourth_order(
 }
 
 /// `impl FourthOrderField`.
-pub(super) fn fourth_order(
-    context: &Context<'_>,
-    field: &FieldKernels<Plan>,
-    plan: &Plan,
-) -> TokenStream {
+pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
     let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
