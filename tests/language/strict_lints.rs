@@ -52,6 +52,20 @@ pub mod model {
         p[0] * p[0] + p[1] * p[1] + q[0] * q[0] * q[1] * q[1]
     }
 
+    const N: usize = 20;
+
+    /// Long enough for loops.
+    #[hamiltonian(const N = 20)]
+    pub fn row(q: [[f64; 2]; N], p: [[f64; 2]; N], i: [f64; N], array0: f64) -> f64 {
+        let mut energy = 0.0;
+        for k in 0..N {
+            let [x, y] = [q[k][0] - q[(k + 1) % N][0], q[k][1]];
+            let motion = (p[k][0] * p[k][0] + p[k][1] * p[k][1]) / i[k];
+            energy += motion - array0 * x.cos() * y.sin() + (x * x + y * y).sqrt();
+        }
+        energy
+    }
+
     /// One step of each.
     ///
     /// # Errors
@@ -60,6 +74,8 @@ pub mod model {
         let rods = Rods { m: [1.0, 2.0] };
         rods.integrator(Gauss::<2>::default(), 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
         Damped { c: [0.1, 0.2] }.integrator(DiscreteGradient, 0.01, State::new([0.1, 0.2], [0.3, 0.4])).advance(3)?;
+        let row = Row { i: [1.3; 20], array0: 0.7 };
+        row.integrator(DiscreteGradient, 0.01, State::new([[0.1, 1.0]; 20], [[0.2, 0.3]; 20])).advance(3)?;
         Wall.integrator(PositionVerlet, 0.01, State::new(0.1, 0.2)).advance(3)
     }
 }

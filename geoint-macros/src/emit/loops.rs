@@ -4,7 +4,7 @@ use super::kernel::Given;
 use super::straight_line::{SLOTS, Writer};
 use crate::ir::HashMap;
 use crate::schedule::{Block, Families, Family, Indices, Instruction, Item, Operand, Register, Run, Source, families};
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::{format_ident, quote};
 use std::cell::RefCell;
 
@@ -114,9 +114,11 @@ impl Writer<'_> {
         let (name, length, results) = (name(number), Literal::usize_unsuffixed(*length), one_or_pair(&results));
         if let Some(Run { source: Source::Given(array), first, step }) = target {
             let target = given(&arrays[array], |k| index(first[k], step[k]));
-            return quote!(for i in 0..#length { #tokens #target = #results; });
+            let i = member();
+            return quote!(for #i in 0..#length { #tokens #target = #results; });
         }
-        quote!(let #name: [_; #length] = ::core::array::from_fn(|i| { #tokens #results });)
+        let i = member();
+        quote!(let #name: [_; #length] = ::core::array::from_fn(|#i| { #tokens #results });)
     }
 }
 
@@ -127,7 +129,12 @@ fn given((base, indices): &(TokenStream, usize), at: impl Fn(usize) -> TokenStre
 }
 
 fn name(number: usize) -> Ident {
-    format_ident!("array{number}")
+    Ident::new(&format!("array{number}"), Span::mixed_site())
+}
+
+/// Which member of a family it is. Nothing of the user can be meant.
+fn member() -> Ident {
+    Ident::new("i", Span::mixed_site())
 }
 
 fn one_or_pair(names: &[TokenStream]) -> TokenStream {
@@ -150,12 +157,13 @@ fn entry(families: &Families, (number, result): (usize, usize), at: &TokenStream
 /// `first + i·step`.
 fn index(first: i32, step: i32) -> TokenStream {
     let number = |n: i32| Literal::usize_unsuffixed(n.unsigned_abs() as usize);
+    let i = member();
     let moved = match step {
         0 => None,
-        1 | -1 => Some(quote!(i)),
+        1 | -1 => Some(quote!(#i)),
         step => {
             let step = number(step);
-            Some(quote!(#step * i))
+            Some(quote!(#step * #i))
         }
     };
     let begin = number(first);
