@@ -74,14 +74,20 @@ pub(crate) fn solve<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes
     Some(positive)
 }
 
-/// The same, but three unknowns only by the adjugate, and more of them only in pairs: where terms of a determinant cancel there is no answer.
-/// Elimination with exchanges beside it would be inlined as well.
+/// The same in the least time, where the determinant is positive and its terms do not cancel: returns whether that is so. Elimination with
+/// exchanges would be inlined as well. One unknown may be no number, where its pivot vanishes.
 #[inline(always)]
-pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A, sizes: &Sizes<A>) -> Option<bool> {
+pub(crate) fn solve_fast<A: Array>(matrix: &mut Square<A>, rhs: &mut A) -> bool {
+    let (rows, b) = (A::entries::<A>(matrix), rhs.as_mut_slice());
     match A::LEN {
-        0..=2 => solve(matrix, rhs, sizes),
-        3 => of_three(A::entries::<A>(matrix), rhs.as_mut_slice()),
-        _ => of_pairs(A::entries::<A>(matrix), rhs.as_mut_slice()),
+        1 => {
+            let pivot = rows[0].as_slice()[0];
+            b[0] /= pivot;
+            pivot.all_at_least_zero()
+        }
+        2 => of_two(rows, b) == Some(true),
+        3 => of_three(rows, b) == Some(true),
+        _ => of_pairs(rows, b) == Some(true),
     }
 }
 

@@ -13,6 +13,28 @@
 use crate::scalar::{Real, zero};
 use crate::space::Array;
 
+/// Series whose coefficients follow from those of lower orders.
+pub trait Series {
+    /// The coefficients of order n ≥ 1, from all before.
+    fn order(&mut self, n: usize);
+}
+
+/// The coefficients of the orders 1 ≤ n < P; those up to `UNROLLED` each in code of its own, where sums have a known length.
+///
+/// Here and not in what is emitted, where rustc would check every call of every system, whether Taylor series are used or not.
+#[inline(always)]
+pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
+    macro_rules! unrolled {
+        ($($n:literal)*) => {
+            $(if $n < P && $n <= UNROLLED { series.order($n); })*
+        };
+    }
+    unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
+    for n in UNROLLED + 1..P {
+        series.order(n);
+    }
+}
+
 /// a·b + c, entry by entry.
 #[inline(always)]
 fn fused<A: Array>(a: A, b: A, mut c: A) -> A {

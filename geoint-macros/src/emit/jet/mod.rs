@@ -1,8 +1,8 @@
 //! The Taylor coefficients of a solution: the start, and one body for every order.
 //!
-//! The body stands once. It is called with literal numbers for the first orders, for which the optimiser then unrolls the sums, as
-//! long as the code stays small; the others go through a loop. Series are local arrays, an argument each: then no two of them can be
-//! the same memory.
+//! The body stands once, as the method of a struct of references: the runtime calls it with literal numbers for the first orders, for
+//! which the optimiser then unrolls the sums, as long as the code stays small, and the others go through a loop. Series are local arrays:
+//! then no two of them can be the same memory.
 
 mod arrays;
 mod numbers;
@@ -158,19 +158,23 @@ impl Writer<'_> {
         let names = names.chain((0..groups.len()).map(|i| format_ident!("sums{i}")));
         let [numbers, masks, switches] =
             [self.numbers.len(), self.jet.conditions.len(), self.jet.switches.len()].map(Literal::usize_unsuffixed);
+        let arrays: Vec<_> = arrays.collect();
         quote! {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; #numbers],
-                masks: &[R::Mask; #masks],
-                #(#arrays: &mut [#types; P],)*
-                jet: &mut [PerCoordinate<#phase, #action>; P],
-                switches: &mut [[R; #switches]; P],
-            ) {
-                let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
-                let (#(#names,)*);
-                #body
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; #numbers],
+                masks: [R::Mask; #masks],
+                #(#arrays: &'a mut [#types; P],)*
+                jet: &'a mut [PerCoordinate<#phase, #action>; P],
+                switches: &'a mut [[R; #switches]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self { k, masks, #(#arrays,)* jet, switches } = self;
+                    let (whole, next) = (R::from_f64(n as f64), #unit * R::from_f64(1.0 / (n + 1) as f64));
+                    let (#(#names,)*);
+                    #body
+                }
             }
         }
     }
@@ -239,32 +243,15 @@ impl Writer<'_> {
             let (i, value) = (Literal::usize_unsuffixed(i), &values[*value]);
             first.extend(quote!(switches[0][#i] = #value;));
         }
-        let unrolled = self.unrolled();
+        let unrolled = Literal::usize_unsuffixed(self.unrolled());
         let zeros: Vec<TokenStream> = arrays.iter().map(Stored::zeros).collect();
         let arrays: Vec<Ident> = arrays.into_iter().map(|array| array.name).collect();
-        let literal = (1..=unrolled).map(Literal::usize_unsuffixed);
-        let rest = Literal::usize_unsuffixed(unrolled + 1);
-        let [numbers_len, masks_len] = [self.numbers.len(), self.jet.conditions.len()].map(Literal::usize_unsuffixed);
         quote! {
-            let k: [R; #numbers_len] = [#(#numbers),*];
-            let masks: [R::Mask; #masks_len] = [#(#masks),*];
             let (#(mut #arrays,)*) = (#(#zeros,)*);
             #first
-            // Names are those of this place wherever it is used.
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, &k, &masks, #(&mut #arrays,)* jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(#(#literal)*);
-            for n in #rest..P {
-                orders!(n);
-            }
+            recurrence::orders::<#unrolled, P>(&mut Coefficients {
+                k: [#(#numbers),*], masks: [#(#masks),*], #(#arrays: &mut #arrays,)* jet, switches,
+            });
         }
     }
 }

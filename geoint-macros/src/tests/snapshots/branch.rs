@@ -962,77 +962,113 @@ const _: () = {
             jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
             switches: &mut [[R; 1]; P],
         ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 12],
-                masks: &[R::Mask; 1],
-                u2: &mut [R; P],
-                u3: &mut [R; P],
-                u5: &mut [R; P],
-                u9: &mut [R; P],
-                u11: &mut [R; P],
-                u12: &mut [R; P],
-                u13: &mut [R; P],
-                u14: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-                switches: &mut [[R; 1]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c2, c8, c5, c3, c0, c9, c14, c12, c11, c10, c7, c4, c1, c6, c13);
-                c2 = u2[n];
-                c8 = recurrence::square(k[1], c2, recurrence::sum_of_square(u2, n));
-                c5 = c8;
-                u5[n] = c5;
-                c3 = recurrence::power(
-                    [k[3], k[2]],
-                    c5,
-                    recurrence::sum_of_power(u5, u3, k[4], n),
-                    n,
-                );
-                u3[n] = c3;
-                c0 = recurrence::product(
-                    [k[1], k[5]],
-                    [c2, c3],
-                    recurrence::sum(u2, u3, n),
-                );
-                c9 = u9[n];
-                c14 = recurrence::square(k[6], c9, recurrence::sum_of_square(u9, n));
-                u14[n] = c14;
-                c12 = recurrence::product(
-                    [k[6], k[7]],
-                    [c9, c14],
-                    recurrence::sum(u9, u14, n),
-                );
-                u12[n] = c12;
-                c11 = k[8] * u13[n - 1] * R::from_f64(1.0 / n as f64);
-                u11[n] = c11;
-                c10 = recurrence::product(
-                    [k[9], k[10]],
-                    [c11, c12],
-                    recurrence::sum(u11, u12, n),
-                );
-                c7 = R::from_f64(4.0) * c10;
-                c4 = {
-                    let [chosen] = R::choose(masks[0], || [c7], || [R::from_f64(0.0)]);
-                    chosen
-                };
-                c1 = -c4;
-                c6 = -c9;
-                c13 = k[11] * u11[n - 1] * R::from_f64(1.0 / n as f64);
-                u13[n] = c13;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u9[n + 1] = jet[n].z[0][0];
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; 12],
+                masks: [R::Mask; 1],
+                u2: &'a mut [R; P],
+                u3: &'a mut [R; P],
+                u5: &'a mut [R; P],
+                u9: &'a mut [R; P],
+                u11: &'a mut [R; P],
+                u12: &'a mut [R; P],
+                u13: &'a mut [R; P],
+                u14: &'a mut [R; P],
+                jet: &'a mut [PerCoordinate<[[R; 1]; 2], ()>; P],
+                switches: &'a mut [[R; 1]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self {
+                        k,
+                        masks,
+                        u2,
+                        u3,
+                        u5,
+                        u9,
+                        u11,
+                        u12,
+                        u13,
+                        u14,
+                        jet,
+                        switches,
+                    } = self;
+                    let (whole, next) = (
+                        R::from_f64(n as f64),
+                        k[0] * R::from_f64(1.0 / (n + 1) as f64),
+                    );
+                    let (
+                        c2,
+                        c8,
+                        c5,
+                        c3,
+                        c0,
+                        c9,
+                        c14,
+                        c12,
+                        c11,
+                        c10,
+                        c7,
+                        c4,
+                        c1,
+                        c6,
+                        c13,
+                    );
+                    c2 = u2[n];
+                    c8 = recurrence::square(k[1], c2, recurrence::sum_of_square(u2, n));
+                    c5 = c8;
+                    u5[n] = c5;
+                    c3 = recurrence::power(
+                        [k[3], k[2]],
+                        c5,
+                        recurrence::sum_of_power(u5, u3, k[4], n),
+                        n,
+                    );
+                    u3[n] = c3;
+                    c0 = recurrence::product(
+                        [k[1], k[5]],
+                        [c2, c3],
+                        recurrence::sum(u2, u3, n),
+                    );
+                    c9 = u9[n];
+                    c14 = recurrence::square(k[6], c9, recurrence::sum_of_square(u9, n));
+                    u14[n] = c14;
+                    c12 = recurrence::product(
+                        [k[6], k[7]],
+                        [c9, c14],
+                        recurrence::sum(u9, u14, n),
+                    );
+                    u12[n] = c12;
+                    c11 = k[8] * u13[n - 1] * R::from_f64(1.0 / n as f64);
+                    u11[n] = c11;
+                    c10 = recurrence::product(
+                        [k[9], k[10]],
+                        [c11, c12],
+                        recurrence::sum(u11, u12, n),
+                    );
+                    c7 = R::from_f64(4.0) * c10;
+                    c4 = {
+                        let [chosen] = R::choose(
+                            masks[0],
+                            || [c7],
+                            || [R::from_f64(0.0)],
+                        );
+                        chosen
+                    };
+                    c1 = -c4;
+                    c6 = -c9;
+                    c13 = k[11] * u11[n - 1] * R::from_f64(1.0 / n as f64);
+                    u13[n] = c13;
+                    jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u9[n + 1] = jet[n].z[0][0];
+                    }
+                    jet[n].z[1][0] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1][0];
+                    }
+                    switches[n][0] = c6;
                 }
-                jet[n].z[1][0] = next * c1;
-                if n + 1 < P {
-                    u2[n + 1] = jet[n].z[1][0];
-                }
-                switches[n][0] = c6;
             }
             let [q, p] = z;
             let (
@@ -1078,21 +1114,6 @@ const _: () = {
             v13 = -v12;
             v14 = -q0;
             v15 = v9 * v7;
-            let k: [R; 12] = [
-                unit,
-                p0,
-                R::from_f64(-0.5) * v3 / v1,
-                v1,
-                R::from_f64(0.5),
-                v3,
-                q0,
-                v8,
-                unit * (-k1),
-                v7,
-                v9,
-                unit * (k1),
-            ];
-            let masks: [R::Mask; 1] = [v5];
             let (mut u2, mut u3, mut u5, mut u9, mut u11, mut u12, mut u13, mut u14) = (
                 [R::from_f64(0.0); P],
                 [R::from_f64(0.0); P],
@@ -1120,21 +1141,38 @@ const _: () = {
                 u2[1] = jet[0].z[1][0];
             }
             switches[0][0] = v14;
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u3, & mut u5, & mut u9, &
-                    mut u11, & mut u12, & mut u13, & mut u14, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
-            for n in 19..P {
-                orders!(n);
-            }
+            recurrence::orders::<
+                18,
+                P,
+            >(
+                &mut Coefficients {
+                    k: [
+                        unit,
+                        p0,
+                        R::from_f64(-0.5) * v3 / v1,
+                        v1,
+                        R::from_f64(0.5),
+                        v3,
+                        q0,
+                        v8,
+                        unit * (-k1),
+                        v7,
+                        v9,
+                        unit * (k1),
+                    ],
+                    masks: [v5],
+                    u2: &mut u2,
+                    u3: &mut u3,
+                    u5: &mut u5,
+                    u9: &mut u9,
+                    u11: &mut u11,
+                    u12: &mut u12,
+                    u13: &mut u13,
+                    u14: &mut u14,
+                    jet,
+                    switches,
+                },
+            );
         }
     }
     impl Spring {

@@ -866,62 +866,65 @@ const _: () = {
             jet: &mut [PerCoordinate<[[R; 2]; 2], ()>; P],
             switches: &mut [[R; 0]; P],
         ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 5],
-                masks: &[R::Mask; 0],
-                u1: &mut [R; P],
-                u6: &mut [R; P],
-                u7: &mut [R; P],
-                u8: &mut [R; P],
-                u9: &mut [R; P],
-                u10: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 2]; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c9, c11, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
-                c9 = u9[n];
-                c11 = recurrence::square(k[1], c9, recurrence::sum_of_square(u9, n));
-                c8 = c11;
-                u8[n] = c8;
-                c7 = u7[n];
-                c4 = recurrence::product(
-                    [k[2], k[3]],
-                    [c7, c8],
-                    recurrence::sum(u7, u8, n),
-                );
-                c0 = R::from_f64(2.0) * c4;
-                c1 = u1[n];
-                c10 = recurrence::square(k[2], c7, recurrence::sum_of_square(u7, n));
-                u10[n] = c10;
-                c5 = recurrence::product(
-                    [k[1], k[4]],
-                    [c9, c10],
-                    recurrence::sum(u9, u10, n),
-                );
-                c2 = R::from_f64(-2.0) * c5;
-                c6 = u6[n];
-                c3 = -c6;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u9[n + 1] = jet[n].z[0][0];
-                }
-                jet[n].z[0][1] = next * c1;
-                if n + 1 < P {
-                    u1[n + 1] = jet[n].z[0][1];
-                }
-                jet[n].z[1][0] = next * c2;
-                if n + 1 < P {
-                    u7[n + 1] = jet[n].z[1][0];
-                }
-                jet[n].z[1][1] = next * c3;
-                if n + 1 < P {
-                    u6[n + 1] = jet[n].z[1][1];
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; 5],
+                masks: [R::Mask; 0],
+                u1: &'a mut [R; P],
+                u6: &'a mut [R; P],
+                u7: &'a mut [R; P],
+                u8: &'a mut [R; P],
+                u9: &'a mut [R; P],
+                u10: &'a mut [R; P],
+                jet: &'a mut [PerCoordinate<[[R; 2]; 2], ()>; P],
+                switches: &'a mut [[R; 0]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self { k, masks, u1, u6, u7, u8, u9, u10, jet, switches } = self;
+                    let (whole, next) = (
+                        R::from_f64(n as f64),
+                        k[0] * R::from_f64(1.0 / (n + 1) as f64),
+                    );
+                    let (c9, c11, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
+                    c9 = u9[n];
+                    c11 = recurrence::square(k[1], c9, recurrence::sum_of_square(u9, n));
+                    c8 = c11;
+                    u8[n] = c8;
+                    c7 = u7[n];
+                    c4 = recurrence::product(
+                        [k[2], k[3]],
+                        [c7, c8],
+                        recurrence::sum(u7, u8, n),
+                    );
+                    c0 = R::from_f64(2.0) * c4;
+                    c1 = u1[n];
+                    c10 = recurrence::square(k[2], c7, recurrence::sum_of_square(u7, n));
+                    u10[n] = c10;
+                    c5 = recurrence::product(
+                        [k[1], k[4]],
+                        [c9, c10],
+                        recurrence::sum(u9, u10, n),
+                    );
+                    c2 = R::from_f64(-2.0) * c5;
+                    c6 = u6[n];
+                    c3 = -c6;
+                    jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u9[n + 1] = jet[n].z[0][0];
+                    }
+                    jet[n].z[0][1] = next * c1;
+                    if n + 1 < P {
+                        u1[n + 1] = jet[n].z[0][1];
+                    }
+                    jet[n].z[1][0] = next * c2;
+                    if n + 1 < P {
+                        u7[n + 1] = jet[n].z[1][0];
+                    }
+                    jet[n].z[1][1] = next * c3;
+                    if n + 1 < P {
+                        u6[n + 1] = jet[n].z[1][1];
+                    }
                 }
             }
             let [q, p] = z;
@@ -943,8 +946,6 @@ const _: () = {
             v8 = -p1;
             v9 = p0 * v1;
             v10 = q0 * v4;
-            let k: [R; 5] = [unit, q0, p0, v1, v4];
-            let masks: [R::Mask; 0] = [];
             let (mut u1, mut u6, mut u7, mut u8, mut u9, mut u10) = (
                 [R::from_f64(0.0); P],
                 [R::from_f64(0.0); P],
@@ -975,23 +976,23 @@ const _: () = {
             if P > 1 {
                 u6[1] = jet[0].z[1][1];
             }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u1, & mut u6, & mut u7, & mut u8, &
-                    mut u9, & mut u10, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25
+            recurrence::orders::<
+                25,
+                P,
+            >(
+                &mut Coefficients {
+                    k: [unit, q0, p0, v1, v4],
+                    masks: [],
+                    u1: &mut u1,
+                    u6: &mut u6,
+                    u7: &mut u7,
+                    u8: &mut u8,
+                    u9: &mut u9,
+                    u10: &mut u10,
+                    jet,
+                    switches,
+                },
             );
-            for n in 26..P {
-                orders!(n);
-            }
         }
     }
     impl Coupled {

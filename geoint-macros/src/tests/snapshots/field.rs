@@ -1503,32 +1503,35 @@ const _: () = {
             jet: &mut [PerCoordinate<[R; 2], ()>; P],
             switches: &mut [[R; 0]; P],
         ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 3],
-                masks: &[R::Mask; 0],
-                u2: &mut [R; P],
-                u3: &mut [R; P],
-                jet: &mut [PerCoordinate<[R; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c2, c0, c3, c1);
-                c2 = u2[n];
-                c0 = k[1] * c2;
-                c3 = u3[n];
-                c1 = k[2] * c3;
-                jet[n].z[0] = next * c0;
-                if n + 1 < P {
-                    u3[n + 1] = jet[n].z[0];
-                }
-                jet[n].z[1] = next * c1;
-                if n + 1 < P {
-                    u2[n + 1] = jet[n].z[1];
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; 3],
+                masks: [R::Mask; 0],
+                u2: &'a mut [R; P],
+                u3: &'a mut [R; P],
+                jet: &'a mut [PerCoordinate<[R; 2], ()>; P],
+                switches: &'a mut [[R; 0]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self { k, masks, u2, u3, jet, switches } = self;
+                    let (whole, next) = (
+                        R::from_f64(n as f64),
+                        k[0] * R::from_f64(1.0 / (n + 1) as f64),
+                    );
+                    let (c2, c0, c3, c1);
+                    c2 = u2[n];
+                    c0 = k[1] * c2;
+                    c3 = u3[n];
+                    c1 = k[2] * c3;
+                    jet[n].z[0] = next * c0;
+                    if n + 1 < P {
+                        u3[n + 1] = jet[n].z[0];
+                    }
+                    jet[n].z[1] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1];
+                    }
                 }
             }
             let q = z;
@@ -1540,8 +1543,6 @@ const _: () = {
             v1 = -v0;
             v2 = q0 * a0;
             v3 = -a0;
-            let k: [R; 3] = [unit, v3, a0];
-            let masks: [R::Mask; 0] = [];
             let (mut u2, mut u3) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
             u2[0] = q1;
             u3[0] = q0;
@@ -1553,23 +1554,19 @@ const _: () = {
             if P > 1 {
                 u2[1] = jet[0].z[1];
             }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u3, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27
-                28 29 30 31
+            recurrence::orders::<
+                31,
+                P,
+            >(
+                &mut Coefficients {
+                    k: [unit, v3, a0],
+                    masks: [],
+                    u2: &mut u2,
+                    u3: &mut u3,
+                    jet,
+                    switches,
+                },
             );
-            for n in 32..P {
-                orders!(n);
-            }
         }
     }
     impl Turning {

@@ -670,40 +670,43 @@ const _: () = {
             jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
             switches: &mut [[R; 0]; P],
         ) {
-            #[inline(always)]
-            fn order<R: Real, const P: usize>(
-                n: usize,
-                k: &[R; 5],
-                masks: &[R::Mask; 0],
-                u2: &mut [R; P],
-                u3: &mut [R; P],
-                u4: &mut [R; P],
-                u5: &mut [R; P],
-                ju5: &mut [R; P],
-                jet: &mut [PerCoordinate<[[R; 1]; 2], ()>; P],
-                switches: &mut [[R; 0]; P],
-            ) {
-                let (whole, next) = (
-                    R::from_f64(n as f64),
-                    k[0] * R::from_f64(1.0 / (n + 1) as f64),
-                );
-                let (c2, c0, c5, c3, c1, c4);
-                c2 = u2[n];
-                c0 = k[1] * c2;
-                c5 = u5[n];
-                ju5[n] = whole * c5;
-                c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
-                u3[n] = c3;
-                c1 = k[3] * c3;
-                c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
-                u4[n] = c4;
-                jet[n].z[0][0] = next * c0;
-                if n + 1 < P {
-                    u5[n + 1] = jet[n].z[0][0];
-                }
-                jet[n].z[1][0] = next * c1;
-                if n + 1 < P {
-                    u2[n + 1] = jet[n].z[1][0];
+            struct Coefficients<'a, R: Real, const P: usize> {
+                k: [R; 5],
+                masks: [R::Mask; 0],
+                u2: &'a mut [R; P],
+                u3: &'a mut [R; P],
+                u4: &'a mut [R; P],
+                u5: &'a mut [R; P],
+                ju5: &'a mut [R; P],
+                jet: &'a mut [PerCoordinate<[[R; 1]; 2], ()>; P],
+                switches: &'a mut [[R; 0]; P],
+            }
+            impl<R: Real, const P: usize> recurrence::Series for Coefficients<'_, R, P> {
+                #[inline(always)]
+                fn order(&mut self, n: usize) {
+                    let Self { k, masks, u2, u3, u4, u5, ju5, jet, switches } = self;
+                    let (whole, next) = (
+                        R::from_f64(n as f64),
+                        k[0] * R::from_f64(1.0 / (n + 1) as f64),
+                    );
+                    let (c2, c0, c5, c3, c1, c4);
+                    c2 = u2[n];
+                    c0 = k[1] * c2;
+                    c5 = u5[n];
+                    ju5[n] = whole * c5;
+                    c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
+                    u3[n] = c3;
+                    c1 = k[3] * c3;
+                    c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
+                    u4[n] = c4;
+                    jet[n].z[0][0] = next * c0;
+                    if n + 1 < P {
+                        u5[n + 1] = jet[n].z[0][0];
+                    }
+                    jet[n].z[1][0] = next * c1;
+                    if n + 1 < P {
+                        u2[n + 1] = jet[n].z[1][0];
+                    }
                 }
             }
             let [q, p] = z;
@@ -724,8 +727,6 @@ const _: () = {
             v8 = v5 * v6;
             v9 = -v8;
             v10 = -v5;
-            let k: [R; 5] = [unit, v2, v7, v10, v6];
-            let masks: [R::Mask; 0] = [];
             let (mut u2, mut u3, mut u4, mut u5, mut ju5) = (
                 [R::from_f64(0.0); P],
                 [R::from_f64(0.0); P],
@@ -745,24 +746,22 @@ const _: () = {
             if P > 1 {
                 u2[1] = jet[0].z[1][0];
             }
-            macro_rules! orders {
-                ($($n:expr)*) => {
-                    $(order($n, & k, & masks, & mut u2, & mut u3, & mut u4, & mut u5, &
-                    mut ju5, jet, switches);)*
-                };
-            }
-            macro_rules! literal_orders {
-                ($($n:literal)*) => {
-                    $(if $n < P { orders!($n); })*
-                };
-            }
-            literal_orders!(
-                1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27
-                28 29 30 31
+            recurrence::orders::<
+                31,
+                P,
+            >(
+                &mut Coefficients {
+                    k: [unit, v2, v7, v10, v6],
+                    masks: [],
+                    u2: &mut u2,
+                    u3: &mut u3,
+                    u4: &mut u4,
+                    u5: &mut u5,
+                    ju5: &mut ju5,
+                    jet,
+                    switches,
+                },
             );
-            for n in 32..P {
-                orders!(n);
-            }
         }
     }
     impl Pendulum {

@@ -23,11 +23,11 @@ impl<A: Array> Iteration<A> {
         watch: &mut W,
     ) -> Found<A> {
         if !self.stiff || self.steps.is_multiple_of(ANOTHER_TRY) {
-            let guess = start.0.unwrap_or_else(|| explicit(&{ *equation }));
+            let guess = start.guess.unwrap_or_else(|| explicit(&{ *equation }));
             let found = self.fixed_point(guess, equation, watch);
             self.stiff = found.is_none();
             if let Some(x) = found {
-                self.guesses.count(0, start.0.is_some(), self.looks());
+                self.guesses.count(0, start.guess.is_some(), self.looks());
                 return Found::solution(x, A::zero());
             }
         }

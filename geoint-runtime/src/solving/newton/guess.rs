@@ -7,7 +7,7 @@ use crate::space::{Array, Tape};
 /// steps an extrapolated guess may lead to another solution.
 const NEAR: f64 = 1.0 / 32.0;
 
-/// Iterations after which a guess was no good.
+/// Iterations after which an explicit guess was no good; it takes an evaluation of its own, so that an extrapolated one may take one more.
 const ROUGH: u32 = 3;
 
 /// What a guess is made of.
@@ -100,7 +100,7 @@ impl Guesses {
         let filled = self.known >= POINTS;
         self.known = (self.known + 1).min(POINTS + 1);
         if !self.composed {
-            let good = iterations < ROUGH || self.known == POINTS;
+            let good = iterations < ROUGH + u32::from(extrapolated) || self.known == POINTS;
             self.next = if self.known >= POINTS && good { Guess::All } else { Guess::Explicit };
             return;
         }

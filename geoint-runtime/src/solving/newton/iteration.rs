@@ -48,8 +48,24 @@ pub(super) struct Iteration<A> {
     pub(super) stiff: bool,
 }
 
-/// The extrapolated guess, if there is one; and the first correction of it with whether the determinant is positive there, if they are known.
-pub(super) type Start<A> = (Option<A>, Option<(A, bool)>);
+/// Where an iteration starts that does all to find a solution.
+#[derive(Clone, Copy)]
+pub(super) struct Start<A> {
+    /// The extrapolated guess, if there is one, or what corrections have made of it.
+    pub(super) guess: Option<A>,
+    /// The next correction, if it is known: then the determinant is positive there.
+    pub(super) correction: Option<A>,
+    /// So many corrections there have been before.
+    pub(super) before: u32,
+}
+
+impl<A> Start<A> {
+    /// At a guess of which nothing is known.
+    #[inline(always)]
+    pub(super) fn at(guess: Option<A>) -> Self {
+        Start { guess, correction: None, before: 0 }
+    }
+}
 
 impl<A: Array> Record<A::Real> for Iteration<A> {
     fn record(&mut self, tape: &mut impl Tape<A::Real>) {
@@ -98,6 +114,12 @@ impl<A: Array> Iteration<A> {
         self.sizes.exceed(delta, self.reach) && !self.looks()
     }
 
+    /// Whether a correction of an extrapolated guess leads to no other branch.
+    #[inline(always)]
+    pub(super) fn is_near(&self, delta: &A) -> bool {
+        self.sizes.exceed(delta, FAR_OFF)
+    }
+
     /// Whether nothing that counts is left after this term of a correction, where steps are settled.
     #[inline(always)]
     pub(super) fn is_last_term(&self, term: &A) -> bool {
@@ -124,20 +146,21 @@ impl<A: Array> Iteration<A> {
         let distant = Distant { origin, standstill, explicit };
         let residual: &mut dyn Residual<A> = &mut ResidualOf { equation, watch };
         if Newton::<A>::MANY {
-            return self.of_many((guess, None), &distant, residual);
+            return self.of_many(Start::at(guess), &distant, residual);
         }
-        self.search((guess, None), distant, residual)
+        self.search(Start::at(guess), distant, residual)
     }
 
     /// Solves the equation by as many iterations, and from as many guesses, as it needs.
     #[inline(never)]
     pub(super) fn search<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
-        (extrapolated, mut first): Start<A>,
+        start: Start<A>,
         equation: E,
         watch: &mut W,
     ) -> Found<A> {
-        let mut attempt = extrapolated.map_or(Attempt::Explicit, Attempt::Extrapolated);
+        let mut attempt = start.guess.map_or(Attempt::Explicit, Attempt::Extrapolated);
+        let (mut first, mut before) = (start.correction, start.before);
         self.by_series |= self.looks();
         loop {
             // Sizes for pivots. A guess may be wild: no correction is compared with it.
@@ -155,9 +178,10 @@ impl<A: Array> Iteration<A> {
             let (found, iterations) = self.iterate((guess, first.take()), &attempt, &scale, &equation, watch);
             if found.outcome.is_ok() {
                 let extrapolated = matches!(attempt, Attempt::Extrapolated(_));
-                self.guesses.count(iterations, extrapolated, self.looks());
+                self.guesses.count(before + iterations, extrapolated, self.looks());
                 return found;
             }
+            before = 0;
             attempt = match attempt {
                 // Something may have happened that was not to be foreseen.
                 Attempt::Extrapolated(_) => Attempt::Explicit,
@@ -185,7 +209,7 @@ impl<A: Array> Iteration<A> {
     #[inline(always)]
     fn iterate<W: Observer + ?Sized, E: StepEquation<A, W>>(
         &mut self,
-        (guess, mut first): (A, Option<(A, bool)>),
+        (guess, mut first): (A, Option<A>),
         attempt: &Attempt<A>,
         scale: &Sizes<A>,
         equation: &E,
@@ -206,7 +230,7 @@ impl<A: Array> Iteration<A> {
             iterations += 1;
             let (mut solved, mut left, before) = (false, A::zero(), x);
             let (delta, positive) = match first.take() {
-                Some(first) => first,
+                Some(first) => (first, true),
                 None => {
                     let mut delta = equation.residual(watch, &x, &mut matrix);
                     left = delta;
@@ -224,7 +248,7 @@ impl<A: Array> Iteration<A> {
                     }
                 }
             };
-            if iterations == 1 && extrapolated && !self.sizes.exceed(&delta, FAR_OFF) {
+            if iterations == 1 && extrapolated && !self.is_near(&delta) {
                 break None;
             }
             if solved {
@@ -268,7 +292,7 @@ impl<A: Array> Iteration<A> {
 
     /// Two corrections that follow each other. The second may be nothing but rounding; then C is at most that.
     #[inline(always)]
-    fn see(&mut self, correction: f64, before: f64) {
+    pub(super) fn see(&mut self, correction: f64, before: f64) {
         // A margin, since C is not the same all along an orbit.
         let before = before.min(1.0);
         let curvature = 16.0 * correction / (before * before);

@@ -9,15 +9,19 @@ mod predictor;
 use crate::solving::Refusal;
 use crate::solving::equation::{Observer, StepEquation};
 use crate::solving::linear;
+use crate::solving::rounding::{Corrections, Verdict};
 use crate::space::vector::{difference, sum};
 use crate::space::{Array, Record, Tape};
-use iteration::Iteration;
 pub(crate) use iteration::compiled;
+use iteration::{Iteration, Start};
 use predictor::Predictor;
 
 /// With more unknowns than this, an elimination costs more than the evaluations that it saves. The compiler has the number: up to it,
 /// it emits a kernel for Newton's iteration.
 const MOST_UNKNOWNS: usize = geoint_macros::most_unknowns!();
+
+/// So many evaluations more a long step may need.
+const MOST_AGAIN: u32 = 2;
 
 /// Solves one equation a step, and remembers what helps with the next one.
 #[derive(Clone, Copy, Debug)]
@@ -115,15 +119,16 @@ impl<A: Array> Newton<A> {
             let found = if E::PATIENT {
                 self.iteration.patient(guess, *equation, watch)
             } else {
-                self.iteration.of_many((guess, None), equation, watch)
+                self.iteration.of_many(Start::at(guess), equation, watch)
             };
             self.choose(equation.origin(), found.x);
             return found;
         }
-        // In almost every step one evaluation is enough: the rest is out of line, with copies. What it looked at here would be in memory.
+        // In almost every step one evaluation is enough, in a long one two or three: the rest is out of line, with copies. What it looked at here
+        // would be in memory.
         let start = 'start: {
             if !guesses.all() {
-                break 'start (guesses.extrapolated(&self.predictor), None);
+                break 'start Start::at(guesses.extrapolated(&self.predictor));
             }
             let point = self.predictor.predict();
             let guess = equation.unknown(&point);
@@ -137,13 +142,20 @@ impl<A: Array> Newton<A> {
                 }
                 self.iteration.by_series = false;
             }
-            let Some(positive) = linear::solve_fast(&mut matrix, &mut delta, self.iteration.sizes()) else {
-                break 'start (Some(guess), None);
-            };
-            if !(self.iteration.is_last(&delta) && positive) {
-                break 'start (Some(guess), Some((delta, positive)));
+            if !linear::solve_fast(&mut matrix, &mut delta) {
+                break 'start Start::at(Some(guess));
             }
-            return Found::corrected(guess, &delta);
+            if self.iteration.is_last(&delta) {
+                return Found::corrected(guess, &delta);
+            }
+            let mut start = Start { guess: Some(guess), correction: Some(delta), before: 0 };
+            if !self.iteration.looks() && self.iteration.is_near(&delta) {
+                let (found, solved) = self.again((guess, delta), &mut start, equation, watch);
+                if solved {
+                    return found;
+                }
+            }
+            start
         };
         let mut iteration = self.iteration;
         let distant = iteration.search(start, *equation, watch);
@@ -154,6 +166,43 @@ impl<A: Array> Newton<A> {
         found.lost.copy_from(&distant.lost);
         self.choose(equation.origin(), found.x);
         found
+    }
+
+    /// A long step: where it is solved by a second or third evaluation after the first correction of an extrapolated guess, else where it has
+    /// come to. Inline, because the equation would be copied otherwise, and read in other pieces than it was written in: for that a processor
+    /// waits as long as for an evaluation.
+    #[inline(always)]
+    fn again<W: Observer + ?Sized, E: StepEquation<A, W>>(
+        &mut self,
+        (guess, first): (A, A),
+        start: &mut Start<A>,
+        equation: &E,
+        watch: &mut W,
+    ) -> (Found<A>, bool) {
+        let iteration = &mut self.iteration;
+        let origin = equation.origin();
+        let mut found = Found::corrected(guess, &first);
+        let mut corrections = Corrections::of_order(2);
+        corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
+        for before in 1..=MOST_AGAIN {
+            let x = found.x;
+            let mut matrix = A::fill(A::zero());
+            let mut delta = equation.residual(watch, &x, &mut matrix);
+            if !linear::solve_fast(&mut matrix, &mut delta) {
+                *start = Start { before, ..Start::at(Some(x)) };
+                break;
+            }
+            found = Found::corrected(x, &delta);
+            let correction = iteration.sizes.relative(&delta, &origin, &found.x);
+            if before == 1 {
+                iteration.see(correction, corrections.last());
+            }
+            if corrections.judge::<A::Real>(correction) == Verdict::Solved {
+                return (found, true);
+            }
+            *start = Start { guess: Some(x), correction: Some(delta), before };
+        }
+        (found, false)
     }
 
     /// What the next guess is made of, if another one than this time may be better.
