@@ -96,12 +96,6 @@ impl<A: Array> Iteration<A> {
         }
     }
 
-    /// The sizes of increments so far.
-    #[inline(always)]
-    pub(super) fn sizes(&self) -> &Sizes<A> {
-        &self.sizes
-    }
-
     /// One step more.
     #[inline(always)]
     pub(super) fn pass(&mut self) {
