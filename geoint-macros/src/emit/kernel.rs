@@ -1,6 +1,6 @@
 //! Functions of prepared coefficients and arrays: what routines read and write.
 
-use super::straight_line;
+use super::straight_line::{self, Names};
 use crate::ir::Symbol;
 use crate::lower::VELOCITY;
 use crate::parse::{Energy, Form, Role, Shape};
@@ -273,9 +273,14 @@ impl<'a> Context<'a> {
         self.planned(&plan.last[0], (&[], ""), finish)
     }
 
+    /// What a routine calls what it reads and computes, from what it calls its inputs.
+    pub(crate) fn names<'b>(&'b self, input: &'b dyn Fn(Symbol) -> Given) -> Names<'b> {
+        Names { registers: &self.registers, input, degrees: self.energy.degrees() as usize }
+    }
+
     /// A routine that writes its results.
     pub(crate) fn written(&self, block: &Block, targets: &[Given]) -> TokenStream {
-        straight_line::assignments(block, (&self.registers, &|symbol| self.input(symbol)), targets)
+        straight_line::assignments(block, self.names(&|symbol| self.input(symbol)), targets)
     }
 
     /// What the routine of a level stores for later ones, as an array.
@@ -302,7 +307,7 @@ impl<'a> Context<'a> {
         finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
     ) -> TokenStream {
         let input = |symbol| self.input_or_unknown(unknowns, array, symbol);
-        straight_line::routine(block, (&self.registers, &input), finish)
+        straight_line::routine(block, self.names(&input), finish)
     }
 
     /// The same in braces, as the body of a function: one token, where many would be copied one by one as they are quoted.

@@ -110,7 +110,7 @@ fn enclosed(context: &Context<'_>, name: &str, count: usize, choices: &[Block]) 
         symbol => context.input(symbol),
     };
     let arms = choices.iter().enumerate().map(|(i, block)| {
-        let body = straight_line::routine(block, (&context.registers, &input), |values| match &values[..] {
+        let body = straight_line::routine(block, context.names(&input), |values| match &values[..] {
             [value] => value.clone(),
             _ => quote!([#(#values),*]),
         });

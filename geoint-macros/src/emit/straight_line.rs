@@ -17,8 +17,14 @@ use std::cell::RefCell;
 /// The arrays in which routines find the slots of earlier levels.
 pub(crate) const SLOTS: [&str; 2] = ["prepared", "start"];
 
-/// What registers are called in all routines, and what symbols are called in this one.
-pub(crate) type Names<'a> = (&'a RefCell<Vec<Ident>>, &'a dyn Fn(Symbol) -> Given);
+/// What a routine calls what it reads and computes.
+pub(crate) struct Names<'a> {
+    /// Registers, as in all routines.
+    pub(super) registers: &'a RefCell<Vec<Ident>>,
+    pub(super) input: &'a dyn Fn(Symbol) -> Given,
+    /// So many coordinates the system has.
+    pub(super) degrees: usize,
+}
 
 /// The statements of a block, followed by what `finish` makes of its results.
 pub(crate) fn routine(
@@ -27,7 +33,15 @@ pub(crate) fn routine(
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
     let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
-    written(block, names, &[], |results| finish(results.into_iter().map(value).collect()))
+    let mut writer = Writer::new(&names);
+    let (results, alone) = match writer.families(block, &names, &[]) {
+        Some(families) => {
+            let (results, alone) = writer.with_loops(block, families);
+            (results.into_iter().map(value).collect(), alone)
+        }
+        None => (writer.block(block), block.registers()),
+    };
+    writer.finished(&names, &alone, finish(results))
 }
 
 /// The statements of a block, and those that write its results to `targets`.
@@ -37,35 +51,12 @@ pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) ->
         Output::Loop(statement) => statement,
         Output::Written => TokenStream::new(),
     };
-    written(block, names, targets, |results| targets.iter().zip(results).map(write).collect())
-}
-
-fn written(
-    block: &Block,
-    (registers, input): Names<'_>,
-    targets: &[Given],
-    finish: impl FnOnce(Vec<Output>) -> TokenStream,
-) -> TokenStream {
-    let mut writer = Writer {
-        input,
-        names: HashMap::default(),
-        declared: vec![],
-        given: vec![],
-        words: vec![],
-        registers: registers.take(),
-        members: HashMap::default(),
-        tokens: vec![],
-    };
-    let (results, alone) = match writer.families(block, targets) {
+    let mut writer = Writer::new(&names);
+    let (results, alone) = match writer.families(block, &names, targets) {
         Some(families) => writer.with_loops(block, families),
         None => (writer.block(block).into_iter().map(Output::Value).collect(), block.registers()),
     };
-    let mut tokens = writer.declaration(&alone);
-    registers.replace(writer.registers);
-    tokens.extend(writer.given);
-    tokens.extend(writer.tokens);
-    tokens.extend(finish(results));
-    tokens
+    writer.finished(&names, &alone, targets.iter().zip(results).map(write).collect())
 }
 
 pub(super) struct Writer<'a> {
@@ -81,6 +72,31 @@ pub(super) struct Writer<'a> {
     /// Registers that are entries of arrays.
     pub(super) members: HashMap<Register, TokenStream>,
     tokens: Vec<TokenTree>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(names: &Names<'a>) -> Self {
+        Writer {
+            input: names.input,
+            names: HashMap::default(),
+            declared: vec![],
+            given: vec![],
+            words: vec![],
+            registers: names.registers.take(),
+            members: HashMap::default(),
+            tokens: vec![],
+        }
+    }
+
+    /// Names, statements, and what comes last.
+    fn finished(mut self, names: &Names<'_>, alone: &[Register], last: TokenStream) -> TokenStream {
+        let mut tokens = self.declaration(alone);
+        names.registers.replace(self.registers);
+        tokens.extend(self.given);
+        tokens.extend(self.tokens);
+        tokens.extend(last);
+        tokens
+    }
 }
 
 impl Writer<'_> {

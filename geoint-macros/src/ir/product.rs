@@ -130,9 +130,17 @@ impl Graph {
     /// Whether a sum is among the bases of a product.
     fn has_sum(&self, id: Id) -> bool {
         match self.node(id) {
-            Node::Product(ids) => ids.iter().any(|id| self.has_sum(*id)),
+            Node::Linear(..) => true,
             Node::Power(base, _) => matches!(self.node(*base), Node::Linear(..)),
-            node => matches!(node, Node::Linear(..)),
+            Node::Product(ids) => {
+                for id in ids {
+                    if self.has_sum(*id) {
+                        return true;
+                    }
+                }
+                false
+            }
+            _ => false,
         }
     }
 

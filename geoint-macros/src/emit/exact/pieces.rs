@@ -142,7 +142,7 @@ fn solve(context: &Context<'_>, piece: &PieceKernel<Plan>, target: &TokenStream)
             piece.flow.changes.iter().position(|x| matches!((x, symbol), (Symbol::Q(i), Symbol::Dq(j)) if *i == j));
         moved.map_or_else(|| context.input(symbol), |i| Given::entry(array::UNKNOWNS, quote!(increment), vec![i]))
     };
-    let equation = straight_line::routine(&piece.flow.kernel.last[0], (&context.registers, &unknown), |values| {
+    let equation = straight_line::routine(&piece.flow.kernel.last[0], context.names(&unknown), |values| {
         let [image, first, second] = [&values[..2], &values[2..4], &values[4..]];
         quote!(([#(#image),*], [[#(#first),*], [#(#second),*]]))
     });

@@ -69,13 +69,15 @@ pub(crate) enum Item {
     Family(usize),
 }
 
-/// Alike statements of a block, if nearly all are alike; results are written to `targets`, if it says where.
+/// Alike statements of a block, if nearly all are alike, of a system with so many coordinates; results are written to `targets`, if it says
+/// where.
 pub(crate) fn families(
-    block: &Block,
+    (block, degrees): (&Block, usize),
     place: &dyn Fn(Symbol) -> Option<Place>,
     targets: impl FnOnce() -> Vec<Option<Place>>,
 ) -> Option<Families> {
-    if block.statements.len() < FEWEST || !block.statements.iter().any(|statement| reads_of_many(statement, place)) {
+    // The cheapest question first: most systems are small.
+    if degrees.min(block.statements.len()) < FEWEST || !block.statements.iter().any(|statement| reads_of_many(statement, place)) {
         return None;
     }
     let mut finder = Finder::new(block, place);
