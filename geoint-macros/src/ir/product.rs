@@ -110,7 +110,7 @@ impl Graph {
 
     /// a·b with merged powers, if a sum meets its opposite: (b − a)(a − b)² is −(a − b)³.
     fn met_opposite(&mut self, a: Id, b: Id) -> Option<Id> {
-        if !self.has_sum(a) || !self.has_sum(b) {
+        if !self.any_sum(a, &|left| self.any_sum(b, &|right| self.is_opposite(left, right))) {
             return None;
         }
         let (mut left, right) = (self.factors(a), self.factors(b));
@@ -127,14 +127,14 @@ impl Graph {
         Some(self.scale(coefficient, product))
     }
 
-    /// Whether a sum is among the bases of a product.
-    fn has_sum(&self, id: Id) -> bool {
+    /// Whether that holds of some sum among the bases of a product.
+    fn any_sum(&self, id: Id, holds: &dyn Fn(Id) -> bool) -> bool {
         match self.node(id) {
-            Node::Linear(..) => true,
-            Node::Power(base, _) => matches!(self.node(*base), Node::Linear(..)),
+            Node::Linear(..) => holds(id),
+            Node::Power(base, _) => matches!(self.node(*base), Node::Linear(..)) && holds(*base),
             Node::Product(ids) => {
                 for id in ids {
-                    if self.has_sum(*id) {
+                    if self.any_sum(*id, holds) {
                         return true;
                     }
                 }
