@@ -184,7 +184,9 @@ impl<A: Array> Newton<A> {
         let mut found = Found::corrected(guess, &first);
         let mut corrections = Corrections::of_order(2);
         corrections.judge::<A::Real>(iteration.sizes.relative(&first, &origin, &found.x));
-        for before in 1..=MOST_AGAIN {
+        // A substep that takes a third one chooses another guess after it.
+        let most = if iteration.guesses.composed() { 1 } else { MOST_AGAIN };
+        for before in 1..=most {
             let x = found.x;
             let mut matrix = A::fill(A::zero());
             let mut delta = equation.residual(watch, &x, &mut matrix);
