@@ -77,7 +77,9 @@ pub(crate) fn families(
     targets: impl FnOnce() -> Vec<Option<Place>>,
 ) -> Option<Families> {
     // The cheapest question first: most systems are small.
-    if degrees.min(block.statements.len()) < FEWEST || !block.statements.iter().any(|statement| reads_of_many(statement, place)) {
+    if degrees.min(block.statements.len()) < FEWEST
+        || !block.statements.iter().any(|statement| reads_of_many(statement, place))
+    {
         return None;
     }
     let mut finder = Finder::new(block, place);
