@@ -12,6 +12,7 @@
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
+use core::array::from_fn;
 
 /// Series whose coefficients follow from those of lower orders.
 pub trait Series {
@@ -71,54 +72,122 @@ fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
     x
 }
 
-/// The pairs uⱼ, uₙ₋ⱼ for 0 < j < n/2 from the middle on; without indices that would be checked.
-#[inline(always)]
-fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
-    let (low, high) = u[1..n].split_at(n.div_ceil(2) - 1);
-    let middle = high.len() - low.len();
-    low.iter().rev().zip(&high[middle..])
+/// Coefficients that are side by side begin where four numbers are read at once, wherever the stack begins.
+#[repr(align(32))]
+#[derive(Debug)]
+pub struct Aligned<T>(pub T);
+
+/// A sum over 0 < j < n, of numbers or of many numbers side by side.
+pub trait Sum: Copy {
+    /// Coefficients of one order.
+    type Entry: Array;
+
+    /// Such sums in one loop, from the middle on: two for each, which do not wait for each other.
+    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [Self::Entry; K];
 }
 
-/// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
+/// Σ uⱼwₙ₋ⱼ.
+#[derive(Clone, Copy, Debug)]
+pub struct OfProduct<'a, A, const P: usize>(pub &'a [A; P], pub &'a [A; P]);
+
+/// Σ uⱼuₙ₋ⱼ.
+#[derive(Clone, Copy, Debug)]
+pub struct OfSquare<'a, A, const P: usize>(pub &'a [A; P]);
+
+/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ, with α + 1 last.
+#[derive(Clone, Copy, Debug)]
+pub struct OfPower<'a, A: Array, const P: usize>(pub &'a [A; P], pub &'a [A; P], pub A::Real);
+
+/// The pairs j, n − j with 0 < j < n/2 from the middle on, as far as there are coefficients.
 #[inline(always)]
-pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
-    let (mut first, mut second) = (A::zero(), A::zero());
-    if n.is_multiple_of(2) {
-        first = times(u[n / 2], w[n / 2]);
-    }
-    for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
-        first = fused(*uj, *wi, first);
-        second = fused(*ui, *wj, second);
-    }
-    plus(first, second)
+fn outward<const P: usize>(n: usize) -> impl Iterator<Item = (usize, usize)> {
+    (1..n.div_ceil(2)).rev().map(move |j| (j, n - j)).take_while(|(_, i)| *i < P)
 }
 
-/// Σ uⱼuₙ₋ⱼ over 0 < j < n.
-#[inline(always)]
-pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
-    let mut half = A::zero();
-    for (uj, ui) in outward(u, n) {
-        half = fused(*uj, *ui, half);
+impl<A: Array, const P: usize> Sum for OfProduct<'_, A, P> {
+    type Entry = A;
+
+    #[inline(always)]
+    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
+        let (mut first, mut second) = ([A::zero(); K], [A::zero(); K]);
+        if n.is_multiple_of(2) {
+            first = of.map(|OfProduct(u, w)| times(u[n / 2], w[n / 2]));
+        }
+        for (j, i) in outward::<P>(n) {
+            for (k, OfProduct(u, w)) in of.iter().enumerate() {
+                first[k] = fused(u[j], w[i], first[k]);
+                second[k] = fused(u[i], w[j], second[k]);
+            }
+        }
+        from_fn(|k| plus(first[k], second[k]))
     }
-    let double = plus(half, half);
-    if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
 }
 
-/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
+impl<A: Array, const P: usize> Sum for OfSquare<'_, A, P> {
+    type Entry = A;
+
+    #[inline(always)]
+    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
+        let mut half = [A::zero(); K];
+        for (j, i) in outward::<P>(n) {
+            for (half, OfSquare(u)) in half.iter_mut().zip(&of) {
+                *half = fused(u[j], u[i], *half);
+            }
+        }
+        let mut sums = half.map(|half| plus(half, half));
+        if n.is_multiple_of(2) {
+            for (sum, OfSquare(u)) in sums.iter_mut().zip(&of) {
+                *sum = fused(u[n / 2], u[n / 2], *sum);
+            }
+        }
+        sums
+    }
+}
+
+impl<A: Array, const P: usize> Sum for OfPower<'_, A, P> {
+    type Entry = A;
+
+    #[inline(always)]
+    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
+        let whole = A::Real::from_f64(n as f64);
+        let factor = |next: A::Real, j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
+        let (mut first, mut second) = ([A::zero(); K], [A::zero(); K]);
+        if n.is_multiple_of(2) {
+            first = of.map(|OfPower(u, y, next)| scaled(factor(next, n / 2), times(u[n / 2], y[n / 2])));
+        }
+        for (j, i) in outward::<P>(n) {
+            for (k, OfPower(u, y, next)) in of.iter().enumerate() {
+                first[k] = fused(scaled(factor(*next, j), u[j]), y[i], first[k]);
+                second[k] = fused(scaled(factor(*next, i), u[i]), y[j], second[k]);
+            }
+        }
+        from_fn(|k| plus(first[k], second[k]))
+    }
+}
+
+/// One sum.
 #[inline(always)]
-pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
-    let (u, y) = (&u[..n], &y[..n]);
-    let whole = A::Real::from_f64(n as f64);
-    let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
-    let (mut first, mut second) = (A::zero(), A::zero());
-    if n.is_multiple_of(2) {
-        first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
+pub fn sum<S: Sum>(of: S, n: usize) -> S::Entry {
+    let [sum] = S::in_one_loop([of], n);
+    sum
+}
+
+/// So many sums share a loop, and what it costs.
+const TOGETHER: usize = 4;
+
+/// Many sums. Which ones share a loop is read from memory: the vectoriser, where it knows them, pairs lanes of one with lanes of another, and what
+/// it shuffles takes half as long again as the sums.
+#[inline(always)]
+pub fn sums<S: Sum, const K: usize>(of: [S; K], n: usize) -> [S::Entry; K] {
+    let mut sums = [S::Entry::zero(); K];
+    let ((many, rest), (of_many, of_rest)) = (sums.as_chunks_mut::<TOGETHER>(), of.as_chunks::<TOGETHER>());
+    for (sums, of) in many.iter_mut().zip(of_many) {
+        *sums = S::in_one_loop(*of, n);
     }
-    for j in (1..n.div_ceil(2)).rev() {
-        first = fused(scaled(factor(j), u[j]), y[n - j], first);
-        second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
+    for (one, of) in rest.iter_mut().zip(of_rest) {
+        *one = sum(*of, n);
     }
-    plus(first, second)
+    sums
 }
 
 /// Of a function a + b·t.

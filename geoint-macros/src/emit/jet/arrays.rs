@@ -23,7 +23,11 @@ impl Stored {
 
     pub(super) fn zeros(&self) -> TokenStream {
         let lanes = Literal::usize_unsuffixed(LANES);
-        if self.of_lanes { quote!([[R::from_f64(0.0); #lanes]; P]) } else { quote!([R::from_f64(0.0); P]) }
+        if self.of_lanes {
+            quote!(recurrence::Aligned([[R::from_f64(0.0); #lanes]; P]).0)
+        } else {
+            quote!([R::from_f64(0.0); P])
+        }
     }
 }
 

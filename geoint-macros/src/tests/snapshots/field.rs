@@ -1543,7 +1543,7 @@ const _: () = {
             v1 = -v0;
             v2 = q0 * a0;
             v3 = -a0;
-            let (mut u2, mut u3) = ([R::from_f64(0.0); P], [R::from_f64(0.0); P]);
+            let (u2, u3) = (&mut [R::from_f64(0.0); P], &mut [R::from_f64(0.0); P]);
             u2[0] = q1;
             u3[0] = q0;
             jet[0].z[0] = unit * (v1);
@@ -1561,8 +1561,8 @@ const _: () = {
                 &mut Coefficients {
                     k: [unit, v3, a0],
                     masks: [],
-                    u2: &mut u2,
-                    u3: &mut u3,
+                    u2,
+                    u3,
                     jet,
                     switches,
                 },

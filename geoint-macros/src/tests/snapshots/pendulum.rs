@@ -694,10 +694,20 @@ const _: () = {
                     c0 = k[1] * c2;
                     c5 = u5[n];
                     ju5[n] = whole * c5;
-                    c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
+                    c3 = recurrence::integral(
+                        k[2],
+                        c5,
+                        recurrence::sum(recurrence::OfProduct(ju5, u4), n),
+                        n,
+                    );
                     u3[n] = c3;
                     c1 = k[3] * c3;
-                    c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
+                    c4 = -recurrence::integral(
+                        k[4],
+                        c5,
+                        recurrence::sum(recurrence::OfProduct(ju5, u3), n),
+                        n,
+                    );
                     u4[n] = c4;
                     jet[n].z[0][0] = next * c0;
                     if n + 1 < P {
@@ -727,12 +737,12 @@ const _: () = {
             v8 = v5 * v6;
             v9 = -v8;
             v10 = -v5;
-            let (mut u2, mut u3, mut u4, mut u5, mut ju5) = (
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
-                [R::from_f64(0.0); P],
+            let (u2, u3, u4, u5, ju5) = (
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
+                &mut [R::from_f64(0.0); P],
             );
             u2[0] = p0;
             u3[0] = v6;
@@ -753,11 +763,11 @@ const _: () = {
                 &mut Coefficients {
                     k: [unit, v2, v7, v10, v6],
                     masks: [],
-                    u2: &mut u2,
-                    u3: &mut u3,
-                    u4: &mut u4,
-                    u5: &mut u5,
-                    ju5: &mut ju5,
+                    u2,
+                    u3,
+                    u4,
+                    u5,
+                    ju5,
                     jet,
                     switches,
                 },
