@@ -22,6 +22,30 @@ where
     sim.state()
 }
 
+/// Nothing is faster than light.
+#[lagrangian]
+fn fast(q: [f64; 1], v: [f64; 1], m: f64, c: f64) -> f64 {
+    -m * c * c * (1.0 - v[0] * v[0] / (c * c)).sqrt() - m * q[0] * q[0] / 2.0
+}
+
+#[test]
+fn velocities_without_a_momentum_are_refused_by_name() {
+    let system = Fast { m: 1.0, c: 3.0 };
+    let refused = |error: StepError| {
+        assert!(matches!(error, StepError::NoMomentum { t: 0.0 }), "{error:?}");
+        assert!(error.to_string().contains("the velocities of the state at t = 0 have no finite momenta"), "{error}");
+    };
+    for v in [3.0, 4.0, -3.5] {
+        let state = system.at([0.2], [v]);
+        refused(system.integrator(StormerVerlet, 0.1, state).step().unwrap_err());
+        refused(system.adaptive(DOP853, 1e-6, state).step().unwrap_err());
+        refused(system.taylor(Taylor::default(), state).step().unwrap_err());
+    }
+    let nowhere = system.integrator(StormerVerlet, 0.1, system.at([f64::NAN], [0.1])).step().unwrap_err();
+    assert!(matches!(nowhere, StepError::NonFiniteState { .. }), "{nowhere:?}");
+    assert!(system.integrator(StormerVerlet, 0.1, system.at([0.2], [2.9])).step().is_ok());
+}
+
 #[test]
 fn the_report_says_which_steps() {
     let report = Arm::<f64>::REPORT;

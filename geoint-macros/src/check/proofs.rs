@@ -2,7 +2,7 @@
 
 use super::blame::written;
 use super::damping::flaw_of_damping;
-use super::wording::{open, remains};
+use super::wording::{left, open, remains};
 use crate::analyze::{Damping, Identity, Why};
 use crate::derive::proof;
 use crate::diagnostics::{Diagnostics, Result};
@@ -71,18 +71,29 @@ pub(crate) fn integrals(
                 format!("`{name}` is not constant along the field{but}: what remains of its derivative{rest}")
             }
             Identity::Open(found) => {
-                let why = match found.why {
-                    Why::Relation => {
+                let why = match (found.why, &found.rest) {
+                    // Without functions there is no relation between them.
+                    (Why::Relation, Some(rest)) if rest.is_rational(graph) && !rest.case.is_empty() => {
+                        "no state was met at which what remains is not zero"
+                    }
+                    (Why::Relation, Some(rest)) if rest.is_rational(graph) => {
+                        "it holds to rounding, and numbers in it are rounded"
+                    }
+                    (Why::Relation, _) => {
                         "it holds to rounding, and rests on a relation between functions that is not known here"
                     }
-                    Why::Branch => "it holds to rounding, for one choice of the signs of roots",
-                    Why::TooLong => "it holds to rounding, and is too long to be decided",
-                    Why::Nowhere => "no state was met at which it is defined",
+                    (Why::Branch, _) => "it holds to rounding, for one choice of the signs of roots",
+                    (Why::TooLong, _) => "it holds to rounding, and is too long to be decided",
+                    (Why::Nowhere, _) => "no state was met at which it is defined",
                 };
+                // Of rounded numbers nothing may remain once they are added up.
+                let rest = found.rest.as_ref().filter(|rest| !graph.is_zero(rest.rest));
+                let rest = rest.map_or_else(String::new, |rest| {
+                    format!("; what remains of its derivative{}", left(&printer, rest))
+                });
                 format!(
                     "`{name}` was not proven to be constant along the field{but}: {why}; if you know that it is, say \
-                     `keeps(assume({name} = …))`{}",
-                    open(&printer, verdict).replacen(": ", "; what remains of its derivative is ", 1)
+                     `keeps(assume({name} = …))`{rest}"
                 )
             }
         };

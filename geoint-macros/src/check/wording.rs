@@ -28,9 +28,17 @@ pub(crate) fn remains<F: Fn(Symbol) -> String>(
     witness: &Witness,
 ) -> String {
     match rest {
-        Some(Remainder { rest, case, .. }) => format!("{} is {}", in_case(printer, case), printer.excerpt(*rest)),
+        Some(rest) => left(printer, rest),
         None => format!(" is {}", at_witness(printer, witness)),
     }
+}
+
+/// " where a < b is 2·x", or " is 2·x".
+pub(crate) fn left<F: Fn(Symbol) -> String>(
+    printer: &Printer<'_, F>,
+    Remainder { rest, case, .. }: &Remainder,
+) -> String {
+    format!("{} is {}", in_case(printer, case), printer.excerpt(*rest))
 }
 
 /// "3 where x = 1, y = 2".

@@ -123,6 +123,11 @@ impl Flow {
         }
     }
 
+    /// The first function that is kept, by whose gradient a field is split.
+    pub(crate) fn first(&self) -> Option<&Named> {
+        self.kept.iter().find(|named| named.conserved.but.is_none())
+    }
+
     /// Whether S(m) ∇̄H keeps all that is kept: H alone, or with Casimirs.
     fn is_kept_by_structure(&self) -> bool {
         self.form == Form::Structured || self.kept.iter().all(|named| named.origin == Origin::Energy)
@@ -152,8 +157,9 @@ impl Flow {
         name: impl Fn(Symbol) -> String,
     ) {
         let x = proof::coordinates(self.field.len());
-        let mut found = search::kept_along(graph, &x, rows).unwrap_or_default();
-        found.extend(written.map(|value| search::Kept { value, linear: false }));
+        // The one that was written comes first: what is found may be a function of it that is defined at fewer states, as its logarithm.
+        let mut found: Vec<_> = written.map(|value| search::Kept { value, linear: false }).into_iter().collect();
+        found.extend(search::kept_along(graph, &x, rows).unwrap_or_default());
         // What reads time is constant along the rows, and not along the flow.
         found.retain(|kept| !graph.reads(kept.value).t);
         found.retain(|kept| claims::is_casimir(graph, &x, rows, kept.value).is_ok());

@@ -61,7 +61,7 @@ pub(super) fn lagrangian(context: &Context<'_>, found: &Lagrangian<Plan>) -> Tok
             }
         }
         impl #plain {
-            /// The state with these positions and velocities, at t = 0.
+            /// The state with these positions and velocities, at t = 0. Velocities without a finite momentum are reported by the first step.
             pub fn at(&self, q: #coordinates, v: #coordinates #takes) -> #state<#coordinates> {
                 self.at_time(0.0, q, v #hands)
             }

@@ -34,6 +34,11 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
             }
         }
     });
+    let of_velocities = matches!(context.energy.form, Form::Lagrangian | Form::Herglotz).then(|| {
+        quote!(
+            const OF_VELOCITIES: bool = true;
+        )
+    });
     let proven = system.proven.iter().map(|name| format_ident!("{name}"));
     quote! {
         #(impl<R: Real> #proven<R> for #name { type Proof = (); })*
@@ -47,6 +52,7 @@ pub(super) fn phase_space(context: &Context<'_>, graph: &Graph, system: &System<
                 #parts
                 #value
             }
+            #of_velocities
             #domain
             #constrained
         }

@@ -15,7 +15,7 @@ pub fn state_on_constraint<S: Constrained<R>, R: Real>(
     state: &StateOf<S, R>,
 ) -> Result<StateOf<S, R>, StepError> {
     let (t, z, s) = state.parts();
-    let not_finite = Err(StepError::NonFiniteState { t: signed(t) });
+    let not_finite = Err(StepError::not_finite::<S, R>(t, &z));
     if !z.is_finite() {
         return not_finite;
     }

@@ -1,6 +1,9 @@
 //! Why a step was refused.
 
 use crate::method::Refusal;
+use crate::scalar::{Real, signed};
+use crate::space::Array;
+use crate::system::PhaseSpace;
 use core::fmt;
 
 /// Why a step was refused. The integrator still holds the last good state and may go on, for instance with a smaller
@@ -15,6 +18,12 @@ pub enum StepError {
     },
     /// The state given to the integrator is not finite.
     NonFiniteState {
+        /// Time of the state.
+        t: f64,
+    },
+    /// The state given to the integrator has velocities for which a Lagrangian has no finite momentum ∂L/∂v, such as those beyond that of
+    /// light.
+    NoMomentum {
         /// Time of the state.
         t: f64,
     },
@@ -123,6 +132,17 @@ pub enum StepError {
 }
 
 impl StepError {
+    /// Of a state with an entry that is not finite.
+    pub(super) fn not_finite<S: PhaseSpace<R>, R: Real>(t: R, z: &S::Phase) -> StepError {
+        let (t, [positions, momenta]) = (signed(t), z.as_slice().split_at(S::Phase::LEN / 2).into());
+        let finite = |entries: &[R]| entries.iter().all(|x| x.magnitude() < f64::INFINITY);
+        if S::OF_VELOCITIES && t.is_finite() && finite(positions) && !finite(momenta) {
+            StepError::NoMomentum { t }
+        } else {
+            StepError::NonFiniteState { t }
+        }
+    }
+
     /// Of a step from a time on that has no result.
     pub(super) fn refused(refusal: Refusal, t: f64) -> StepError {
         match refusal {
@@ -210,6 +230,12 @@ impl fmt::Display for StepError {
             }
             StepError::NonFiniteState { t } => {
                 write!(f, "the state at t = {t} has an entry that is not finite")
+            }
+            StepError::NoMomentum { t } => {
+                write!(
+                    f,
+                    "the velocities of the state at t = {t} have no finite momenta ∂L/∂v: the Lagrangian is not defined for them"
+                )
             }
             StepError::NotNormalised { t, length } => {
                 write!(

@@ -4,6 +4,7 @@
 //! number that is zero.
 
 use crate::scalar::{Real, signed, zero};
+use crate::slope::before_squares;
 
 /// Turns, in radians, up to which series of so many terms are exact to rounding.
 const TURNS: [f64; 3] = [0.1, 0.2, 0.4];
@@ -44,7 +45,9 @@ pub fn symmetric_rotation<R: Real>(axis: usize, [across, along]: [R; 2], r: &[R;
     let m = [momentum[0], momentum[1], momentum[2]];
     // exp(½ m·h/I) − 1 and exp(½ e·β) − 1.
     let half_across = half * across;
-    let length = (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]).sqrt();
+    let unit = before_squares(R::from_f64(m.iter().fold(0.0, |size, x| size + x.magnitude())));
+    let [x, y, z] = m.map(|x| unit * x);
+    let length = (x * x + y * y + z * z).sqrt() / unit;
     let (sine, cosine) = (half_across * length).sin_cos();
     let scale = if length.magnitude() > 0.0 { sine / length } else { half_across };
     let first = [scale * m[0], scale * m[1], scale * m[2], less_one(sine, cosine)];

@@ -62,9 +62,10 @@ pub trait SteadyIntegrals<R: Real = f64>: FirstIntegrals<R> {
 
 /// A flow that keeps an energy: H, or of a field what it keeps under that name, or keeps first.
 #[diagnostic::on_unimplemented(
-    message = "the flow of `{Self}` was not proven to keep the energy",
-    label = "there is nothing to project onto",
+    message = "`{Self}` has no energy that steps could be led back to",
+    label = "this needs an energy that is kept, with divided differences",
     note = "an energy is not kept if it depends on time, or is damped",
+    note = "of rigid bodies (`attitude = r`) no divided differences are taken: use tables of kicks and drifts such as `BlanesMoanSrkn14a`",
     note = "of a vector field name what it keeps: `#[vector_field(keeps(name = expression))]`"
 )]
 pub trait KeepsEnergy<R: Real = f64>: VectorField<R> {

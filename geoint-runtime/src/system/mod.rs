@@ -63,6 +63,9 @@ pub trait PhaseSpace<R: Real = f64>: Copy {
         None
     }
 
+    /// Whether momenta follow from velocities that the user gives: they are not finite where those have none.
+    const OF_VELOCITIES: bool = false;
+
     /// The poles of H: what must not vanish on the way of an implicit step.
     const POLES: &'static [Pole] = &[];
 

@@ -50,6 +50,20 @@ fn two_rotations_are_the_flow() {
     }
 }
 
+/// Squares of momenta are no numbers there, and the body turns as it does in other units.
+#[test]
+fn two_rotations_in_all_units() {
+    let end = |unit: f64| {
+        let system = SpinningTop { across: 0.7 * unit, along: 0.3 * unit, c: Vector3::zeros() };
+        let mut sim = system.integrator(StormerVerlet, 0.5, BodyState::new(UnitQuaternion::identity(), unit * M0));
+        sim.advance(5).unwrap();
+        BodyState { m: sim.state().m / unit, ..sim.state() }
+    };
+    for power in [-600, -1000, 600, 1000] {
+        assert_eq!(end(2.0_f64.powi(power)), end(1.0), "2^{power}");
+    }
+}
+
 #[test]
 fn every_axis_may_be_that_of_symmetry() {
     let system = WheelAndBall { across: 1.4, along: 0.6, ball: 0.9 };

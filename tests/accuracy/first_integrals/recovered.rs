@@ -79,6 +79,19 @@ fn separable_orbits(x: [f64; 2], c: f64) -> [f64; 2] {
     [c * x[0].cos() * (1.0 + x[1] * x[1]), -2.0 * x[0].sin() * x[1]]
 }
 
+/// A gate behind which all is slower: H = p·v(q) would jump there, and p does not.
+#[vector_field]
+fn gate(x: [f64; 2]) -> [f64; 2] {
+    [if x[0] > 0.0 { 1.0 } else { 2.0 }, 0.0]
+}
+
+/// A charge in a uniform magnetic field.
+#[vector_field]
+fn gyration(x: [f64; 4], b: f64) -> [f64; 4] {
+    let [v, w] = [x[2] + b * x[1], x[3] - b * x[0]];
+    [v, w, b * w, -b * v]
+}
+
 fn reports(report: &str, line: &str) {
     assert!(report.contains(line), "{line} is missing in\n{report}");
 }
@@ -138,6 +151,23 @@ fn what_is_recovered_is_split() {
     let energy = HenonField.energy(&FlowState::new(HENON.start));
     let planes = end(HenonField, Suzuki4.of(PlanarSplitting), HENON.start, 2.0, 20);
     assert!((HenonField.energy(&planes) - energy).abs() < 1e-14);
+}
+
+#[test]
+fn what_jumps_on_the_way_is_not_kept() {
+    reports(Gate::REPORT, "not kept, because it may jump where x[0] = 0");
+    let mut sim = Gate.integrator(RK4, 0.1, FlowState::new([-1.05, 1.0]));
+    sim.advance(20).unwrap_or_else(|error| panic!("{error}"));
+    assert!(sim.state().x[0] > 0.4 && sim.state().x[1] == 1.0, "{:?}", sim.state());
+}
+
+#[test]
+fn products_of_sums_have_an_energy() {
+    let (system, start) = (Gyration { b: 0.8 }, FlowState::new([0.3, -0.2, 0.5, 0.4]));
+    let [v, w] = [0.5 - 0.8 * 0.2, 0.4 - 0.8 * 0.3];
+    assert!((system.energy(&start) - (v * v + w * w) / 2.0).abs() < 1e-16);
+    let end = end(system, DiscreteGradient, start.x, 700.0, 1000);
+    assert!((system.energy(&end) - system.energy(&start)).abs() < 1e-14);
 }
 
 #[test]

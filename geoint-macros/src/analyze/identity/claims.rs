@@ -3,12 +3,37 @@
 use super::residues::{self};
 use super::{Bound, Identity, sum_is_zero};
 use crate::diff;
-use crate::ir::{Graph, Id, Symbol};
+use crate::ir::{Graph, Id, Node, Number, Symbol};
 
 /// f·∇I + ∂I/∂t − b·∇I = 0: whether `integral` is constant along `field`, but for what `but` adds to its derivative.
 pub(crate) fn is_kept(graph: &mut Graph, x: &[Symbol], field: &[Id], integral: Id, but: Option<&[Id]>) -> Identity {
     let terms = derivative_along(graph, x, field, integral, but);
-    sum_is_zero(graph, &terms)
+    let verdict = sum_is_zero(graph, &terms);
+    let (unit, function) = in_units(graph, integral);
+    if verdict.is_zero() || unit.is_one() {
+        return verdict;
+    }
+    let terms = derivative_along(graph, x, field, function, but);
+    let mut of_function = sum_is_zero(graph, &terms);
+    of_function.scale(graph, unit);
+    // In a sum with other coefficients these are rounded once more.
+    let alone = graph.coefficient(integral).1 != integral;
+    if of_function.is_zero() || alone { of_function } else { verdict }
+}
+
+/// A function over its first coefficient, and that, if it is no ratio of integers, as 10²⁰⁰ is none: such numbers are unknowns when a sum is
+/// multiplied out.
+pub(crate) fn in_units(graph: &mut Graph, function: Id) -> (Number, Id) {
+    let first = match graph.node(function) {
+        Node::Linear(_, terms) => terms.first().map(|(coefficient, _)| *coefficient),
+        _ => None,
+    };
+    match first {
+        Some(unit @ Number::Float(_)) if unit.to_f64().recip().is_normal() => {
+            (unit, graph.scale(Number::float(unit.to_f64().recip()), function))
+        }
+        _ => (Number::ONE, function),
+    }
 }
 
 /// The terms of f·∇I + ∂I/∂t − b·∇I.

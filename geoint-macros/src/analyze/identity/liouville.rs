@@ -77,14 +77,20 @@ pub(crate) fn antiderivative(
         }
     }
     let (mut energy, mut integrals) = (graph.zero(), vec![]);
-    for (variable, slope) in variables.iter().zip(slopes) {
+    for (i, (variable, slope)) in variables.iter().zip(slopes).enumerate() {
         let known = diff::jacobian(graph, &[energy], &[*variable])[0][0];
         let rest = graph.sub(*slope, known);
         if identity(graph, rest).is_zero() {
             continue;
         }
-        // As it is written, or multiplied out.
-        let written = crate::analyze::terms(graph, rest);
+        // As it is written, or multiplied out. What is left reads no variable of before: where terms still do they cancel, and their
+        // antiderivatives, of which each has a constant of its own, need not.
+        let mut written = crate::analyze::terms(graph, rest);
+        if written.iter().any(|term| variables[..i].iter().any(|before| graph.symbols(*term).contains(before)))
+            && let Some(sums) = Sums::of(graph, &[rest], PRODUCTS)
+        {
+            written = sums.terms(graph, 0);
+        }
         let (mut integral, mut open) = sum_of_antiderivatives(graph, &written, (*variable, logarithm));
         if let Some(term) = open.first() {
             let unknown = |term| NoEnergy::NotElementary(Some(term), proof);
@@ -174,6 +180,10 @@ fn by_substitution(graph: &mut Graph, factors: &[(Id, Ratio)], (x, logarithm): B
         let candidates = [primitive_of_function(graph, factors[k]), primitive_of_power(graph, factors[k], logarithm)];
         for (inner, primitive) in candidates.into_iter().flatten() {
             let slope = diff::jacobian(graph, &[inner], &[x])[0][0];
+            // Of one that is zero on a side of a condition there is no quotient.
+            if graph.reachable(&[slope]).into_iter().any(|id| matches!(graph.node(id), Node::Select(..))) {
+                continue;
+            }
             let quotient = graph.div(others, slope);
             let change = diff::jacobian(graph, &[quotient], &[x])[0][0];
             if identity(graph, change).is_zero() {

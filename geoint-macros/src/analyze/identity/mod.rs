@@ -14,7 +14,7 @@ mod rounding;
 pub(crate) mod search;
 mod witness;
 
-use crate::ir::{Graph, Id, Node, Symbol};
+use crate::ir::{Graph, Id, Node, Number, Symbol};
 pub(crate) use residues::Bound;
 pub(crate) use rounding::Direction;
 use rounding::Shown;
@@ -65,13 +65,7 @@ pub(crate) struct Wrong {
 impl Wrong {
     /// Whether there is no open set of states on which it holds nevertheless: what remains is a quotient of polynomials.
     pub(crate) fn is_almost_everywhere(&self, graph: &Graph) -> bool {
-        let rational = |id: &Id| match graph.node(*id) {
-            Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
-            Node::Power(_, exponent) => exponent.is_integer(),
-            _ => false,
-        };
-        let found = self.rest.as_ref().filter(|rest| rest.certain && rest.case.is_empty());
-        found.is_some_and(|found| graph.reachable(&[found.rest]).iter().all(rational))
+        self.rest.as_ref().is_some_and(|rest| rest.certain && rest.case.is_empty() && rest.is_rational(graph))
     }
 }
 
@@ -107,9 +101,43 @@ pub(crate) struct Remainder {
     pub(crate) certain: bool,
 }
 
+impl Remainder {
+    /// Whether the rest is a quotient of polynomials.
+    pub(crate) fn is_rational(&self, graph: &Graph) -> bool {
+        let rational = |id: &Id| match graph.node(*id) {
+            Node::Number(_) | Node::Symbol(_) | Node::Linear(..) | Node::Product(_) => true,
+            Node::Power(_, exponent) => exponent.is_integer(),
+            _ => false,
+        };
+        graph.reachable(&[self.rest]).iter().all(rational)
+    }
+}
+
 impl Identity {
     pub(crate) fn is_zero(&self) -> bool {
         matches!(self, Identity::Zero(_))
+    }
+
+    /// That of so many times as much.
+    fn scale(&mut self, graph: &mut Graph, unit: Number) {
+        if unit.is_one() {
+            return;
+        }
+        let rest = match self {
+            Identity::Zero(_) => return,
+            Identity::Open(open) => &mut open.rest,
+            Identity::Wrong(wrong) => {
+                let value = match wrong.witness.value {
+                    Value::Exact(value) => value.to_f64(),
+                    Value::Near(value) => value,
+                };
+                wrong.witness.value = Value::Near(unit.to_f64() * value);
+                &mut wrong.rest
+            }
+        };
+        if let Some(rest) = rest {
+            rest.rest = graph.scale(unit, rest.rest);
+        }
     }
 
     /// What remains, if it is not zero and could be multiplied out.

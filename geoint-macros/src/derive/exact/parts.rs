@@ -31,14 +31,19 @@ impl Parted {
     /// Of the first function that a field keeps: the field is J ∇I, or S is searched for.
     pub(crate) fn of_field(graph: &mut Graph, flow: &Flow) -> Option<Parted> {
         let x = coordinates(flow.field.len());
-        let kept = flow.kept.iter().map(|named| &named.conserved).find(|conserved| conserved.but.is_none());
-        let integral = kept.map(|conserved| conserved.value).or(flow.energy.as_ref().map(|(energy, _)| *energy))?;
+        let kept = flow.first().map(|named| named.conserved.value);
+        let integral = kept.or(flow.energy.as_ref().map(|(energy, _)| *energy))?;
         if let Some((_, matrix)) = &flow.energy
             && claims::is_gradient_form(graph, &x, matrix, integral, &flow.field).is_ok()
         {
             return Some(Parted { integral, matrix: matrix.clone(), poisson: true, unique: None });
         }
-        let search::Structure { matrix, unique } = search::structure(graph, &x, &flow.field, integral)?;
+        // What steps keep is the same, whatever the unit is.
+        let (_, unit) = claims::in_units(graph, integral);
+        let (integral, search::Structure { matrix, unique }) = [integral, unit].into_iter().find_map(|integral| {
+            let found = search::structure(graph, &x, &flow.field, integral)?;
+            Some((integral, found))
+        })?;
         let poisson = claims::is_poisson(graph, &x, &matrix).is_ok();
         Some(Parted { integral, matrix, poisson, unique: Some(unique) })
     }

@@ -2,7 +2,7 @@
 
 use super::coordinates;
 use crate::analyze::liouville::{self, Logarithm, NoEnergy};
-use crate::analyze::{Identity, Proof, claims, search};
+use crate::analyze::{Identity, Proof, claims, crossings, search};
 use crate::derive::domain::{Check, Sign, checks_of};
 use crate::ir::{Graph, Id, Node, Partial, Symbol};
 
@@ -21,7 +21,7 @@ impl Liouville {
     /// The energy, if steps may keep it.
     pub(crate) fn kept(&self) -> Option<Id> {
         match self.energy {
-            Some(Ok(Recovered { energy, everywhere: true, .. })) => Some(energy),
+            Some(Ok(Recovered { energy, everywhere: true, jump: None, .. })) => Some(energy),
             _ => None,
         }
     }
@@ -39,6 +39,8 @@ pub(crate) struct Recovered {
     pub(crate) proof: Proof,
     /// Whether it is defined wherever the field is: then it has one value there, and steps may keep it.
     pub(crate) everywhere: bool,
+    /// What is equal where it may jump while the field is followed: the field does not know of that.
+    pub(crate) jump: Option<[Id; 2]>,
 }
 
 /// μ with div(μf) = 0.
@@ -56,7 +58,11 @@ pub(crate) fn liouville(graph: &mut Graph, field: &[Id], partial: &[Partial]) ->
     let halves = x.split_at(x.len() / 2);
     let energy = x.len().is_multiple_of(2).then(|| {
         let (energy, proof) = liouville::energy(graph, halves, field, Logarithm::OfMagnitude)?;
-        Ok(Recovered { energy, proof, everywhere: is_defined(graph, energy, field, partial) })
+        let everywhere = is_defined(graph, energy, field, partial);
+        // One that reads time is not kept.
+        let steady = !graph.reads(energy).t;
+        let jump = steady.then(|| crossings::may_jump(graph, &x, field, energy)).flatten();
+        Ok(Recovered { energy, proof, everywhere, jump })
     });
     let multiplier = if divergence.1.is_zero() { None } else { multiplier(graph, &x, field) };
     Liouville { divergence, energy, multiplier }

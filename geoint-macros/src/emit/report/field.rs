@@ -78,10 +78,17 @@ fn divergence<F: Fn(Symbol) -> String>(text: &mut String, printer: &Printer<'_, 
                 "- canonical, H = {energy}, {proof}; no antiderivative of that is known here: steps do not keep H, and Gauss methods are symplectic"
             )?;
         }
-        Some(Ok(Recovered { energy, proof, everywhere })) => {
+        Some(Ok(Recovered { energy, proof, everywhere, jump })) => {
             let energy = printer.formula(*energy);
             let proof = proven(*proof, "canonical");
-            if *everywhere {
+            if let Some([a, b]) = jump.filter(|_| *everywhere) {
+                writeln!(
+                    text,
+                    "- canonical, H = {energy} on each side, {proof}; not kept, because it may jump where {} = {}",
+                    printer.excerpt(a),
+                    printer.excerpt(b)
+                )?;
+            } else if *everywhere {
                 writeln!(
                     text,
                     "- canonical, H = {energy}, {proof}: write it with `#[hamiltonian]` for kicks and drifts"

@@ -55,8 +55,16 @@ pub(crate) fn flow(
     })
     .and_then(|()| kept(&mut text, &printer, flow, source))
     .and_then(|()| operations(&mut text, flow, system))
-    .and_then(|()| super::pieces::of_flow(&mut text, &printer, system));
+    .and_then(|()| super::pieces::of_flow(&mut text, &printer, (system, split_by(flow, source))));
     text
+}
+
+/// What the function is called by whose gradient a flow is split.
+fn split_by<'a>(flow: &'a Flow, source: Source<'_>) -> &'a str {
+    match flow.first() {
+        Some(Named { name, origin, .. }) if matches!(source, Source::Field(_)) && *origin != Origin::Energy => name,
+        _ => "the energy",
+    }
 }
 
 fn equations<F: Fn(Symbol) -> String>(
@@ -255,9 +263,15 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
         _ if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
             writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
         }
-        _ => writeln!(
-            text,
-            "- `DiscreteGradient` keeps the energy to rounding, and every C(x) of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
-        ),
+        _ => {
+            // An energy that reads time is not among what is kept.
+            let energy = flow.kept.iter().any(|named| named.origin == Origin::Energy);
+            let energy = if energy { "the energy to rounding, and " } else { "" };
+            writeln!(
+                text,
+                "- `DiscreteGradient` keeps {energy}every C(x) of degree 2 at most with S ∇C = 0{}; `FourthOrder` keeps {names}",
+                if energy.is_empty() { ", to rounding" } else { "" }
+            )
+        }
     }
 }

@@ -53,11 +53,11 @@ fn of_piece(text: &mut String, piece: &PieceKernel<Plan>) -> Written {
     writeln!(text, "  {clock}; {}{each}", counted(piece.flow.kernel.operations()))
 }
 
-/// The pieces of all splittings of a flow.
+/// The pieces of all splittings of a flow, and what becomes of `integral`, by whose gradient it is split.
 pub(super) fn of_flow<F: Fn(Symbol) -> String>(
     text: &mut String,
     printer: &Printer<'_, F>,
-    system: &System<Plan>,
+    (system, integral): (&System<Plan>, &str),
 ) -> Written {
     for PiecesOf { splitting, pieces, symplectic, conserves_energy, .. } in &system.pieces {
         let by_planes = *splitting != "PoissonSplitting";
@@ -72,19 +72,20 @@ pub(super) fn of_flow<F: Fn(Symbol) -> String>(
             Ok(pieces) => {
                 for piece in pieces {
                     let moved: Vec<String> = piece.flow.changes.iter().map(|symbol| printer.named(*symbol)).collect();
-                    let moved = moved.join(", ");
+                    let moved = if moved.is_empty() { "nothing".into() } else { moved.join(", ") };
                     match by_planes {
                         true => writeln!(text, "- the plane of {moved}")?,
                         false => writeln!(text, "- {}, moves {moved}", printer.excerpt(piece.energy))?,
                     }
                     of_piece(text, piece)?;
                 }
-                let kept = match (symplectic, conserves_energy) {
-                    (true, _) => "a Poisson map: Casimirs are kept to rounding, the energy to the order",
-                    (_, true) => "the energy is kept to rounding, Casimirs to the order",
-                    _ => "no structure is kept",
-                };
-                writeln!(text, "- {kept}")?;
+                match (symplectic, conserves_energy) {
+                    (true, _) => {
+                        writeln!(text, "- a Poisson map: Casimirs are kept to rounding, {integral} to the order")?;
+                    }
+                    (_, true) => writeln!(text, "- {integral} is kept to rounding, Casimirs to the order")?,
+                    _ => writeln!(text, "- no structure is kept")?,
+                }
             }
             Err(missing) => {
                 let pair = missing.pair.map_or_else(String::new, |([a, b], word)| {

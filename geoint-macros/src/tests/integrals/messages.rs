@@ -28,10 +28,74 @@ fn a_wrong_integral_is_refused_with_what_remains() {
     assert!(found.contains("`again` is a function of the others"), "{found}");
     let found = top(quote!(one = 1.0));
     assert!(found.contains("`one` is constant everywhere"), "{found}");
+    // In any units.
+    for unit in [quote!(1e200), quote!(1e-40), quote!(1e-200)] {
+        assert_eq!(top(quote!(energy = #unit * (x[0] * x[0] + a * x[1] * x[1]))), "");
+        let found = top(quote!(energy = #unit * (x[0] * x[0] - a * x[1] * x[1])));
+        assert!(
+            found.contains("`energy` is not constant along the field: what remains of its derivative is 4e"),
+            "{found}"
+        );
+    }
     // What may hold in a part of phase space is assumed, what holds almost nowhere is not.
     assert_eq!(top(quote!(assume(energy = x[0] * (1.0 - x[0].atan() - (1.0 / x[0]).atan())))), "");
     let found = top(quote!(assume(energy = x[0] * x[0])));
     assert!(found.contains("what remains of its derivative is 2·x[0]·x[1]·x[2]·a"), "{found}");
+}
+
+/// No states are met far out; what remains there is said, and that nothing was seen of it.
+#[test]
+fn what_remains_where_no_state_was_met() {
+    let item = quote!(
+        fn f(x: [f64; 2], a: f64) -> [f64; 2] {
+            [if a > 3.0 { x[1] } else { 0.0 }, 1.0]
+        }
+    );
+    let found = messages(quote!(keeps(first = x[0])), item);
+    let expected = "no state was met at which what remains is not zero; if you know that it is, say `keeps(assume(first = …))`; \
+                    what remains of its derivative where 3 < a is x[1]";
+    assert!(found.contains(expected), "{found}");
+}
+
+/// H is that of both sides of a gate, and jumps there: solutions go through.
+#[test]
+fn an_energy_that_jumps_on_the_way_is_not_kept() {
+    let report = |item: TokenStream| expand::expand(Form::Field, quote!(), item).to_string();
+    let gate = report(quote!(
+        fn f(x: [f64; 2]) -> [f64; 2] {
+            [if x[0] > 0.0 { 1.0 } else { 2.0 }, 0.0]
+        }
+    ));
+    assert!(
+        gate.contains("on each side, proven by multiplying out; not kept, because it may jump where x[0] = 0"),
+        "{gate}"
+    );
+    assert!(!gate.contains("the energy of the field"), "{gate}");
+    let wedge = report(quote!(
+        fn f(x: [f64; 2]) -> [f64; 2] {
+            [x[1], if x[0] > 0.0 { -1.0 } else { 1.0 }]
+        }
+    ));
+    assert!(wedge.contains("kept, the energy of the field"), "{wedge}");
+}
+
+/// A field is split by the first function that it keeps, which need not be its energy, nor in a unit of which there is a ratio.
+#[test]
+fn what_a_splitting_keeps_is_named() {
+    let report = |keeps: TokenStream| {
+        let item = quote!(
+            fn f(x: [f64; 2]) -> [f64; 2] {
+                [x[1], -x[0]]
+            }
+        );
+        expand::expand(Form::Field, quote!(#keeps), item).to_string()
+    };
+    for unit in [quote!(0.1), quote!(1e200), quote!(1e-200)] {
+        let found = report(quote!(keeps(radius = #unit * (x[0] * x[0] + x[1] * x[1]))));
+        assert!(found.contains("- radius is kept to rounding, Casimirs to the order"), "{found}");
+        assert!(found.contains("Casimirs are kept to rounding, radius to the order"), "{found}");
+    }
+    assert!(report(quote!()).contains("- the energy is kept to rounding, Casimirs to the order"));
 }
 
 /// A derivative is zero on both sides of a jump as well.
@@ -208,7 +272,31 @@ fn the_function_of_nambu_is_a_casimir() {
     let report = |args: TokenStream| expand::expand(Form::Hamiltonian, args, item.clone()).to_string();
     let found = report(quote!(structure = nambu(x[0] + x[1] * x[1] / 2.0 - a * x[2].cos())));
     assert!(found.contains("x[0] + x[1]²/2 - a·cos(x[2]): kept, a Casimir"), "{found}");
+    // The search finds its logarithm, which is defined at fewer states.
+    let found = report(quote!(structure = nambu(x[0] * x[1] * x[2])));
+    assert!(found.contains("x[0]·x[1]·x[2]: kept, a Casimir"), "{found}");
     // One that the search has found already is said once.
     let found = report(quote!(structure = nambu((x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0)));
     assert_eq!(found.matches("kept, a Casimir").count(), 2, "{found}");
+}
+
+#[test]
+fn an_energy_that_reads_time_is_not_said_to_be_kept() {
+    let report = |item: TokenStream| expand::expand(Form::Hamiltonian, quote!(structure = so3), item).to_string();
+    let driven = report(quote!(
+        fn f(x: [f64; 3], t: f64) -> f64 {
+            x[0] * x[0] + x[1] * x[1] * t.cos()
+        }
+    ));
+    assert!(
+        driven.contains("`DiscreteGradient` keeps every C(x) of degree 2 at most with S ∇C = 0, to rounding"),
+        "{driven}"
+    );
+    assert!(!driven.contains("the energy to rounding"), "{driven}");
+    let steady = report(quote!(
+        fn f(x: [f64; 3]) -> f64 {
+            x[0] * x[0] + x[1] * x[1] * 3.0
+        }
+    ));
+    assert!(steady.contains("`DiscreteGradient` keeps the energy to rounding, and every C(x)"), "{steady}");
 }

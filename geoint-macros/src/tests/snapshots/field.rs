@@ -47,13 +47,13 @@ Pieces of `PoissonSplitting`, in the order of half a step
 - x[1]², moves x[0]
   single equations: x' = g(x), all else at rest
   exact in time; sums and products 2
-- a Poisson map: Casimirs are kept to rounding, the energy to the order
+- a Poisson map: Casimirs are kept to rounding, radius to the order
 
 Pieces of `PlanarSplitting`, in the order of half a step
 - the plane of x[0], x[1]
   linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow
   exact in time; sums and products 8
-- the energy is kept to rounding, Casimirs to the order
+- radius is kept to rounding, Casimirs to the order
 - `PlanarDiscreteGradient`: 1 equations of two unknowns
 - `PlanarItohAbe`: 2 equations of two unknowns
 ```*/
@@ -100,7 +100,7 @@ const _: () = {
     impl Turning {
         /// What was derived from the energy: derivatives or pieces, structure, what is conserved, operations, and what is
         /// skipped and why.
-        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8\n- Newton iteration of `FourthOrder`: sums and products 67, functions 8\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, the energy to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- the energy is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equations of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
+        pub const REPORT: &'static str = "x[0]' = -x[1]·w\nx[1]' = x[0]·w\n\nDivergence\n- div f = 0, proven by multiplying out\n- canonical, H = -x[1]²·w/2 - x[0]²·w/2, proven by multiplying out: write it with `#[hamiltonian]` for kicks and drifts\n\nStructure\n- x' = S ∇I with I = x[0]² + x[1]² and skew S, found\n- {x[0], x[1]} = -w/2\n- a Poisson structure: Jacobi's identity holds\n\nIntegrals\n- radius = x[0]² + x[1]²: kept, proven by multiplying out\n\nOperations (a sine with its cosine counts as two)\n- x': sums and products 3\n- stage of a Newton iteration of collocation: sums and products 2\n- Newton iteration of `DiscreteGradient`: sums and products 45, functions 8\n- Newton iteration of `FourthOrder`: sums and products 67, functions 8\n\nImplicit steps\n- unknowns 2: Newton's iteration with elimination\n- `DiscreteGradient` and `FourthOrder` keep radius, to rounding\n\nPieces of `PoissonSplitting`, in the order of half a step\n- x[0]², moves x[1]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- x[1]², moves x[0]\n  single equations: x' = g(x), all else at rest\n  exact in time; sums and products 2\n- a Poisson map: Casimirs are kept to rounding, radius to the order\n\nPieces of `PlanarSplitting`, in the order of half a step\n- the plane of x[0], x[1]\n  linear field: x' = g·(Mx + b), M³ = −κM, M²b = −κb, g constant along the flow\n  exact in time; sums and products 8\n- radius is kept to rounding, Casimirs to the order\n- `PlanarDiscreteGradient`: 1 equations of two unknowns\n- `PlanarItohAbe`: 2 equations of two unknowns\n";
         /// The energy of a state.
         pub fn energy(&self, state: &FlowState<[f64; 2]>) -> f64 {
             PhaseSpace::energy(self, state)

@@ -173,7 +173,7 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
         }
         let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
-            return Err(StepError::NonFiniteState { t });
+            return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));
         }
         // Later states are good because the steps that led to them were.
         if self.taken != self.given {

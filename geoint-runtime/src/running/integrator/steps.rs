@@ -170,7 +170,7 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     fn check_state(&self) -> Result<(), StepError> {
         let t = signed(self.time());
         if !(t.is_finite() && self.x.is_finite()) {
-            return Err(StepError::NonFiniteState { t });
+            return Err(StepError::not_finite::<S, R>(self.time(), &self.x.z));
         }
         if S::State::ATTITUDES
             && let Some(length) = wrong_length::<S, R>(&self.x.z)

@@ -28,6 +28,21 @@ mod body_under_discrete_gradient {
     }
 }
 
+mod body_under_projection {
+    use geoint_runtime::nalgebra::{UnitQuaternion, Vector3};
+    use geoint_runtime::prelude::*;
+
+    #[hamiltonian(attitude = r)]
+    fn top(r: UnitQuaternion<f64>, m: Vector3<f64>, i: f64) -> f64 {
+        m.norm_squared() / (2.0 * i) + r.w * r.k
+    }
+
+    fn uses() {
+        let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.1, 0.2, 0.3));
+        let _ = Top { i: 1.0 }.integrator(Projection(RK4, Energy), 0.1, start);
+    }
+}
+
 mod rotations_of_no_body {
     use geoint_runtime::prelude::*;
 

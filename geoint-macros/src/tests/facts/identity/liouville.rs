@@ -70,6 +70,13 @@ fn fields_without_an_energy_are_refused() {
     }
 }
 
+/// The quotient of a force and its slope has no value where the slope is zero.
+#[test]
+fn forces_on_one_side_of_a_wall_are_not_divided_by_their_slopes() {
+    let wall = quote!([p, if q > 0.0 { -q } else { 0.0 }]);
+    assert!(matches!(recovered(1, &wall, &quote!(0.0)), Err(NoEnergy::NotElementary(Some(_), _))));
+}
+
 /// e^(−p²) has an antiderivative that is not elementary.
 #[test]
 fn what_has_no_antiderivative_stays_an_integral() {
@@ -92,6 +99,10 @@ fn with_more_degrees_of_freedom_the_divergence_is_not_enough() {
         (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]) / 2.0 + x[0] * x[0] * x[1] - x[1].powi(3) / 3.0
     };
     assert_eq!(recovered(2, &henon, &energy), Ok(()));
+    // A charge in a uniform field: products of sums, whose antiderivatives differ by squares of momenta.
+    let charge = quote!([x[2] + a * x[1], x[3] - a * x[0], a * (x[3] - a * x[0]), -a * (x[2] + a * x[1])]);
+    let energy = quote!(((x[2] + a * x[1]).powi(2) + (x[3] - a * x[0]).powi(2)) / 2.0);
+    assert_eq!(recovered(2, &charge, &energy), Ok(()));
     // div f = 0, and yet no energy: the force turns.
     let turning = quote!([x[2], x[3], -x[0] - x[1], -x[1] + x[0]]);
     let Err(NoEnergy::NotCanonical(pair, _)) = recovered(2, &turning, &quote!(0.0)) else { panic!("an energy") };

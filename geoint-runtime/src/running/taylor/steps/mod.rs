@@ -303,7 +303,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let t = signed(self.time());
         let x = &self.here().x;
         if !(t.is_finite() && x.is_finite()) {
-            return Err(StepError::NonFiniteState { t });
+            return Err(StepError::not_finite::<S, R>(self.time(), &x.z));
         }
         match self.system.outside_domain(self.time(), &x.z, &x.s) {
             Some(what) => Err(StepError::OutsideDomain { t, what }),
