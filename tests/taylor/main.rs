@@ -2,9 +2,11 @@
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 
+mod conditions;
 mod dense;
 mod edges;
 mod events;
 mod output;
 mod recurrences;
+mod scales;
 mod solutions;

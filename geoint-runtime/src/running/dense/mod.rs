@@ -139,18 +139,21 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Dense f
 
     fn end_at(&mut self, t: R) -> Result<(), StepError> {
         let h = self.step_size();
+        let mut outcome = Ok(());
         // Methods that scale their steps end a little beside it.
         for _ in 0..4 {
-            if self.time() == t {
+            if self.time() == t || outcome.is_err() {
                 break;
             }
             self.set_step_size(t - self.time());
-            if !self.step_towards(t)? {
-                self.step()?;
-            }
+            outcome = match self.step_towards(t) {
+                Ok(false) => self.step(),
+                stepped => stepped.map(drop),
+            };
         }
+        // Also of a run that was not led there.
         self.set_step_size(h);
-        Ok(())
+        outcome
     }
 }
 
