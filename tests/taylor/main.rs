@@ -6,6 +6,7 @@ mod conditions;
 mod dense;
 mod edges;
 mod events;
+mod going_on;
 mod output;
 mod recurrences;
 mod scales;
