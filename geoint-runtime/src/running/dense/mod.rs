@@ -99,7 +99,8 @@ pub trait Dense: Trajectory + Clone {
     ///
     /// Two changes within one step are found where the parabola through three values comes near zero between them. Runs by Taylor series have
     /// [`crossings`](crate::TaylorIntegrator::crossings) that find all zeros of a polynomial. A search that begins where another one has ended
-    /// does not find that event again; a function that is zero where it ends has an event there. Poles are none; a function that is no finite
+    /// does not find that event again; a function that is zero where it ends has an event there. What comes back to zero within a millionth of a
+    /// step is not seen: a ball whose impacts accumulate falls through in the end, unless you lay it down. Poles are none; a function that is no finite
     /// number at the end of a step is an error.
     fn crossings<G: Array<Real = Scalar<Self>>, F: Fn(&Self::State) -> G>(
         &mut self,

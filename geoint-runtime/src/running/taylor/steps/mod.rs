@@ -190,7 +190,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let wish = self.length(&bounds);
         // Where the series ends within what changes time, a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
-            return Err(self.refused(t, wish, Reason::Diverges));
+            return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
         }
         // Where nothing else ends it.
         let whole = if wish < f64::INFINITY { wish } else { self.endless() };
@@ -213,7 +213,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     return Err(self.refused(t, h.abs(), reason));
                 }
                 Err(_) => {
-                    h *= 0.5;
+                    h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
             }
@@ -303,6 +303,15 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let mut late = end.jet.as_ref()[1];
         late.times(R::from_f64(2.0 * from.unit / end.unit * (2.0 * R::epsilon() * end.time().magnitude() / end.unit)));
         self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &late)
+    }
+
+    /// Why a step is not shorter than the shortest: that changes no time, or is what the user allows.
+    #[cold]
+    fn too_short(&self, wish: f64, bounds: &Bounds) -> Reason {
+        if wish < Bounds::default().at(signed(self.time()), R::epsilon()).shortest {
+            return Reason::Diverges;
+        }
+        Reason::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
     }
 
     /// Why there is no step.
