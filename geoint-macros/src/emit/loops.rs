@@ -1,7 +1,7 @@
 //! Alike statements as arrays: `let a0: [_; 63] = from_fn(|i| …);`
 
 use super::kernel::Given;
-use super::straight_line::{Names, SLOTS, Writer};
+use super::straight_line::{SLOTS, Writer};
 use crate::ir::HashMap;
 use crate::schedule::{Block, Families, Family, Indices, Instruction, Item, Operand, Register, Run, Source, families};
 use proc_macro2::{Ident, Literal, Span, TokenStream};
@@ -22,7 +22,7 @@ pub(super) enum Output {
 
 impl Writer<'_> {
     /// Families of alike statements, and the arrays that they read and write.
-    pub(super) fn families(&self, block: &Block, names: &Names<'_>, targets: &[Given]) -> Option<(Families, Arrays)> {
+    pub(super) fn families(&self, block: &Block, targets: &[Given]) -> Option<(Families, Arrays)> {
         let arrays: RefCell<Arrays> = RefCell::default();
         let place = |given: &Given| {
             let mut indices: Indices = [0; 3];
@@ -35,8 +35,8 @@ impl Writer<'_> {
             arrays.borrow_mut().entry(given.array).or_insert_with(|| (given.base.clone(), given.indices.len()));
             Some((given.array, indices))
         };
-        let given = |symbol| place(&(names.input)(symbol));
-        let families = families((block, names.degrees), &given, || targets.iter().map(place).collect())?;
+        let given = |symbol| place(&(self.names.input)(symbol));
+        let families = families((block, self.names.degrees), &given, || targets.iter().map(place).collect())?;
         Some((families, arrays.into_inner()))
     }
 

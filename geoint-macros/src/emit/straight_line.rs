@@ -32,16 +32,12 @@ pub(crate) fn routine(
     names: Names<'_>,
     finish: impl FnOnce(Vec<TokenStream>) -> TokenStream,
 ) -> TokenStream {
+    let mut writer = Writer::new(names);
+    let (results, alone) = writer.results(block, &[]);
+    // Nothing is written by a loop where there are no targets.
     let value = |output| if let Output::Value(value) = output { value } else { TokenStream::new() };
-    let mut writer = Writer::new(&names);
-    let (results, alone) = match writer.families(block, &names, &[]) {
-        Some(families) => {
-            let (results, alone) = writer.with_loops(block, families);
-            (results.into_iter().map(value).collect(), alone)
-        }
-        None => (writer.block(block), block.registers()),
-    };
-    writer.finished(&names, &alone, finish(results))
+    let last = finish(results.into_iter().map(value).collect());
+    writer.finished(&alone, last)
 }
 
 /// The statements of a block, and those that write its results to `targets`.
@@ -51,18 +47,15 @@ pub(crate) fn assignments(block: &Block, names: Names<'_>, targets: &[Given]) ->
         Output::Loop(statement) => statement,
         Output::Written => TokenStream::new(),
     };
-    let mut writer = Writer::new(&names);
-    let (results, alone) = match writer.families(block, &names, targets) {
-        Some(families) => writer.with_loops(block, families),
-        None => (writer.block(block).into_iter().map(Output::Value).collect(), block.registers()),
-    };
-    writer.finished(&names, &alone, targets.iter().zip(results).map(write).collect())
+    let mut writer = Writer::new(names);
+    let (results, alone) = writer.results(block, targets);
+    writer.finished(&alone, targets.iter().zip(results).map(write).collect())
 }
 
 pub(super) struct Writer<'a> {
-    pub(super) input: &'a dyn Fn(Symbol) -> Given,
+    pub(super) names: Names<'a>,
     /// Inputs, slots and constants get a name where the routine begins, so that statements are made of names alone.
-    names: HashMap<Operand, Ident>,
+    given_names: HashMap<Operand, Ident>,
     /// The same names in order.
     declared: Vec<Ident>,
     given: Vec<TokenTree>,
@@ -75,23 +68,31 @@ pub(super) struct Writer<'a> {
 }
 
 impl<'a> Writer<'a> {
-    fn new(names: &Names<'a>) -> Self {
+    fn new(names: Names<'a>) -> Self {
         Writer {
-            input: names.input,
-            names: HashMap::default(),
+            given_names: HashMap::default(),
             declared: vec![],
             given: vec![],
             words: vec![],
             registers: names.registers.take(),
             members: HashMap::default(),
             tokens: vec![],
+            names,
+        }
+    }
+
+    /// Writes a block, its alike statements as loops; returns its results, and the registers that are in no array.
+    fn results(&mut self, block: &Block, targets: &[Given]) -> (Vec<Output>, Vec<Register>) {
+        match self.families(block, targets) {
+            Some(families) => self.with_loops(block, families),
+            None => (self.block(block).into_iter().map(Output::Value).collect(), block.registers()),
         }
     }
 
     /// Names, statements, and what comes last.
-    fn finished(mut self, names: &Names<'_>, alone: &[Register], last: TokenStream) -> TokenStream {
+    fn finished(mut self, alone: &[Register], last: TokenStream) -> TokenStream {
         let mut tokens = self.declaration(alone);
-        names.registers.replace(self.registers);
+        self.names.registers.replace(self.registers);
         tokens.extend(self.given);
         tokens.extend(self.tokens);
         tokens.extend(last);
@@ -261,7 +262,7 @@ impl Writer<'_> {
             Operand::Input(Symbol::H) => self.word("h"),
             Operand::Input(Symbol::G) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {
-                let name = match self.names.get(operand) {
+                let name = match self.given_names.get(operand) {
                     Some(name) => name.clone(),
                     None => self.give(*operand),
                 };
@@ -282,15 +283,15 @@ impl Writer<'_> {
             Operand::Input(Symbol::Ds) => format_ident!("ds"),
             // Not `p0`, as momenta are called.
             Operand::Slot(level, i) => format_ident!("{}_{i}", SLOTS[level]),
-            _ => format_ident!("k{}", self.names.len()),
+            _ => format_ident!("k{}", self.given_names.len()),
         };
-        self.names.insert(operand, name.clone());
+        self.given_names.insert(operand, name.clone());
         self.declared.push(name.clone());
         let outside = std::mem::take(&mut self.tokens);
         self.tokens.push(name.clone().into());
         self.punct("=");
         match operand {
-            Operand::Input(symbol) => self.tokens.extend((self.input)(symbol).into_token_stream()),
+            Operand::Input(symbol) => self.tokens.extend((self.names.input)(symbol).into_token_stream()),
             Operand::Slot(level, index) => {
                 self.word(SLOTS[level]);
                 let index = self.inside(|writer| writer.literal(index));

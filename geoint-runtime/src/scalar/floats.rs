@@ -4,7 +4,7 @@ use super::real::Real;
 
 /// The floating-point types of Rust: each function once for the standard library, once for libm.
 macro_rules! floats {
-    ($($real:ident, $magnitude:expr, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
+    ($($real:ident, $magnitude:expr, $lower_bits:literal, $time:expr, { $($method:ident($($y:ident)?) = $libm:ident),* $(,)? }, $sincos:ident;)*) => { $(
         impl Real for $real {
             type Mask = bool;
             #[inline(always)]
@@ -58,6 +58,12 @@ macro_rules! floats {
                 #[cfg(not(all(feature = "std", target_feature = "fma", not(feature = "strict-math"))))]
                 return self * a + b;
             }
+            // Rounded to fewer bits: no product overflows.
+            #[inline(always)]
+            fn upper_half(self) -> Self {
+                let rounded = self.to_bits().wrapping_add(1 << ($lower_bits - 1));
+                $real::from_bits(rounded >> $lower_bits << $lower_bits)
+            }
             #[inline(always)]
             fn sin_cos(self) -> (Self, Self) {
                 #[cfg(feature = "std")]
@@ -83,14 +89,14 @@ macro_rules! floats {
 }
 
 floats! {
-    f64, f64::abs, |t0: [f64; 2], n: u64, h: f64| t0[0] + (t0[1] + n as i64 as f64 * h), {
+    f64, f64::abs, 27, |t0: [f64; 2], n: u64, h: f64| t0[0] + (t0[1] + n as i64 as f64 * h), {
         sqrt() = sqrt, cbrt() = cbrt, hypot(y) = hypot,
         sin() = sin, cos() = cos, tan() = tan, asin() = asin, acos() = acos, atan() = atan, atan2(x) = atan2,
         sinh() = sinh, cosh() = cosh, tanh() = tanh, asinh() = asinh, acosh() = acosh, atanh() = atanh,
         exp() = exp, exp2() = exp2, exp_m1() = expm1, ln() = log, ln_1p() = log1p, log2() = log2, log10() = log10,
         powf(y) = pow, abs() = fabs, min(y) = fmin, max(y) = fmax,
     }, sincos;
-    f32, |x: f32| f64::from(x.abs()), |t0: [f32; 2], n: u64, h: f32| (f64::from(t0[0]) + (f64::from(t0[1]) + n as f64 * f64::from(h))) as f32, {
+    f32, |x: f32| f64::from(x.abs()), 12, |t0: [f32; 2], n: u64, h: f32| (f64::from(t0[0]) + (f64::from(t0[1]) + n as f64 * f64::from(h))) as f32, {
         sqrt() = sqrtf, cbrt() = cbrtf, hypot(y) = hypotf,
         sin() = sinf, cos() = cosf, tan() = tanf, asin() = asinf, acos() = acosf, atan() = atanf, atan2(x) = atan2f,
         sinh() = sinhf, cosh() = coshf, tanh() = tanhf, asinh() = asinhf, acosh() = acoshf, atanh() = atanhf,

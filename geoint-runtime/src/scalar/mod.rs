@@ -4,9 +4,11 @@ mod real;
 mod floats;
 mod interval;
 mod enclosure;
+mod exact;
 mod series;
 
 pub(crate) use enclosure::{Enclosure, bounds};
+pub(crate) use exact::{exact_product, exact_sum, halves, sum_with_small};
 pub(crate) use interval::Interval;
 pub use real::Real;
 pub(crate) use real::{signed, zero};

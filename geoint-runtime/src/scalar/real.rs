@@ -88,6 +88,13 @@ pub trait Real:
         self * a + b
     }
 
+    /// The upper half of the digits, so that a product of two halves is exact. T. J. Dekker, Numer. Math. 18 (1971) 224.
+    fn upper_half(self) -> Self {
+        let digits = 1.0 - Real::log2(Self::epsilon());
+        let shifted = Self::from_f64(Real::exp2(libm::ceil(0.5 * digits)) + 1.0) * self;
+        shifted - (shifted - self)
+    }
+
     /// Square root.
     fn sqrt(self) -> Self;
     /// Cube root, of negative numbers too.

@@ -1,8 +1,7 @@
 //! A number of two words, for sums of time: the second holds what the first rounds off.
 
 use super::record::{Record, Tape};
-use super::summation::exact_sum;
-use crate::scalar::{Real, zero};
+use crate::scalar::{Real, exact_sum, halves, zero};
 
 /// Of so many bits are the parts of a whole number that are multiplied without rounding.
 const BITS: u32 = 11;
@@ -53,16 +52,13 @@ impl<R: Real> DoubleWord<R> {
     }
 
     /// Adds n·h with the same error: a few bits of n and half of those of h at a time, whose product is exact.
-    /// T. J. Dekker, Numer. Math. 18 (1971) 224, for the halves of h.
     pub(crate) fn add_multiple(&mut self, mut n: u64, h: R) {
-        let digits = 1.0 - Real::log2(R::epsilon());
-        let shifted = R::from_f64(Real::exp2(libm::ceil(0.5 * digits)) + 1.0) * h;
-        let upper = shifted - (shifted - h);
+        let (upper, lower) = halves(h);
         let mut unit = 1.0;
         while n > 0 {
             let part = R::from_f64((n & ((1 << BITS) - 1)) as f64 * unit);
             self.add(part * upper);
-            self.add(part * (h - upper));
+            self.add(part * lower);
             (n, unit) = (n >> BITS, unit * f64::from(1 << BITS));
         }
     }

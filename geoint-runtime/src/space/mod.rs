@@ -21,5 +21,4 @@ pub use point::Point;
 pub(crate) use point::add_action;
 pub use record::{Record, Tape};
 pub use state::{Action, ContactState, FlowState, Snapshot, State};
-pub(crate) use summation::exact_sum;
 pub use summation::{Compensated, Plain, Summation, WithoutAction};

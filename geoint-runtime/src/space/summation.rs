@@ -2,7 +2,7 @@
 
 use super::array::Array;
 use super::record::{Record, Tape};
-use crate::scalar::Real;
+use crate::scalar::{Real, exact_sum, sum_with_small};
 use crate::sealed::Sealed;
 use core::fmt::Debug;
 
@@ -126,21 +126,6 @@ pub(crate) fn add_compensated<R: Real>(sum: &mut R, compensation: &mut R, increm
     let (whole, second) = exact_sum(*sum, change);
     *compensation = first + second;
     *sum = whole;
-}
-
-/// a + b and its rounding error, if |b| ≤ |a|. T. J. Dekker, Numer. Math. 18 (1971) 224.
-#[inline(always)]
-fn sum_with_small<R: Real>(a: R, b: R) -> (R, R) {
-    let sum = a + b;
-    (sum, b - (sum - a))
-}
-
-/// a + b and its rounding error.
-#[inline(always)]
-pub(crate) fn exact_sum<R: Real>(a: R, b: R) -> (R, R) {
-    let sum = a + b;
-    let added = sum - a;
-    (sum, (a - (sum - added)) + (b - added))
 }
 
 impl<R, const ACTION: bool> Record<R> for Plain<ACTION> {

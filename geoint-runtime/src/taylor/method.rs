@@ -15,7 +15,7 @@ const LARGE: usize = 12;
 /// The error of a step is about `tolerance` times the size of the positions, in positions, and of the momenta, in momenta; steps are
 /// chosen from the last two coefficients, for an error 64 times smaller, because the energy would drift with what is truncated otherwise.
 /// Tolerances below the accuracy of the scalar count as that, those above 1/16 as 1/16. Nothing is kept exactly, everything to the tolerance: at the
-/// default the energy of a Kepler orbit walks 1 to 12·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
+/// default the energy of a Kepler orbit walks 1 to 6·10⁻¹⁴ in 10⁴ periods, by rounding; [projected](crate::Projection) it does not. The order
 /// is 20; of large systems 12 or 16 where the tolerance is above 10⁻⁸ or 10⁻¹².
 ///
 /// À. Jorba & M. Zou, Exp. Math. 14 (2005) 99.
@@ -40,6 +40,9 @@ pub struct Taylor {
 }
 
 /// Taylor series of order `P`, with steps that follow from the tolerance; see [`Taylor`]. One order is compiled.
+///
+/// Of a low order steps are shorter, and round less: three bodies on a figure eight return after 100 periods forth and back to 0.6·10⁻¹² by
+/// order 10, to 1.8·10⁻¹² by order 20 in a quarter of the time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorOrder<const P: usize> {
     /// The error of a step, relative to the state.

@@ -1,7 +1,7 @@
 //! The polynomial of a step.
 
 use super::roots::MOST;
-use crate::scalar::Real;
+use crate::scalar::{Real, exact_product};
 use crate::space::{Action, Array, PerCoordinate};
 
 /// x(h) − x(0) from the coefficients of orders 1, 2, ….
@@ -10,6 +10,21 @@ pub(crate) fn increment<Z: Array, S: Action<Z::Real>>(jet: &[PerCoordinate<Z, S>
     let mut increment = sum(jet, h, |_| 1.0);
     increment.times(Z::Real::from_f64(h));
     increment
+}
+
+/// The same as h·x₁ and what is left, with what that product has lost: most of the rounding of a step would be this one.
+#[inline(always)]
+pub(crate) fn increments<Z: Array, S: Action<Z::Real>>(
+    jet: &[PerCoordinate<Z, S>],
+    h: f64,
+) -> [PerCoordinate<Z, S>; 2] {
+    let [first, later @ ..] = jet else { return [PerCoordinate::zero(); 2] };
+    let (mut first, mut rest, h) = (*first, increment(later, h), Z::Real::from_f64(h));
+    for (first, rest) in first.numbers_mut().zip(rest.numbers_mut()) {
+        let (product, lost) = exact_product(h, *first);
+        (*first, *rest) = (product, h.multiply_add(*rest, lost));
+    }
+    [first, rest]
 }
 
 /// Its derivative by h.

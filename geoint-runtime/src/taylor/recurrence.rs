@@ -27,12 +27,12 @@ pub fn orders<const UNROLLED: usize, const P: usize>(series: &mut impl Series) {
     macro_rules! unrolled {
         ($($n:literal)*) => {
             $(if $n < P && $n <= UNROLLED { series.order($n); })*
+            for n in UNROLLED.min([$($n),*].len()) + 1..P {
+                series.order(n);
+            }
         };
     }
     unrolled!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 29 30 31);
-    for n in UNROLLED + 1..P {
-        series.order(n);
-    }
 }
 
 /// a·b + c, entry by entry.

@@ -4,10 +4,10 @@
 //! increment of y = q is d = h ∂T/∂p at the mean momentum.
 
 use crate::method::{Deciding, Probe};
-use crate::scalar::{Real, zero};
+use crate::scalar::{Real, exact_sum, zero};
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
-use crate::space::{Array, Compensated, Point, Square, Summation, exact_sum};
+use crate::space::{Array, Compensated, Point, Square, Summation};
 use crate::system::{DiscreteField, Invariants, KeptBy};
 
 /// What depends on parameters and h.

@@ -252,7 +252,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let (from, to) = if self.second { (second, first) } else { (first, second) };
         let (mut x, mut clock) = (from.x, from.clock);
         let part = from.in_units(h);
-        x.add_everywhere(&taylor::increment(&from.jet.as_ref()[..order], part));
+        for increment in taylor::increments(&from.jet.as_ref()[..order], part) {
+            x.add_everywhere(&increment);
+        }
         if !x.is_finite() {
             return Err(Reason::Diverges);
         }
