@@ -209,3 +209,19 @@ fn output_of_every_run() {
     assert_eq!(sim.sampled(3).take(5).filter(Result::is_ok).count(), 5);
     assert_eq!(sim.states_at([10.0, 20.0]).map(|state| state.unwrap().t).collect::<Vec<_>>(), [10.0, 20.0]);
 }
+
+/// A shortest step of the user's is no pole of the solution.
+#[test]
+fn steps_that_are_not_short_enough() {
+    #[hamiltonian]
+    fn oscillator(q: f64, p: f64) -> f64 {
+        (p * p + q * q) / 2.0
+    }
+    let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0)).steps_between(3.0, 4.0);
+    let error = sim.step().unwrap_err();
+    assert!(
+        matches!(error, StepError::StepTooSmall { reason: Reason::Inaccurate { error }, .. } if error > 10.0),
+        "{error}"
+    );
+    assert!(error.to_string().contains("times what is tolerated"), "{error}");
+}

@@ -210,3 +210,19 @@ fn a_pole_in_time_is_reached() {
     let mut sim = InTime.taylor(Taylor { tolerance: 1e30 }, FlowState::new([1.0]));
     assert!(sim.advance_to(2.0).is_err() && sim.time() < 1.0);
 }
+
+/// Functions of events are written as for numbers, in single precision too.
+#[test]
+fn functions_as_for_numbers() {
+    #[hamiltonian]
+    fn single(q: f32, p: f32) -> f32 {
+        (p * p + q * q) / 2.0
+    }
+    let mut sim = Single.taylor(Taylor::default(), State::new(1.0, 0.0));
+    let found = sim.crossings(Direction::Down, |s| 2.0 * s.q.sin() - 0.6).next().unwrap().unwrap();
+    assert!((found.state.q - 0.3_f32.asin()).abs() < 1e-6, "{found:?}");
+    let mut sim = Oscillator.taylor(Taylor::default(), State::new(1.0, 0.0));
+    let g = |s: &State<geoint_runtime::scalar::Series<f64, 20>>| (s.q + 2.0).powf(1.5) - (s.q * 0.0 + 0.25).recip();
+    let found = sim.crossings(Direction::Down, g).next().unwrap().unwrap();
+    assert!((found.state.q - (4.0_f64.powf(2.0 / 3.0) - 2.0)).abs() < 1e-15, "{found:?}");
+}

@@ -2,9 +2,12 @@
 
 #![allow(clippy::excessive_precision, reason = "digits as they are published")]
 
+mod conditions;
 mod dense;
 mod edges;
 mod events;
+mod going_on;
 mod output;
 mod recurrences;
+mod scales;
 mod solutions;

@@ -165,6 +165,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
     /// (Kepler, h = 0.05; twice for 0.2, 1.3 times for 1).
     type Memory = [M::Memory; K];
     const SCALES_STEPS: bool = M::SCALES_STEPS;
+    const ROUGH_IF_SHORT: bool = M::ROUGH_IF_SHORT;
     const KEEPS: bool = M::KEEPS;
 
     #[inline]

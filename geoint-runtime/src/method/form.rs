@@ -14,6 +14,8 @@ pub trait StepsOf<M, S: PhaseSpace<R>, R: Real> {
     type Memory: Clone + Record<R>;
     /// See [`Method::COMPOSES_TO`](super::Method::COMPOSES_TO).
     const COMPOSES_TO: u32 = u32::MAX;
+    /// See [`Method::ROUGH_IF_SHORT`](super::Method::ROUGH_IF_SHORT).
+    const ROUGH_IF_SHORT: bool = false;
 
     /// Coefficients for steps of length `h`.
     fn prepare(system: &S, h: R) -> Self::Prepared;

@@ -109,6 +109,9 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
     const SCALES_STEPS: bool = false;
     /// The highest order that compositions of this method have, whatever their table is.
     const COMPOSES_TO: u32 = u32::MAX;
+    /// Whether steps lead to momenta that are off by the rounding of positions over h: states within a step are then looked for from that of
+    /// its ends which is farther.
+    const ROUGH_IF_SHORT: bool = false;
 
     /// Whether memory saves work and nothing else, as a force with which the next step begins: `advance(1)` is then the single step.
     const FORGETFUL: bool = false;

@@ -93,7 +93,7 @@ pub enum StepError {
         /// The last correction, relative to what it corrects.
         correction: f64,
     },
-    /// The tolerance is not a positive number.
+    /// The tolerance is not a finite positive number.
     InvalidTolerance {
         /// The tolerance as given.
         tolerance: f64,
@@ -282,7 +282,7 @@ impl fmt::Display for StepError {
                 if iterations == 1 { "" } else { "s" }
             ),
             StepError::InvalidTolerance { tolerance } => {
-                write!(f, "the tolerance {tolerance} is not a positive number")
+                write!(f, "the tolerance {tolerance} is not a finite positive number")
             }
             StepError::InvalidOrder { order } => {
                 write!(f, "a Taylor series of order {order} has no estimate of its error; take 2 or more")

@@ -117,10 +117,32 @@ impl<X: Snapshot> Estimate<X> {
         (0..Self::GROUPS).filter_map(bound).fold(f64::INFINITY, smaller)
     }
 
-    /// In how long, roughly, the state changes at these rates.
-    pub(crate) fn time(&self, rates: &PerCoordinate<X::Phase, X::Action>) -> f64 {
-        let known = (0..Self::GROUPS).filter(|i| self.size(*i) >= X::Real::smallest());
-        known.map(|i| self.size(i) / Self::magnitude(rates, i)).fold(f64::INFINITY, f64::min)
+    /// In how long, roughly, the state changes, in the unit of its coefficients: until a term is as large as its group, or of a group that is
+    /// zero so far, as its first term. Terms that have overflown, or are below the normal numbers, are not asked. Infinite if none tells.
+    pub(crate) fn time(&self, jet: &[PerCoordinate<X::Phase, X::Action>]) -> f64 {
+        Self::time_of(&self.sizes, jet)
+    }
+
+    /// The same of a state, whatever has been before it.
+    pub(crate) fn time_of(
+        state: &PerCoordinate<X::Phase, X::Action>,
+        jet: &[PerCoordinate<X::Phase, X::Action>],
+    ) -> f64 {
+        let normal = |x: f64| x >= X::Real::smallest() && x < f64::INFINITY;
+        let of_group = |i: usize| {
+            let mut terms = (1..).zip(jet.iter().map(|x| Self::magnitude(x, i))).filter(|(_, term)| normal(*term));
+            let first = Some((0, Self::magnitude(state, i))).filter(|(_, size)| normal(*size)).or_else(|| terms.next());
+            let time = |(k, term): (usize, f64)| {
+                first.map(|(j, size)| Real::exp2((Real::log2(size) - Real::log2(term)) / (k - j) as f64))
+            };
+            terms.filter_map(time).fold(f64::INFINITY, f64::min)
+        };
+        (0..Self::GROUPS).map(of_group).fold(f64::INFINITY, f64::min)
+    }
+
+    /// What part of a radius of convergence a step of this order has.
+    pub(crate) fn part_of_radius(&self, order: usize) -> f64 {
+        exp2(self.tolerance / order as f64)
     }
 
     /// Whether two rates are the same at the end of a step, but for much more than the tolerance and rounding: of coordinates, and of the

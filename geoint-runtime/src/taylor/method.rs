@@ -49,7 +49,8 @@ pub struct TaylorOrder<const P: usize> {
     pub tolerance: f64,
 }
 
-/// Taylor series of order `P` with steps of one length; the last one on the way to a time may be shorter.
+/// Taylor series of order `P` with steps of one length; the last one on the way to a time may be shorter, and one on the way to where a
+/// condition of the energy changes sides. Nothing tells how accurate they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TaylorFixed<const P: usize> {
     /// The length of a step; negative to go back in time.

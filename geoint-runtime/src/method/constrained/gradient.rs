@@ -30,6 +30,8 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
     type Memory = Memory<S, R>;
     /// Momenta carry along what leads away from the constraints, of order h²: made tangent in the end, they change the energy by h⁴.
     const COMPOSES_TO: u32 = 4;
+    /// What multiplies h²λ is known to the rounding of q, and nothing makes momenta tangent again.
+    const ROUGH_IF_SHORT: bool = true;
 
     fn prepare(system: &S, h: R) -> Self::Prepared {
         Prepared::new(system, h)

@@ -28,7 +28,7 @@ impl Direction {
 /// A change of sign.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing<X> {
-    /// Where and when: the function is zero there, to rounding.
+    /// Where and when: the function is zero there, to rounding, where steps have a part of the length also to that of time.
     pub state: X,
     /// Which of several functions it is.
     pub which: usize,

@@ -120,9 +120,18 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Integra
     pub(in crate::running) fn restart(&mut self, state: StateOf<S, R>) {
         let (t, z, s) = state.parts();
         let steps = &mut self.steps;
+        // What is not followed is no number in states.
+        let s = if C::ACTION { s } else { steps.x.s };
         (steps.x, steps.inside, steps.memory) = (Point::with_action(z, s), false, M::memory());
         steps.clock = Clock::new(t, steps.clock.step_size());
         (steps.given, steps.origin) = (steps.taken, z);
+    }
+
+    /// The same from a state that a step of this run has led to: it is not asked for what states of others have to be, such as momenta that are
+    /// tangent to constraints to rounding.
+    pub(in crate::running) fn restart_within(&mut self, state: StateOf<S, R>) {
+        self.restart(state);
+        self.steps.given = u64::MAX;
     }
 
     /// The step size.

@@ -23,7 +23,8 @@ use steps::Steps;
 /// Steps are as long as the last coefficients allow ([`Taylor`](crate::Taylor), [`TaylorOrder`](crate::TaylorOrder)), or all of one length
 /// ([`TaylorFixed`](crate::TaylorFixed)). After each step the rates at its end are compared with those of its polynomial; where they
 /// differ by much more than the tolerance, at poles that the last coefficients do not show, the step is repeated with half the length.
-/// Where a condition of the energy changes sides the step ends. Sums of coordinates and of time are compensated.
+/// Where a condition of the energy changes sides the step ends, also one of given length; what decides a condition is followed no farther
+/// than its own series holds. A solution that both sides lead back to where a condition changes is refused: it slides along it. Sums of coordinates and of time are compensated.
 ///
 /// ```
 /// use geoint_runtime::prelude::*;
@@ -58,9 +59,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         TaylorIntegrator { steps: Steps::new((system, method), t, (z, s)), most_steps: u64::MAX }
     }
 
-    /// Steps between two lengths only. Without bounds the shortest is what changes time at all.
+    /// Steps between two lengths only. Without bounds the shortest is what changes time at all. Steps of one length are as long as they are.
     ///
-    /// The last step on the way to a given time may be shorter.
+    /// The last step on the way to a given time may be shorter, and so is one that ends where a condition of the energy changes sides.
     pub fn steps_between(mut self, shortest: f64, longest: f64) -> Self {
         self.steps.bounds = Bounds { shortest: shortest.abs(), longest: longest.abs() };
         self
@@ -118,7 +119,8 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> TaylorIntegrator<S, M, R> {
         Ok(true)
     }
 
-    /// The state at a time within the last step, by its polynomial; `None` before and after, if no step was taken, or one was refused since.
+    /// The state at a time within the last step, by its polynomial; `None` before and after, and if there is no last step: none was taken, one
+    /// was refused since, or the run went on from an event, another state or a saved run.
     pub fn at(&self, t: R) -> Option<StateOf<S, R>> {
         self.steps.at(t)
     }

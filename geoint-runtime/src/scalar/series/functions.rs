@@ -7,7 +7,11 @@ use core::array::from_fn;
 /// Functions under the names that numbers have them by, for functions of states that name no trait.
 macro_rules! functions {
     ($($name:ident($($y:ident)?);)*) => {
-        impl<const N: usize> Series<f64, N> {
+        functions!(f64: $($name($($y)?);)*);
+        functions!(f32: $($name($($y)?);)*);
+    };
+    ($number:ty: $($name:ident($($y:ident)?);)*) => {
+        impl<const N: usize> Series<$number, N> {
             $(
                 #[doc = concat!("`", stringify!($name), "` of a series.")]
                 pub fn $name(self $(, $y: Self)?) -> Self {
@@ -18,6 +22,22 @@ macro_rules! functions {
             pub fn powi(self, n: i32) -> Self {
                 let power = (0..n.unsigned_abs()).fold(Self::one(), |power, _| power * self);
                 if n < 0 { Self::one() / power } else { power }
+            }
+            /// A power with an exponent that is a number.
+            pub fn powf(self, exponent: $number) -> Self {
+                Real::powf(self, Series::constant(exponent))
+            }
+            /// 1/u.
+            pub fn recip(self) -> Self {
+                Self::one() / self
+            }
+            /// u·a + b.
+            pub fn mul_add(self, a: Self, b: Self) -> Self {
+                self * a + b
+            }
+            /// Sine and cosine.
+            pub fn sin_cos(self) -> (Self, Self) {
+                Real::sin_cos(self)
             }
         }
     };

@@ -175,13 +175,17 @@ macro_rules! operations {
                 $operation::$method(self, Series::constant(y))
             }
         }
-        impl<const N: usize> $operation<Series<f64, N>> for f64 {
-            type Output = Series<f64, N>;
-            fn $method(self, y: Series<f64, N>) -> Series<f64, N> {
+        operations!($operation $method f64);
+        operations!($operation $method f32);
+    )* };
+    ($operation:ident $method:ident $number:ty) => {
+        impl<const N: usize> $operation<Series<$number, N>> for $number {
+            type Output = Series<$number, N>;
+            fn $method(self, y: Series<$number, N>) -> Series<$number, N> {
                 $operation::$method(Series::constant(self), y)
             }
         }
-    )* };
+    };
 }
 
 operations! {

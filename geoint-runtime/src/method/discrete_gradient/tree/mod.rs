@@ -32,6 +32,7 @@ where
     type Prepared = <S::Gradient as StepsOf<Self, S, R>>::Prepared;
     type Memory = <S::Gradient as StepsOf<Self, S, R>>::Memory;
     const COMPOSES_TO: u32 = <S::Gradient as StepsOf<Self, S, R>>::COMPOSES_TO;
+    const ROUGH_IF_SHORT: bool = <S::Gradient as StepsOf<Self, S, R>>::ROUGH_IF_SHORT;
     const KEEPS: bool = <KeptBy<S, R> as Invariants<S, R>>::Values::LEN > 0;
 
     #[inline]

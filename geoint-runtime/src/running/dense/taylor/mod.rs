@@ -101,7 +101,12 @@ where
             return Ok(self.zero_at_end());
         }
         self.ahead = self.at_end();
-        self.search(0.0, 1.0)
+        self.search(0.0, self.first_width())
+    }
+
+    /// What part of a step is searched first: a step of a polynomial may be much longer than its state takes to change.
+    fn first_width(&self) -> f64 {
+        (8.0 * self.run.steps.pace_before() / self.run.step_size().abs()).min(1.0)
     }
 
     fn search(&mut self, from: f64, width: f64) -> Result<bool, StepError> {
@@ -177,9 +182,11 @@ where
         if at == 0.0 {
             return (now.abs() <= self.scale(i)).then_some(part);
         }
+        // Of the piece: a long step may end where the function is large.
+        let scale = g[0].abs().max(g.iter().sum::<f64>().abs());
         for _ in 0..4 {
             let next = part - now / slope * width;
-            if now.abs() <= 4.0 * R::epsilon() * self.scale(i) || !(next >= piece.from && next <= piece.to) {
+            if now.abs() <= 4.0 * R::epsilon() * scale || !(next >= piece.from && next <= piece.to) {
                 break;
             }
             let there = value(next);
@@ -189,7 +196,7 @@ where
                 break;
             }
         }
-        (now.abs() <= self.scale(i)).then_some(part)
+        (now.abs() <= scale).then_some(part)
     }
 }
 

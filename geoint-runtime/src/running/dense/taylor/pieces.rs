@@ -46,9 +46,10 @@ where
                 self.scales.as_mut_slice()[i] = <M::Series as Real>::from_f64(start.max(end));
             }
         }
-        let mut to = (from + width).min(1.0);
+        let shortest = SHORTEST * self.first_width();
+        let mut to = (from + self.within_reach(&values, width.min(1.0 - from)).max(shortest)).min(1.0);
         while !self.agree(&values, from, to) {
-            if to - from <= SHORTEST {
+            if to - from <= shortest {
                 let ends = if to < 1.0 { self.along(to, None) } else { self.ahead };
                 if ends.as_slice().iter().any(|g| !number::<S, M, R>(g).is_finite()) {
                     return Err(self.no_event(from));
@@ -58,6 +59,14 @@ where
             to = from + 0.125 * (to - from);
         }
         Ok(Piece { from, to, values })
+    }
+
+    /// A part of the step that is not longer than `width` in which series of the functions converge as fast as roots are to be accurate that are
+    /// improved then.
+    fn within_reach(&self, values: &G, width: f64) -> f64 {
+        let count = self.run.order().min(taylor::MOST);
+        let reach = |i| taylor::reach(&self.in_parts(values, i, width)[..count], self.run.steps.part_of_radius());
+        width * (0..G::LEN).map(reach).fold(1.0, f64::min)
     }
 
     /// Whether series about `from` give what the functions are at `to`.

@@ -7,6 +7,9 @@ use crate::space::{Array, Compensated, PerCoordinate, Point, Snapshot};
 use crate::system::{Jets, PhaseSpace, StateOf};
 use crate::taylor::{self, TaylorMethod};
 
+/// Units of time in which coefficients tell how fast a state changes that tells nothing in its own: all of them overflow there, or vanish.
+const FAR: [f64; 3] = [1.0 / (1_u128 << 100) as f64, (1_u128 << 100) as f64, 1.0];
+
 /// A point whose sums compensate.
 type Carried<S, R> =
     Point<<S as PhaseSpace<R>>::Phase, Compensated<<S as PhaseSpace<R>>::Phase>, <S as PhaseSpace<R>>::Action>;
@@ -79,6 +82,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let (order, system, unit) = (self.order(), self.system, self.here().unit);
         self.here_mut().expand(order, &system, unit);
         if self.taken == self.given {
+            for unit in FAR {
+                if self.pace().is_some() {
+                    break;
+                }
+                self.here_mut().expand(order, &system, unit);
+            }
             let h = self.guess();
             self.here_mut().expand(order, &system, h);
         }

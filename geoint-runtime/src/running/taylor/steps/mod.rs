@@ -5,14 +5,14 @@ mod switches;
 
 use crate::running::error::{Reason, StepError};
 use crate::running::step_size::Bounds;
-use crate::scalar::{Real, signed};
-use crate::space::PerCoordinate;
+use crate::scalar::{Real, signed, zero};
+use crate::space::{Array, PerCoordinate};
 #[cfg(feature = "alloc")]
 use crate::space::{Record, Tape};
 use crate::system::Jets;
 use crate::taylor::{self, Estimate, TaylorMethod};
 use expansion::Expansion;
-use switches::STUCK;
+use switches::{NEARLY, STUCK, Switch};
 
 /// A system, and all that decides on the next step.
 #[derive(Clone)]
@@ -35,8 +35,10 @@ pub(in crate::running) struct Steps<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> 
     pub(in crate::running) step: f64,
     /// Whether the other end is where the last step began.
     within: bool,
-    /// Steps in a row that a switch has ended where they began.
+    /// Steps in a row that a switch has ended where they began, or that go back to the switch at which the one before has ended.
     stuck: u32,
+    /// The switch at which the last step has ended.
+    turned: Option<usize>,
 }
 
 impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
@@ -62,6 +64,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             step: 0.0,
             within: false,
             stuck: 0,
+            turned: None,
         }
     }
 
@@ -74,6 +77,7 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.estimate.include(&x);
         // There is no last step to look into.
         (self.known, self.within, self.given) = (false, false, self.taken);
+        (self.stuck, self.turned) = (0, None);
     }
 
     /// Everything but the coefficients.
@@ -92,6 +96,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let mut stuck = u64::from(self.stuck);
         tape.count(&mut stuck);
         self.stuck = stuck.min(u64::from(STUCK)) as u32;
+        let mut turned = self.turned.map_or(0, |place| place as u64 + 1);
+        tape.count(&mut turned);
+        self.turned = (turned > 0 && turned <= S::Switches::LEN as u64).then(|| turned as usize - 1);
     }
 
     /// The coefficients are to be computed anew, and there is no last step to look into.
@@ -145,13 +152,32 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         (self.here().unit * self.estimate.length(self.jet())).min(bounds.longest)
     }
 
+    /// In how long, roughly, the state changes by itself; `None` if that is not known.
+    fn pace(&self) -> Option<f64> {
+        let time = self.here().unit * self.estimate.time(self.jet());
+        (time > 0.0 && time < f64::INFINITY).then_some(time)
+    }
+
+    /// The same at the start of the last step, whatever has been before and after it; infinite if that is not known.
+    pub(in crate::running) fn pace_before(&self) -> f64 {
+        let start = self.start();
+        let jet = &start.jet.as_ref()[..self.order()];
+        let time = start.unit * Estimate::<S::State>::time_of(&PerCoordinate::of(&start.x), jet);
+        if time > 0.0 { time } else { f64::INFINITY }
+    }
+
     /// In how long, roughly, the state changes by itself; twice the step before, if that is more. For a polynomial, whose coefficients set
     /// no end to a step.
     #[cold]
     fn guess(&self) -> f64 {
-        let time = self.here().unit * self.estimate.time(&self.jet()[0]);
-        let time = if time > 0.0 && time < f64::INFINITY { time } else { 1.0 };
-        time.max(2.0 * self.step.abs())
+        self.pace().unwrap_or(1.0).max(2.0 * self.step.abs()).min(f64::MAX)
+    }
+
+    /// The longest step for a wish without an end: conditions are looked for in what is not much longer than the state takes to change.
+    #[cold]
+    fn endless(&self) -> f64 {
+        let guess = self.guess();
+        if S::Switches::LEN == 0 { guess } else { self.pace().unwrap_or(guess) }
     }
 
     /// A step that is not longer than `left`.
@@ -164,12 +190,12 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         let wish = self.length(&bounds);
         // Where the series ends within what changes time, a longer step would be wrong.
         if wish < bounds.shortest && left > wish && !self.is_fixed() {
-            return Err(self.refused(t, wish, Reason::Diverges));
+            return Err(self.refused(t, wish, self.too_short(wish, &bounds)));
         }
         // Where nothing else ends it.
-        let whole = if wish < f64::INFINITY { wish } else { self.guess() };
-        let mut h = self.towards(if left < f64::INFINITY { wish.min(left) } else { whole });
-        let mut switch = self.switch(h);
+        let whole = if wish < f64::INFINITY { wish } else { self.endless() };
+        let most = if S::Switches::LEN > 0 || left == f64::INFINITY { whole } else { wish };
+        let (mut h, mut switch) = self.switch(self.towards(most.min(left)), bounds.shortest);
         let mut beyond = 0.25 * R::epsilon() * h.abs();
         if let Some(switch) = switch {
             h = if switch.at == 0.0 { self.towards(beyond) } else { switch.at * h };
@@ -187,18 +213,26 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
                     return Err(self.refused(t, h.abs(), reason));
                 }
                 Err(_) => {
-                    h *= 0.5;
+                    h = self.towards((0.5 * h.abs()).max(bounds.shortest));
                     switch = None;
                 }
             }
         }
-        self.stuck = if switch.is_some_and(|switch| switch.at == 0.0) { self.stuck + 1 } else { 0 };
+        let turns = |switch: Switch| switch.at == 0.0 || switch.back && self.turned == Some(switch.place);
+        self.stuck = if switch.is_some_and(turns) { self.stuck + 1 } else { 0 };
         if self.stuck > STUCK {
             return Err(self.refused(t, h.abs(), Reason::Sliding));
         }
+        self.turned = switch.map(|switch| switch.place);
         self.estimate.include(&PerCoordinate::of(&self.start().x));
         (self.second, self.step, self.taken, self.within) = (!self.second, h, self.taken + 1, true);
         Ok(())
+    }
+
+    /// What part of its radius of convergence a function of the state is followed for, to see where it changes sign.
+    pub(in crate::running) fn part_of_radius(&self) -> f64 {
+        let most = if self.is_fixed() { 0.0 } else { NEARLY * self.estimate.part_of_radius(self.order()) };
+        most.max(0.5)
     }
 
     fn is_fixed(&self) -> bool {
@@ -229,6 +263,9 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
             x.add(&correction);
         }
         clock.pass_length(R::from_f64(h));
+        if clock.now(zero()).magnitude().is_nan() || clock.now(zero()).magnitude() == f64::INFINITY {
+            return Err(Reason::NonFinite);
+        }
         (to.x, to.clock) = (x, clock);
         to.expand(order, &self.system, whole);
         let here = to.rates(from.unit);
@@ -270,12 +307,21 @@ impl<S: Jets<R>, M: TaylorMethod<S, R>, R: Real> Steps<S, M, R> {
         self.estimate.agree(part, [&polynomial, rates], &self.jet()[0], &late)
     }
 
+    /// Why a step is not shorter than the shortest: that changes no time, or is what the user allows.
+    #[cold]
+    fn too_short(&self, wish: f64, bounds: &Bounds) -> Reason {
+        if wish < Bounds::default().at(signed(self.time()), R::epsilon()).shortest {
+            return Reason::Diverges;
+        }
+        Reason::Inaccurate { error: Real::powf(bounds.shortest / wish, self.order() as f64) }
+    }
+
     /// Why there is no step.
     #[cold]
     fn refused(&self, t: f64, h: f64, reason: Reason) -> StepError {
         let h = self.towards(h);
         match reason {
-            _ if !self.is_fixed() => StepError::StepTooSmall { t, h, reason },
+            _ if !self.is_fixed() || reason == Reason::Sliding => StepError::StepTooSmall { t, h, reason },
             Reason::OutsideDomain { what } => StepError::OutsideDomain { t, what },
             Reason::NotConverged | Reason::Singular => StepError::Singular { t },
             _ => StepError::NonFinite { t },

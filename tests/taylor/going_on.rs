@@ -1,0 +1,90 @@
+//! A run goes on from its own event, and knows the states beside those that it has led to.
+
+use geoint_runtime::prelude::*;
+
+/// A mass on a rod of length 1, in Cartesian coordinates.
+#[hamiltonian(constraint = [q[0] * q[0] + q[1] * q[1] - 1.0])]
+fn rod(q: [f64; 2], p: [f64; 2]) -> f64 {
+    (p[0] * p[0] + p[1] * p[1]) / 2.0 + 9.81 * q[1]
+}
+
+#[contact_hamiltonian]
+fn damped_pendulum(q: f64, p: f64, s: f64) -> f64 {
+    p * p / 2.0 - q.cos() + 0.1 * s
+}
+
+/// Momenta of discrete gradients with constraints are tangent to them up to h² only: no reason not to go on.
+#[test]
+fn with_constraints() {
+    let start = State::new([1.0, 0.0], [0.0, 0.5]);
+    macro_rules! events {
+        ($method:expr, $bar:expr) => {{
+            let mut exact = Rod.integrator(Suzuki4.of(Rattle), 0.001, start);
+            let mut sim = Rod.integrator($method, 0.01, start);
+            for n in 0..6 {
+                let exact = exact.until_event(100.0, Direction::Any, |s| s.q[0]).unwrap().unwrap().state;
+                let found = sim.until_event(100.0, Direction::Any, |s| s.q[0]).unwrap().unwrap().state;
+                assert!((found.t - exact.t).abs() < $bar, "{n}: {found:?} {exact:?}");
+                assert!((sim.energy() - 0.125).abs() < 0.01 && sim.state() == found);
+            }
+            sim.advance(100).unwrap();
+        }};
+    }
+    events!(DiscreteGradient, 1e-3);
+    events!(Suzuki4.of(DiscreteGradient), 1e-5);
+    events!(Rattle, 1e-3);
+    // A state that is given is asked for all that it has to be.
+    let mut sim = Rod.integrator(DiscreteGradient, 0.01, start);
+    sim.set_state(State::new([1.0, 0.0], [0.1, 0.5]));
+    assert!(matches!(sim.step(), Err(StepError::OffConstraint { .. })));
+}
+
+/// States within a step are those next to its ends, however near: momenta too.
+#[test]
+fn next_to_the_ends_of_steps_with_constraints() {
+    macro_rules! next_to {
+        ($method:expr) => {
+            for h in [0.01, -0.01] {
+                let mut sim = Rod.integrator($method, h, State::new([1.0, 0.0], [0.0, 0.5]));
+                sim.advance(37).unwrap();
+                for part in [1e-14, 1e-12, 1e-9, 1e-6] {
+                    let (here, t) = (sim.state(), sim.time() + part * h);
+                    let mut copy = sim.clone();
+                    let states = [sim.at(t), copy.sampled_at([t]).next().and_then(Result::ok)];
+                    for found in states.map(Option::unwrap) {
+                        // Forces are below 30, and what is not tangent is of order h².
+                        let gap = (0..2).map(|i| (found.p[i] - here.p[i]).abs()).fold(0.0, f64::max);
+                        assert!(gap < 30.0 * part * 0.01 + 4e-3, "{part}: {gap:e}");
+                    }
+                }
+                // Times that are whole steps but for rounding.
+                let mut sim = Rod.integrator($method, h, State::new([1.0, 0.0], [0.0, 0.5]));
+                for state in sim.sampled_every(0.37 * h).take(1000) {
+                    let State { q, p, .. } = state.unwrap();
+                    assert!((q[0] * p[0] + q[1] * p[1]).abs() < 3e-3, "{q:?} {p:?}");
+                }
+            }
+        };
+    }
+    next_to!(DiscreteGradient);
+    next_to!(Suzuki4.of(DiscreteGradient));
+    next_to!(Rattle);
+}
+
+/// An action that is not followed is no number, before and behind an event.
+#[test]
+fn without_action() {
+    let start = ContactState::new(1.2, 0.0, 0.0);
+    let mut with = DampedPendulum.integrator(BlanesMoan6, 0.02, start);
+    let mut sim = DampedPendulum.integrator(BlanesMoan6, 0.02, start).without_action();
+    for _ in 0..4 {
+        let exact = with.until_event(100.0, Direction::Any, |s| s.q).unwrap().unwrap().state;
+        let found = sim.until_event(100.0, Direction::Any, |s| s.q).unwrap().unwrap().state;
+        assert!((found.t - exact.t).abs() < 1e-12 && found.s.is_nan());
+        // After an impact.
+        sim.set_state(ContactState { p: -0.5 * found.p, ..found });
+        with.set_state(ContactState { p: -0.5 * exact.p, ..exact });
+        sim.step().unwrap();
+    }
+    assert!(sim.sampled_every(0.013).interpolated().nth(7).unwrap().is_ok());
+}
