@@ -200,6 +200,9 @@ pub fn five_rotations<R: Real>(inverse: &[R; 3], r: &mut [R; 4], m: &mut [R; 4])
     let half = R::from_f64(0.5);
     for (axis, part) in [(0, half), (1, half), (2, R::from_f64(1.0)), (1, half), (0, half)] {
         let angle = part * inverse[axis] * m[axis];
+        // Of a larger one no digit of a turn is known.
+        let known = angle.abs().less(R::from_f64(1.0 / R::epsilon()));
+        let [angle] = R::choose(known, || [angle], || [R::from_f64(f64::NAN)]);
         rotate(axis, angle, r, m);
     }
 }

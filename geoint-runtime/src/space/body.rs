@@ -219,6 +219,9 @@ impl<A: Attitudes, C: Centres<A>> Snapshot for BodyState<A, C> {
 /// end of a run between two normalisations.
 const ROUNDING_OF_LENGTH: f64 = 1024.0;
 
+/// A quaternion that is longer than this, in units of 1/ε, has no digits left when it is normalised.
+const LONGEST: f64 = 1.0 / (1 << 20) as f64;
+
 fn length<R: Real>(r: &[R; 4]) -> R {
     r.iter().fold(zero::<R>(), |sum, x| x.multiply_add(*x, sum)).sqrt()
 }
@@ -231,7 +234,7 @@ pub(crate) fn wrong_length<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> Option<f6
     lengths.find(wrong).map(signed)
 }
 
-/// What takes the length of every quaternion to 1.
+/// What takes the length of every quaternion to 1. No number where that would be all of it: a step was so long that nothing is left of the attitude.
 pub(crate) fn normalisation<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> S::Phase {
     let one = R::from_f64(1.0);
     let (mut z, mut dz) = (*z, S::Phase::zero());
@@ -240,6 +243,8 @@ pub(crate) fn normalisation<S: PhaseSpace<R>, R: Real>(z: &S::Phase) -> S::Phase
         let excess = r.iter().fold(-one, |sum, x| x.multiply_add(*x, sum));
         // 1/|r| − 1 without cancellation.
         let factor = -excess / (length * (one + length));
+        let short = length.less(R::from_f64(LONGEST / R::epsilon()));
+        let [factor] = R::choose(short, || [factor], || [R::from_f64(f64::NAN)]);
         for (x, dx) in r.iter().zip(dr) {
             *dx = factor * *x;
         }

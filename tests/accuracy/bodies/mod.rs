@@ -297,6 +297,26 @@ fn hopeless_steps_are_errors() {
     assert!(matches!(sim.step(), Err(StepError::NonFiniteState { .. })));
 }
 
+/// Of a turn by 10¹⁷ rad no digit is known, and a quaternion that a step has made 10¹⁶ long has none when it is normalised.
+#[test]
+fn turns_of_which_nothing_is_known_are_errors() {
+    fn refused<M: Method<HeavyBody, Proof = ()>>(method: M, spin: f64, h: f64) {
+        let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(0.3 * spin, spin, -0.2 * spin));
+        let mut sim = free().integrator(method, h, start);
+        assert!(sim.step().is_err());
+        assert_eq!((sim.state().r, sim.state().m), (start.r, start.m));
+    }
+    refused(FiveRotations, 1e9, 1e9);
+    refused(RK4, 1e7, 100.0);
+    // Far too long, but not without digits.
+    let start = BodyState::new(UnitQuaternion::identity(), Vector3::new(30.0, 100.0, -20.0));
+    for h in [0.1, 1e3] {
+        let mut sim = free().integrator(FiveRotations, h, start);
+        sim.step().unwrap();
+        assert!((sim.state().r.norm() - 1.0).abs() < 1e-14);
+    }
+}
+
 /// States of attitudes may be named.
 fn _attitudes<A: Attitudes<Real = f64>>(state: BodyState<A>) -> A {
     state.r
