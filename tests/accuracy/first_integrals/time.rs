@@ -117,3 +117,25 @@ fn damping_takes_casimirs_as_well() {
     let found = change(Breathing { k: 0.3 }, FOURTH, 0.05, [0.3, 0.7, 0.1]);
     assert!(found[0] < 4e-15, "{found:?}");
 }
+
+/// A top whose moments of inertia change in time.
+#[hamiltonian(structure = so3)]
+fn driven_top(x: [f64; 3], t: f64) -> f64 {
+    x[0] * x[0] / 2.0 + x[1] * x[1] * (2.0 + t.cos()) / 6.0 + x[2].powi(4) / 5.0
+}
+
+#[test]
+fn a_driven_top_stays_on_its_sphere() {
+    assert!(DrivenTop::REPORT.contains("`DiscreteGradient` keeps every C(x) of degree 2"), "{}", DrivenTop::REPORT);
+    let start = FlowState::new([0.9, -0.5, 0.7]);
+    let mut sim = DrivenTop.integrator(DiscreteGradient, 0.1, start);
+    let length = |x: [f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
+    let energy = sim.energy();
+    let (mut off, mut moved) = (0.0_f64, 0.0_f64);
+    for _ in 0..1000 {
+        sim.step().unwrap_or_else(|error| panic!("{error}"));
+        off = off.max((length(sim.state().x) / length(start.x) - 1.0).abs());
+        moved = moved.max((sim.energy() - energy).abs());
+    }
+    assert!(off < 2e-14 && moved > 1e-2, "{off:e} {moved:e}");
+}

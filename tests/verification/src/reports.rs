@@ -69,8 +69,9 @@ const SENTENCES: &[(&str, &str)] = &[
     ("by h times the mean of b·∇I, to rounding", "tests/accuracy::what_a_drive_changes_is_known"),
     ("takes h ∇̄H·C ∇̄H off the energy", "tests/stability::energy_falls_by_what_is_dissipated"),
     ("keeps the energy to rounding, and every C", "tests/accuracy::euler_top"),
+    ("`DiscreteGradient` keeps every C(x) of degree 2", "tests/accuracy::a_driven_top_stays_on_its_sphere"),
     ("Casimirs are kept to rounding", "tests/accuracy::tops_by_terms"),
-    ("the energy is kept to rounding, Casimirs", "tests/accuracy::more_than_three_coordinates_by_planes"),
+    ("is kept to rounding, Casimirs", "tests/accuracy::more_than_three_coordinates_by_planes"),
     ("no structure is kept", "tests/accuracy::claims"),
     ("Jacobi's multiplier", "geoint-macros/src/tests::multipliers_of_jacobi_are_products_of_powers"),
     // Lagrangians.

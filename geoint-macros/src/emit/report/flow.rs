@@ -263,15 +263,14 @@ fn operations(text: &mut String, flow: &Flow, system: &System<Plan>) -> Written 
         _ if flow.kept.iter().any(|named| named.conserved.but.is_some()) => {
             writeln!(text, "- a step of `DiscreteGradient` takes h ∇̄H·C ∇̄H off the energy, to rounding")
         }
-        _ => {
-            // An energy that reads time is not among what is kept.
-            let energy = flow.kept.iter().any(|named| named.origin == Origin::Energy);
-            let energy = if energy { "the energy to rounding, and " } else { "" };
-            writeln!(
-                text,
-                "- `DiscreteGradient` keeps {energy}every C(x) of degree 2 at most with S ∇C = 0{}; `FourthOrder` keeps {names}",
-                if energy.is_empty() { ", to rounding" } else { "" }
-            )
-        }
+        _ if flow.kept.iter().any(|named| named.origin == Origin::Energy) => writeln!(
+            text,
+            "- `DiscreteGradient` keeps the energy to rounding, and every C(x) of degree 2 at most with S ∇C = 0; `FourthOrder` keeps {names}"
+        ),
+        // An energy that reads time is not among what is kept.
+        _ => writeln!(
+            text,
+            "- `DiscreteGradient` keeps every C(x) of degree 2 at most with S ∇C = 0, to rounding; `FourthOrder` keeps {names}"
+        ),
     }
 }
