@@ -12,7 +12,6 @@
 
 use crate::scalar::{Real, zero};
 use crate::space::Array;
-use core::array::from_fn;
 
 /// Series whose coefficients follow from those of lower orders.
 pub trait Series {
@@ -82,12 +81,8 @@ pub trait Sum: Copy {
     /// Coefficients of one order.
     type Entry: Array;
 
-    /// One, from the middle on, in two parts that do not wait for each other. In an array of one it would not be unrolled, but where programs are
-    /// optimised as a whole: a step of a pendulum would take 1.6 of the time.
+    /// From the middle on, in two parts that do not wait for each other.
     fn alone(self, n: usize) -> Self::Entry;
-
-    /// Many in one loop.
-    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [Self::Entry; K];
 }
 
 /// Σ uⱼwₙ₋ⱼ.
@@ -110,12 +105,6 @@ fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A,
     low.iter().rev().zip(&high[middle..])
 }
 
-/// The pairs j, n − j with 0 < j < n/2 from the middle on, as far as there are coefficients.
-#[inline(always)]
-fn orders_outward<const P: usize>(n: usize) -> impl Iterator<Item = (usize, usize)> {
-    (1..n.div_ceil(2)).rev().map(move |j| (j, n - j)).take_while(|(_, i)| *i < P)
-}
-
 impl<A: Array, const P: usize> Sum for OfProduct<'_, A, P> {
     type Entry = A;
 
@@ -132,21 +121,6 @@ impl<A: Array, const P: usize> Sum for OfProduct<'_, A, P> {
         }
         plus(first, second)
     }
-
-    #[inline(always)]
-    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
-        let (mut first, mut second) = ([A::zero(); K], [A::zero(); K]);
-        if n.is_multiple_of(2) {
-            first = of.map(|OfProduct(u, w)| times(u[n / 2], w[n / 2]));
-        }
-        for (j, i) in orders_outward::<P>(n) {
-            for (k, OfProduct(u, w)) in of.iter().enumerate() {
-                first[k] = fused(u[j], w[i], first[k]);
-                second[k] = fused(u[i], w[j], second[k]);
-            }
-        }
-        from_fn(|k| plus(first[k], second[k]))
-    }
 }
 
 impl<A: Array, const P: usize> Sum for OfSquare<'_, A, P> {
@@ -161,23 +135,6 @@ impl<A: Array, const P: usize> Sum for OfSquare<'_, A, P> {
         }
         let double = plus(half, half);
         if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
-    }
-
-    #[inline(always)]
-    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
-        let mut half = [A::zero(); K];
-        for (j, i) in orders_outward::<P>(n) {
-            for (half, OfSquare(u)) in half.iter_mut().zip(&of) {
-                *half = fused(u[j], u[i], *half);
-            }
-        }
-        let mut sums = half.map(|half| plus(half, half));
-        if n.is_multiple_of(2) {
-            for (sum, OfSquare(u)) in sums.iter_mut().zip(&of) {
-                *sum = fused(u[n / 2], u[n / 2], *sum);
-            }
-        }
-        sums
     }
 }
 
@@ -200,23 +157,6 @@ impl<A: Array, const P: usize> Sum for OfPower<'_, A, P> {
         }
         plus(first, second)
     }
-
-    #[inline(always)]
-    fn in_one_loop<const K: usize>(of: [Self; K], n: usize) -> [A; K] {
-        let whole = A::Real::from_f64(n as f64);
-        let factor = |next: A::Real, j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
-        let (mut first, mut second) = ([A::zero(); K], [A::zero(); K]);
-        if n.is_multiple_of(2) {
-            first = of.map(|OfPower(u, y, next)| scaled(factor(next, n / 2), times(u[n / 2], y[n / 2])));
-        }
-        for (j, i) in orders_outward::<P>(n) {
-            for (k, OfPower(u, y, next)) in of.iter().enumerate() {
-                first[k] = fused(scaled(factor(*next, j), u[j]), y[i], first[k]);
-                second[k] = fused(scaled(factor(*next, i), u[i]), y[j], second[k]);
-            }
-        }
-        from_fn(|k| plus(first[k], second[k]))
-    }
 }
 
 /// One sum.
@@ -225,20 +165,12 @@ pub fn sum<S: Sum>(of: S, n: usize) -> S::Entry {
     of.alone(n)
 }
 
-/// So many sums share a loop, and what it costs.
-const TOGETHER: usize = 4;
-
-/// Many sums. Which ones share a loop is read from memory: the vectoriser, where it knows them, pairs lanes of one with lanes of another, and what
-/// it shuffles takes half as long again as the sums.
+/// Many sums, one after the other.
 #[inline(always)]
 pub fn sums<S: Sum, const K: usize>(of: [S; K], n: usize) -> [S::Entry; K] {
     let mut sums = [S::Entry::zero(); K];
-    let ((many, rest), (of_many, of_rest)) = (sums.as_chunks_mut::<TOGETHER>(), of.as_chunks::<TOGETHER>());
-    for (sums, of) in many.iter_mut().zip(of_many) {
-        *sums = S::in_one_loop(*of, n);
-    }
-    for (one, of) in rest.iter_mut().zip(of_rest) {
-        *one = sum(*of, n);
+    for (sum, of) in sums.iter_mut().zip(of) {
+        *sum = of.alone(n);
     }
     sums
 }
