@@ -76,27 +76,6 @@ fn scaled<A: Array>(c: A::Real, mut x: A) -> A {
 #[derive(Debug)]
 pub struct Aligned<T>(pub T);
 
-/// A sum over 0 < j < n, of numbers or of many numbers side by side.
-pub trait Sum: Copy {
-    /// Coefficients of one order.
-    type Entry: Array;
-
-    /// From the middle on, in two parts that do not wait for each other.
-    fn alone(self, n: usize) -> Self::Entry;
-}
-
-/// Σ uⱼwₙ₋ⱼ.
-#[derive(Clone, Copy, Debug)]
-pub struct OfProduct<'a, A, const P: usize>(pub &'a [A; P], pub &'a [A; P]);
-
-/// Σ uⱼuₙ₋ⱼ.
-#[derive(Clone, Copy, Debug)]
-pub struct OfSquare<'a, A, const P: usize>(pub &'a [A; P]);
-
-/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ, with α + 1 last.
-#[derive(Clone, Copy, Debug)]
-pub struct OfPower<'a, A: Array, const P: usize>(pub &'a [A; P], pub &'a [A; P], pub A::Real);
-
 /// The pairs uⱼ, uₙ₋ⱼ for 0 < j < n/2 from the middle on; without indices that would be checked.
 #[inline(always)]
 fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A, &A)> {
@@ -105,74 +84,46 @@ fn outward<A, const P: usize>(u: &[A; P], n: usize) -> impl Iterator<Item = (&A,
     low.iter().rev().zip(&high[middle..])
 }
 
-impl<A: Array, const P: usize> Sum for OfProduct<'_, A, P> {
-    type Entry = A;
-
-    #[inline(always)]
-    fn alone(self, n: usize) -> A {
-        let OfProduct(u, w) = self;
-        let (mut first, mut second) = (A::zero(), A::zero());
-        if n.is_multiple_of(2) {
-            first = times(u[n / 2], w[n / 2]);
-        }
-        for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
-            first = fused(*uj, *wi, first);
-            second = fused(*ui, *wj, second);
-        }
-        plus(first, second)
-    }
-}
-
-impl<A: Array, const P: usize> Sum for OfSquare<'_, A, P> {
-    type Entry = A;
-
-    #[inline(always)]
-    fn alone(self, n: usize) -> A {
-        let u = self.0;
-        let mut half = A::zero();
-        for (uj, ui) in outward(u, n) {
-            half = fused(*uj, *ui, half);
-        }
-        let double = plus(half, half);
-        if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
-    }
-}
-
-impl<A: Array, const P: usize> Sum for OfPower<'_, A, P> {
-    type Entry = A;
-
-    #[inline(always)]
-    fn alone(self, n: usize) -> A {
-        let OfPower(u, y, next) = self;
-        let (u, y) = (&u[..n], &y[..n]);
-        let whole = A::Real::from_f64(n as f64);
-        let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
-        let (mut first, mut second) = (A::zero(), A::zero());
-        if n.is_multiple_of(2) {
-            first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
-        }
-        for j in (1..n.div_ceil(2)).rev() {
-            first = fused(scaled(factor(j), u[j]), y[n - j], first);
-            second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
-        }
-        plus(first, second)
-    }
-}
-
-/// One sum.
+/// Σ uⱼwₙ₋ⱼ over 0 < j < n, of one sum or of many side by side.
 #[inline(always)]
-pub fn sum<S: Sum>(of: S, n: usize) -> S::Entry {
-    of.alone(n)
+pub fn sum<A: Array, const P: usize>(u: &[A; P], w: &[A; P], n: usize) -> A {
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n.is_multiple_of(2) {
+        first = times(u[n / 2], w[n / 2]);
+    }
+    for ((uj, ui), (wj, wi)) in outward(u, n).zip(outward(w, n)) {
+        first = fused(*uj, *wi, first);
+        second = fused(*ui, *wj, second);
+    }
+    plus(first, second)
 }
 
-/// Many sums, one after the other.
+/// Σ uⱼuₙ₋ⱼ over 0 < j < n.
 #[inline(always)]
-pub fn sums<S: Sum, const K: usize>(of: [S; K], n: usize) -> [S::Entry; K] {
-    let mut sums = [S::Entry::zero(); K];
-    for (sum, of) in sums.iter_mut().zip(of) {
-        *sum = of.alone(n);
+pub fn sum_of_square<A: Array, const P: usize>(u: &[A; P], n: usize) -> A {
+    let mut half = A::zero();
+    for (uj, ui) in outward(u, n) {
+        half = fused(*uj, *ui, half);
     }
-    sums
+    let double = plus(half, half);
+    if n.is_multiple_of(2) { fused(u[n / 2], u[n / 2], double) } else { double }
+}
+
+/// Σ (j(α + 1) − n)uⱼyₙ₋ⱼ over 0 < j < n, from α + 1.
+#[inline(always)]
+pub fn sum_of_power<A: Array, const P: usize>(u: &[A; P], y: &[A; P], next: A::Real, n: usize) -> A {
+    let (u, y) = (&u[..n], &y[..n]);
+    let whole = A::Real::from_f64(n as f64);
+    let factor = |j: usize| A::Real::from_f64(j as f64).multiply_add(next, -whole);
+    let (mut first, mut second) = (A::zero(), A::zero());
+    if n.is_multiple_of(2) {
+        first = scaled(factor(n / 2), times(u[n / 2], y[n / 2]));
+    }
+    for j in (1..n.div_ceil(2)).rev() {
+        first = fused(scaled(factor(j), u[j]), y[n - j], first);
+        second = fused(scaled(factor(n - j), u[n - j]), y[j], second);
+    }
+    plus(first, second)
 }
 
 /// Of a function a + b·t.

@@ -12,7 +12,7 @@ mod lanes;
 mod program;
 mod rules;
 
-pub(crate) use lanes::{Group, LANES, Lanes, Operand, Weight, sums};
+pub(crate) use lanes::{LANES, Lanes, Operand, Weight, sums};
 pub(crate) use program::{Factor, Jet, Rate, Rule, Series, Source, Value};
 
 use crate::ir::{Graph, HashMap, Id, Node, Number, Symbol};

@@ -11,7 +11,7 @@ mod rules;
 use super::kernel::{Context, element};
 use super::structure::{self_type, state};
 use crate::derive::JetKernel;
-use crate::diff::jet::{Group, Jet, Lanes, Operand, Rate, Rule, Source, Value};
+use crate::diff::jet::{Jet, Lanes, Operand, Rate, Rule, Source, Value};
 use crate::ir::Symbol;
 use crate::parse::over_scalar;
 use crate::schedule::Plan;
@@ -19,7 +19,6 @@ use arrays::{Stored, array_of, coefficient, kept, side_by_side, weighted};
 use numbers::{Prepared, prepared};
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
-use std::mem::discriminant;
 
 /// Code beyond this many bytes is slower than a loop.
 const MOST_CODE: usize = 16 << 10;
@@ -117,14 +116,10 @@ impl Writer<'_> {
     fn order(&mut self) -> TokenStream {
         let mut body = TokenStream::new();
         let unit = self.number(Prepared::Unit);
-        let groups: Vec<Group> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
-        let sums: Vec<Ident> = (0..groups.len()).map(|i| format_ident!("sums{i}")).collect();
-        let named: Vec<(&Ident, Group)> = sums.iter().zip(groups).collect();
-        for alike in named.chunk_by(|(_, a), (_, b)| discriminant(&a.weight) == discriminant(&b.weight)) {
-            let names = alike.iter().map(|(name, _)| name);
-            let of: Vec<TokenStream> =
-                alike.iter().map(|(_, group)| self.sum_of(group.weight, group.operands.map(side_by_side))).collect();
-            body.extend(quote!([#(#names),*] = recurrence::sums([#(#of),*], n);));
+        let groups: Vec<_> = self.lanes.iter().flat_map(|lanes| lanes.groups.clone()).collect();
+        for (i, group) in groups.iter().enumerate() {
+            let (name, sum) = (format_ident!("sums{i}"), self.sum_of(group.weight, group.operands.map(side_by_side)));
+            body.extend(quote!(#name = #sum;));
         }
         for source in &self.jet.order {
             let (name, value) = (coefficient(*source), self.coefficient(*source));
@@ -160,7 +155,7 @@ impl Writer<'_> {
         let types = arrays.iter().map(Stored::entry);
         let arrays = arrays.iter().map(|array| &array.name);
         let names = self.jet.order.iter().map(|source| coefficient(*source));
-        let names = names.chain(sums.clone());
+        let names = names.chain((0..groups.len()).map(|i| format_ident!("sums{i}")));
         let [numbers, masks, switches] =
             [self.numbers.len(), self.jet.conditions.len(), self.jet.switches.len()].map(Literal::usize_unsuffixed);
         let arrays: Vec<_> = arrays.collect();

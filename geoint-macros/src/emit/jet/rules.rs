@@ -106,18 +106,18 @@ impl Writer<'_> {
             let (group, lane) = (format_ident!("sums{group}"), Literal::usize_unsuffixed(lane));
             return quote!(#group[#lane]);
         }
-        let of = self.sum_of(sum.weight, sum.operands.map(array_of));
-        quote!(recurrence::sum(#of, n))
+        let arrays = sum.operands.map(array_of);
+        self.sum_of(sum.weight, arrays)
     }
 
-    /// What a sum is of, or many sums side by side.
+    /// One sum, or many side by side.
     pub(super) fn sum_of(&mut self, weight: Weight, [u, w]: [Ident; 2]) -> TokenStream {
         match weight {
-            Weight::One => quote!(recurrence::OfProduct(#u, #w)),
-            Weight::Square => quote!(recurrence::OfSquare(#u)),
+            Weight::One => quote!(recurrence::sum(#u, #w, n)),
+            Weight::Square => quote!(recurrence::sum_of_square(#u, n)),
             Weight::Power(exponent) => {
                 let next = self.number(Prepared::Next(exponent));
-                quote!(recurrence::OfPower(#u, #w, #next))
+                quote!(recurrence::sum_of_power(#u, #w, #next, n))
             }
         }
     }

@@ -1015,36 +1015,28 @@ const _: () = {
                         c13,
                     );
                     c2 = u2[n];
-                    c8 = recurrence::square(
-                        k[1],
-                        c2,
-                        recurrence::sum(recurrence::OfSquare(u2), n),
-                    );
+                    c8 = recurrence::square(k[1], c2, recurrence::sum_of_square(u2, n));
                     c5 = c8;
                     u5[n] = c5;
                     c3 = recurrence::power(
                         [k[3], k[2]],
                         c5,
-                        recurrence::sum(recurrence::OfPower(u5, u3, k[4]), n),
+                        recurrence::sum_of_power(u5, u3, k[4], n),
                         n,
                     );
                     u3[n] = c3;
                     c0 = recurrence::product(
                         [k[1], k[5]],
                         [c2, c3],
-                        recurrence::sum(recurrence::OfProduct(u2, u3), n),
+                        recurrence::sum(u2, u3, n),
                     );
                     c9 = u9[n];
-                    c14 = recurrence::square(
-                        k[6],
-                        c9,
-                        recurrence::sum(recurrence::OfSquare(u9), n),
-                    );
+                    c14 = recurrence::square(k[6], c9, recurrence::sum_of_square(u9, n));
                     u14[n] = c14;
                     c12 = recurrence::product(
                         [k[6], k[7]],
                         [c9, c14],
-                        recurrence::sum(recurrence::OfProduct(u9, u14), n),
+                        recurrence::sum(u9, u14, n),
                     );
                     u12[n] = c12;
                     c11 = k[8] * u13[n - 1] * R::from_f64(1.0 / n as f64);
@@ -1052,7 +1044,7 @@ const _: () = {
                     c10 = recurrence::product(
                         [k[9], k[10]],
                         [c11, c12],
-                        recurrence::sum(recurrence::OfProduct(u11, u12), n),
+                        recurrence::sum(u11, u12, n),
                     );
                     c7 = R::from_f64(4.0) * c10;
                     c4 = {

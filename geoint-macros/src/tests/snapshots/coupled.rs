@@ -888,31 +888,23 @@ const _: () = {
                     );
                     let (c9, c11, c8, c7, c4, c0, c1, c10, c5, c2, c6, c3);
                     c9 = u9[n];
-                    c11 = recurrence::square(
-                        k[1],
-                        c9,
-                        recurrence::sum(recurrence::OfSquare(u9), n),
-                    );
+                    c11 = recurrence::square(k[1], c9, recurrence::sum_of_square(u9, n));
                     c8 = c11;
                     u8[n] = c8;
                     c7 = u7[n];
                     c4 = recurrence::product(
                         [k[2], k[3]],
                         [c7, c8],
-                        recurrence::sum(recurrence::OfProduct(u7, u8), n),
+                        recurrence::sum(u7, u8, n),
                     );
                     c0 = R::from_f64(2.0) * c4;
                     c1 = u1[n];
-                    c10 = recurrence::square(
-                        k[2],
-                        c7,
-                        recurrence::sum(recurrence::OfSquare(u7), n),
-                    );
+                    c10 = recurrence::square(k[2], c7, recurrence::sum_of_square(u7, n));
                     u10[n] = c10;
                     c5 = recurrence::product(
                         [k[1], k[4]],
                         [c9, c10],
-                        recurrence::sum(recurrence::OfProduct(u9, u10), n),
+                        recurrence::sum(u9, u10, n),
                     );
                     c2 = R::from_f64(-2.0) * c5;
                     c6 = u6[n];

@@ -694,20 +694,10 @@ const _: () = {
                     c0 = k[1] * c2;
                     c5 = u5[n];
                     ju5[n] = whole * c5;
-                    c3 = recurrence::integral(
-                        k[2],
-                        c5,
-                        recurrence::sum(recurrence::OfProduct(ju5, u4), n),
-                        n,
-                    );
+                    c3 = recurrence::integral(k[2], c5, recurrence::sum(ju5, u4, n), n);
                     u3[n] = c3;
                     c1 = k[3] * c3;
-                    c4 = -recurrence::integral(
-                        k[4],
-                        c5,
-                        recurrence::sum(recurrence::OfProduct(ju5, u3), n),
-                        n,
-                    );
+                    c4 = -recurrence::integral(k[4], c5, recurrence::sum(ju5, u3, n), n);
                     u4[n] = c4;
                     jet[n].z[0][0] = next * c0;
                     if n + 1 < P {
