@@ -83,6 +83,7 @@ fn functions(q: f64, p: f64) -> f64 {
         + q.mul_add(a, b)
         + q.min(a)
         + q.max(b)
+        + q.clamp(-a, a)
         + q.signum()
         + q.to_radians()
         + q.to_degrees()

@@ -9,7 +9,9 @@ use crate::ir::{Function, Graph, Id, Node, Relation};
 pub(crate) struct Jump {
     /// 1 where it holds, −1 where it does not.
     pub(crate) side: Id,
-    /// The energy if it holds, less the energy if it does not, in a form that intervals enclose well.
+    /// The energy if it holds, less the energy if it does not.
+    pub(crate) shown: Id,
+    /// The same in a form that intervals enclose well.
     pub(crate) height: Id,
 }
 
@@ -19,9 +21,9 @@ pub(crate) fn jumps(graph: &mut Graph, energy: Id) -> Vec<Jump> {
     conditions.retain(|condition| graph.reads(*condition).state());
     let mut jump = |condition| {
         let [yes, no] = [true, false].map(|holds| decided(graph, energy, condition, holds));
-        let height = graph.sub(yes, no);
+        let shown = graph.sub(yes, no);
         let sides = [graph.integer(1), graph.integer(-1)];
-        Jump { side: graph.select(condition, sides[0], sides[1]), height: enclosable(graph, height) }
+        Jump { side: graph.select(condition, sides[0], sides[1]), shown, height: enclosable(graph, shown) }
     };
     conditions.into_iter().map(&mut jump).collect()
 }

@@ -85,6 +85,10 @@ impl Lowering {
                 let product = graph.mul(x, *a);
                 Value::Real(graph.add(product, *b))
             }
+            ("clamp", [low, high]) => {
+                let raised = graph.call(Function::Max, &[x, *low]);
+                Value::Real(graph.call(Function::Min, &[raised, *high]))
+            }
             ("sin_cos", []) => {
                 Value::Tuple([Function::Sin, Function::Cos].map(|f| Value::Real(graph.call(f, &[x]))).to_vec())
             }
@@ -133,7 +137,7 @@ impl Lowering {
 
 /// The methods of numbers.
 fn of_numbers() -> impl Iterator<Item = &'static str> {
-    let others = ["sqrt", "powi", "recip", "mul_add", "sin_cos", "to_radians", "to_degrees"];
+    let others = ["sqrt", "powi", "recip", "mul_add", "clamp", "sin_cos", "to_radians", "to_degrees"];
     FUNCTIONS.iter().filter(|entry| entry.public).map(|entry| entry.name).chain(others)
 }
 

@@ -111,6 +111,7 @@ fn methods_of_the_user_are_not_those_of_iterators_and_vectors() {
 fn functions() {
     agrees!(|q, p, t, a| { q[0].max(f64::NAN) + f64::NAN.min(a) });
     agrees!(|q, p, t, a| { q[0].min(p[0]).max(a) + q[1].abs() + q[1].signum() });
+    agrees!(|q, p, t, a| { q[0].clamp(-0.5, 0.2) + p[0].clamp(-a, a) * (3.0 * q[1]).clamp(-2.0, 1.0) });
     agrees!(|q, p, t, a| {
         let (s, c) = q[0].sin_cos();
         s * a - c
