@@ -98,7 +98,8 @@ impl Controller {
     pub(crate) fn step(&self, bounds: &Bounds) -> f64 {
         let octave = floor(self.rung / 4.0);
         let h = Real::exp2(octave) * RUNGS[((self.rung - 4.0 * octave) as usize).min(3)];
-        let h = h.max(bounds.shortest).min(bounds.longest);
+        // A step that is refused can be shortened if its length is a number.
+        let h = h.max(bounds.shortest).min(bounds.longest).min(f64::MAX);
         if self.backwards { -h } else { h }
     }
 

@@ -54,6 +54,13 @@ impl<X: Snapshot> Estimate<X> {
         Self::group(&self.sizes, i)[0].magnitude()
     }
 
+    /// Includes a point from which a run goes on. By one that is infinite nothing could be measured.
+    pub(crate) fn start(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
+        if x.is_finite() {
+            self.include(x);
+        }
+    }
+
     /// Includes a point.
     #[inline(always)]
     pub(crate) fn include(&mut self, x: &PerCoordinate<X::Phase, X::Action>) {
