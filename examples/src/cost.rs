@@ -34,7 +34,8 @@ pub fn evaluations<S: Hamiltonian, M: Method<S, f64>>(
     let mut x = Point::<S::Phase, Plain>::new([start.q.into_array(), start.p.into_array()]);
     let mut count = Count(0);
     for n in 0..steps {
-        let step = Step { system: &system, t: start.t + n as f64 * h, x: &mut x, probe: &mut count };
+        let [t, end] = [n, n + 1].map(|n| start.t + n as f64 * h);
+        let step = Step { system: &system, t, end, x: &mut x, probe: &mut count };
         let outcome = M::step(&prepared, &mut memory, step);
         outcome.map_err(|refusal| refusal.to_string())?;
     }

@@ -27,7 +27,7 @@ pub use crate::system::{
     FirstIntegrals, FlowPart, ForceGradient, FourthOrderField, Graded, Gradients, Hamiltonian, ImplicitStep, Jets,
     KeepsEnergy, KeptMomenta, Lagrangian as LagrangianSystem, MassForm, Mean, Mechanical as MechanicalContact,
     ModifiedEnergy, NystromPieces, Perturbed as PerturbedSystem, PerturbedGradient, PhaseSpace, Piece as FlowPiece,
-    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable,
+    Pieces as FlowPieces, PolarisedForm, Pole, PrincipalAxes, QuadraticField, QuadraticKinetic, Separable, Span,
     SteadyIntegrals, Unmet, VectorField as DifferentialEquation, VelocityForm, canonical_rate, contact_gradient_of,
     energy_of, from_positions, rate_of, unmet, unsuitable, velocity_of,
 };

@@ -5,7 +5,7 @@
 //! through the kernel of first derivatives.
 
 use geoint_runtime::space::Array;
-use geoint_runtime::system::{Collocation, DiscreteField};
+use geoint_runtime::system::{Collocation, DiscreteField, Span};
 use geoint_runtime::{Hamiltonian, Real};
 use geoint_tests::for_each_problem;
 use geoint_tests::measure::Noise;
@@ -127,7 +127,7 @@ where
     let y = &[q, p].concat()[..S::Unknown::LEN];
     let h = 0.3;
     let parameters = plain.parameters(h);
-    let start = plain.begin(&parameters, t, &array(y));
+    let start = plain.begin(&parameters, Span::of([t, t + h], h), &array(y));
     let at = |size: f64, noise: &mut Noise| {
         let increment: Vec<f64> = noise.take(y.len()).map(|x| size * x).collect();
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
@@ -137,7 +137,7 @@ where
     };
     let (increment, rows) = at(0.1, noise);
     let parameters = dual.parameters(h.into());
-    let start = dual.begin(&parameters, t.into(), &array(&seeded(y, usize::MAX)));
+    let start = dual.begin(&parameters, Span::of([t, t + h].map(Dual::from), h.into()), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let (mut f, mut unused) = (D::Unknown::zero(), D::Unknown::fill(D::Unknown::zero()));
         dual.slope(&parameters, &start, &array(&seeded(&increment, column)), &mut f, &mut unused);
@@ -167,7 +167,7 @@ where
     let d: S::Unknown = if first_order { array(impulse) } else { plain.drift(&parameters, &array(&mean)) };
     let (mut f, mut image) = (S::Unknown::zero(), S::Unknown::zero());
     let mut matrix = S::Unknown::fill(S::Unknown::zero());
-    let start = plain.begin(&parameters, t, &array(y));
+    let start = plain.begin(&parameters, Span::of([t, t + h], h), &array(y));
     plain.slope(&parameters, &start, &d, &mut f, &mut matrix);
     plain.equation((&plain.constants(), h), &parameters, &start, &d, &mut image, &mut matrix);
     for (f, image) in f.as_slice().iter().zip(image.as_slice()) {
@@ -175,7 +175,7 @@ where
     }
     let rows: Vec<f64> =
         S::Unknown::entries::<S::Unknown>(&mut matrix).iter().flat_map(|row| row.as_slice().to_vec()).collect();
-    let start = dual.begin(&exact, t.into(), &array(&seeded(y, usize::MAX)));
+    let start = dual.begin(&exact, Span::of([t, t + h].map(Dual::from), h.into()), &array(&seeded(y, usize::MAX)));
     for column in 0..y.len() {
         let seeds: Vec<Dual> = seeded(impulse, column);
         let half = Dual::from(0.5);

@@ -9,7 +9,7 @@
 
 use geoint_runtime::prelude::*;
 use geoint_runtime::space::Square;
-use geoint_runtime::system::{ByField, ByTree, Collocated, Collocation, DiscreteField, Graded, QuadraticField};
+use geoint_runtime::system::{ByField, ByTree, Collocated, Collocation, DiscreteField, Graded, QuadraticField, Span};
 use geoint_runtime::{Method, VectorField};
 use geoint_tests::measure::distance;
 
@@ -112,7 +112,7 @@ impl DiscreteField for RigidBody {
     fn drift(&self, _: &(), _: &[f64; 3]) -> [f64; 3] {
         [0.0; 3]
     }
-    fn begin(&self, _: &(), _: f64, w: &[f64; 3]) -> [f64; 3] {
+    fn begin(&self, _: &(), _: Span<f64>, w: &[f64; 3]) -> [f64; 3] {
         *w
     }
     fn slope(&self, _: &(), start: &[f64; 3], d: &[f64; 3], f: &mut [f64; 3], jacobian: &mut Square<[f64; 3]>) {

@@ -58,8 +58,8 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
     /// Where it has no result.
     #[inline(never)]
     pub fn step(&mut self) -> Result<(), Refusal> {
-        let t = self.time();
-        let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut self.evaluations };
+        let [t, end] = [self.steps, self.steps + 1].map(|n| self.at(n));
+        let step = Step { system: &self.system, t, end, x: &mut self.x, probe: &mut self.evaluations };
         M::step(&self.prepared, &mut self.memory, step)?;
         self.steps += 1;
         Ok(())
@@ -75,7 +75,11 @@ impl<P: Scene, M: Method<P::Over<R>, R>, R: Scalar> Bare<P, M, R> {
 
     /// The time now.
     pub fn time(&self) -> R {
-        self.start + R::from_f64(self.steps as f64) * self.h + self.x.ahead.value()
+        self.at(self.steps)
+    }
+
+    fn at(&self, step: u64) -> R {
+        self.start + R::from_f64(step as f64) * self.h + self.x.ahead.value()
     }
 
     fn seen(&self) -> <P::Over<R> as PhaseSpace<R>>::State {

@@ -78,7 +78,7 @@ fn energy_in_the_background() {
     let mut count = Count(0);
     let mut drift = 0.0_f64;
     for _ in 0..steps {
-        let step = Step { system: &system, t: 0.0, x: &mut x, probe: &mut count };
+        let step = Step { system: &system, t: 0.0, end: h, x: &mut x, probe: &mut count };
         <DiscreteGradient as Method<Swing>>::step(&prepared, &mut memory, step).unwrap();
         drift = drift.max((moving(x.z[0][0], x.z[1][0]) - moving(START.0, START.1)).abs());
     }

@@ -11,7 +11,7 @@ use crate::ir::{Graph, Id, Symbol, print::Printer};
 use crate::lower::{Integral, Place};
 use crate::parse::Energy;
 
-/// Reports S that is not skew, and damping that is none.
+/// Reports S that is not skew, S that moves nothing, and damping that is none.
 pub(crate) fn structure(
     energy: &Energy,
     (structure, damping): (&proof::Structure, Option<&Damping>),
@@ -34,8 +34,12 @@ pub(crate) fn structure(
             None => errors.at(&form.expr, message),
         }
     }
-    if let Some(damping) = damping {
-        flaw_of_damping(energy, damping, &printer, &mut errors);
+    match (damping, &energy.options.structure) {
+        (Some(damping), _) => flaw_of_damping(energy, damping, &printer, &mut errors),
+        (None, Some(form)) if structure.matrix.iter().flatten().all(|entry| graph.is_zero(*entry)) => {
+            errors.at(&form.expr, "S is zero, so that nothing moves; `|i, j| …` is asked for i < j alone");
+        }
+        (None, _) => {}
     }
     errors.or(())
 }

@@ -57,9 +57,7 @@ impl Points {
             return Points(vec![(Number::ONE, Substitution::new(Box::new(middle)))]);
         }
         let h = graph.symbol(Symbol::H);
-        let t = graph.symbol(Symbol::T);
-        let half = graph.scale(Number::HALF, h);
-        let (before, after) = (graph.sub(t, half), graph.add(t, half));
+        let [before, after] = [Symbol::Start, Symbol::End].map(|symbol| graph.symbol(symbol));
         let at_start: Replace = Box::new(move |_, symbol| (symbol == Symbol::T).then_some(before));
         let at_end: Replace = Box::new(move |graph, symbol| match symbol {
             Symbol::T => Some(after),

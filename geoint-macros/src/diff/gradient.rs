@@ -3,7 +3,7 @@
 use super::forward::jacobian;
 use super::{slope, sweep};
 use crate::ir::substitute::Substitution;
-use crate::ir::{Graph, Id, Number, Symbol};
+use crate::ir::{Graph, Id, Symbol};
 
 /// The partial derivatives of a node with respect to positions, momenta, velocities and the action.
 #[derive(Clone, Debug)]
@@ -33,19 +33,49 @@ fn collect(graph: &mut Graph, entries: &sweep::Entries, degrees: u32) -> Gradien
     Gradient { q: all(Symbol::Q), p: all(Symbol::P), v: all(Symbol::V), s: entry(Symbol::S) }
 }
 
-/// The tree discrete gradient of I(x, t) by x, and its divided difference in time: I(x + dx, t + h/2) − I(x, t − h/2) = ḡ·dx + h·rate.
+/// The tree discrete gradient of I(x, t) by x, and its rate in time: I(x + dx, end) − I(x, start) = ḡ·dx + h·rate.
+///
+/// A function of time alone is a coordinate here, and its increment a difference of two values, unlike any other: the value at the end of a
+/// step is that at the start of the next one, to the last bit, so that rounding does not add up however much the clock shows.
 pub(crate) fn discrete_gradient_and_rate(graph: &mut Graph, root: Id, degrees: u32) -> (Vec<Id>, Id) {
-    let (t, h) = (graph.symbol(Symbol::T), graph.symbol(Symbol::H));
-    let half = graph.scale(Number::HALF, h);
-    let start = graph.sub(t, half);
-    let root = time_as_coordinate(graph, root);
+    let timed: Vec<Id> = graph.reachable(&[root]).into_iter().filter(|id| is_of_time_alone(graph, *id)).collect();
+    let mut known = Substitution::new(|_: &mut Graph, _| None);
+    for (symbol, id) in (0..=TIME).rev().map(Symbol::Q).zip(&timed) {
+        let coordinate = graph.symbol(symbol);
+        known.insert(*id, coordinate);
+    }
+    let root = known.apply(graph, root);
     let entries = slope::Slopes::default().gradient(graph, root);
-    let zero = graph.zero();
-    let mut entry = |i: u32| {
-        let entry = entries.get(&Symbol::Q(i)).copied().unwrap_or(zero);
-        coordinate_as_time(graph, entry, start)
+
+    let [h, start, end] = [Symbol::H, Symbol::Start, Symbol::End].map(|symbol| graph.symbol(symbol));
+    let [mut at_start, mut at_end] =
+        [start, end].map(|t| Substitution::new(move |_: &mut Graph, symbol| (symbol == Symbol::T).then_some(t)));
+    let ends: Vec<[Id; 2]> = timed.iter().map(|id| [at_start.apply(graph, *id), at_end.apply(graph, *id)]).collect();
+    let changes: Vec<Id> = ends.iter().map(|[start, end]| graph.sub(*end, *start)).collect();
+    let of_time = |i: u32| (i > TIME - timed.len() as u32).then(|| (TIME - i) as usize);
+    let mut back = Substitution::new(|_: &mut Graph, symbol| match symbol {
+        Symbol::Q(i) => of_time(i).map(|i| ends[i][0]),
+        Symbol::Dq(i) => of_time(i).map(|i| changes[i]),
+        _ => None,
+    });
+    let mut entry = |graph: &mut Graph, i: u32| match entries.get(&Symbol::Q(i)) {
+        Some(entry) => back.apply(graph, *entry),
+        None => graph.zero(),
     };
-    ((0..degrees).map(&mut entry).collect(), entry(TIME))
+    let slope = (0..degrees).map(|i| entry(graph, i)).collect();
+    let mut rises = vec![];
+    for (i, change) in changes.iter().enumerate() {
+        let entry = entry(graph, TIME - i as u32);
+        rises.push(graph.mul(entry, *change));
+    }
+    let rise = graph.sum(&rises);
+    (slope, graph.div(rise, h))
+}
+
+/// Whether a node is a number that changes with time and with nothing else.
+fn is_of_time_alone(graph: &Graph, id: Id) -> bool {
+    let reads = graph.reads(id);
+    reads.t && !reads.state() && !graph.node(id).is_condition()
 }
 
 /// The divided difference of a function of time over a step: (f(t + h) − f(t))/h without cancellation.
@@ -53,8 +83,7 @@ pub(crate) fn mean_rate(graph: &mut Graph, root: Id) -> Id {
     let root = time_as_coordinate(graph, root);
     let entries = slope::Slopes::default().gradient(graph, root);
     let mean = entries.get(&Symbol::Q(TIME)).copied().unwrap_or_else(|| graph.zero());
-    let start = graph.symbol(Symbol::T);
-    coordinate_as_time(graph, mean, start)
+    coordinate_as_time(graph, mean)
 }
 
 /// What a node grows by between (q, p) and (q + dq, p + dp), never a difference of two values.
@@ -62,21 +91,21 @@ pub(crate) fn increment(graph: &mut Graph, root: Id) -> Id {
     slope::Slopes::default().increment(graph, root)
 }
 
-/// A coordinate that nobody else uses stands for time, so that the slope rules need not know of clocks.
+/// Coordinates that nobody else uses, from this one down, stand for time or what depends on it alone, so that the slope rules need not know
+/// of clocks.
 const TIME: u32 = u32::MAX;
 
 fn time_as_coordinate(graph: &mut Graph, root: Id) -> Id {
     rename(graph, root, |symbol| (symbol == Symbol::T).then_some(Symbol::Q(TIME)))
 }
 
-/// Back, for a step of length h that starts at a time.
-fn coordinate_as_time(graph: &mut Graph, node: Id, start: Id) -> Id {
-    let back = |graph: &mut Graph, symbol| match symbol {
-        Symbol::Q(TIME) => Some(start),
-        Symbol::Dq(TIME) => Some(graph.symbol(Symbol::H)),
+/// Back, for a step of length h that starts at t.
+fn coordinate_as_time(graph: &mut Graph, node: Id) -> Id {
+    rename(graph, node, |symbol| match symbol {
+        Symbol::Q(TIME) => Some(Symbol::T),
+        Symbol::Dq(TIME) => Some(Symbol::H),
         _ => None,
-    };
-    Substitution::new(back).apply(graph, node)
+    })
 }
 
 /// A node with some symbols called otherwise.

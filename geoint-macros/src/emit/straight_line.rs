@@ -259,6 +259,8 @@ impl Writer<'_> {
                 None => self.register(*register),
             },
             Operand::Input(Symbol::T) => self.word("t"),
+            Operand::Input(Symbol::Start) => self.word("start"),
+            Operand::Input(Symbol::End) => self.word("end"),
             Operand::Input(Symbol::H) => self.word("h"),
             Operand::Input(Symbol::G) => self.word("g"),
             Operand::Input(_) | Operand::Slot(..) | Operand::Constant(_) => {

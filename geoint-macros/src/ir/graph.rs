@@ -70,6 +70,11 @@ impl Node {
         self.for_each_child(|child| children.push(child));
         children
     }
+
+    /// Whether the value is true or false in place of a number.
+    pub(crate) fn is_condition(&self) -> bool {
+        matches!(self, Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_) | Node::Truth(_))
+    }
 }
 
 /// A node that is not defined everywhere.

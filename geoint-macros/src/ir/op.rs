@@ -17,6 +17,10 @@ pub(crate) enum Symbol {
     Parameter(u32),
     /// The length of a step or flow.
     H,
+    /// The time at which a step starts.
+    Start,
+    /// The time at which it ends, which is when the next one starts.
+    End,
     /// The weight of the force gradient in a kick.
     G,
     /// The increment of a position over a step.

@@ -46,7 +46,7 @@ impl Reads {
             Symbol::P(_) | Symbol::Dp(_) => Reads { p: true, ..none },
             Symbol::V(_) | Symbol::Dv(_) => Reads { v: true, ..none },
             Symbol::S | Symbol::Ds => Reads { s: true, ..none },
-            Symbol::T => Reads { t: true, ..none },
+            Symbol::T | Symbol::Start | Symbol::End => Reads { t: true, ..none },
             Symbol::Parameter(_) | Symbol::Multiplier(_) | Symbol::H | Symbol::G => none,
         }
     }

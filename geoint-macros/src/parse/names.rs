@@ -89,6 +89,7 @@ pub(crate) const IMPORTED: &[&str] = &[
     "TaylorMethod",
     "Separable",
     "Snapshot",
+    "Span",
     "Square",
     "State",
     "VelocityEnergy",

@@ -36,7 +36,8 @@ impl Levels {
             _ if self == Levels::One => 0,
             Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
             Symbol::T if self == Levels::Frozen => 1,
-            Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T if self == Levels::Iterated => 1,
+            Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S if self == Levels::Iterated => 1,
+            Symbol::T | Symbol::Start | Symbol::End if self == Levels::Iterated => 1,
             _ => self.stores(),
         }
     }

@@ -134,7 +134,7 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         }
         // Slots hold numbers; a condition is decided again where it is needed.
         match self.levels.of(self.graph, id) {
-            Some(level) if level < self.level && !self.is_condition(id) => {
+            Some(level) if level < self.level && !self.graph.node(id).is_condition() => {
                 return Operand::Slot(level, self.slots[level].slot(self.graph, id));
             }
             _ => {}
@@ -153,10 +153,6 @@ impl<'a, F: Fn(Symbol) -> usize> Lowering<'a, F> {
         self.scopes[home].values.insert(id, operand);
         self.scopes.extend(inner);
         operand
-    }
-
-    fn is_condition(&self, id: Id) -> bool {
-        matches!(self.graph.node(id), Node::Compare(..) | Node::And(..) | Node::Or(..) | Node::Not(_))
     }
 
     pub(super) fn known(&self, id: Id) -> Option<Operand> {

@@ -36,6 +36,18 @@ impl<R: Real> Clock<R> {
         R::time(self.start.words(), self.steps + i, self.h)
     }
 
+    /// When the `i`-th step from now starts and ends, for steps that are `ahead` of t₀ + n·h.
+    #[inline(always)]
+    pub(crate) fn ends(&self, i: u64, ahead: R) -> [R; 2] {
+        [i, i + 1].map(|i| self.at(i) + ahead)
+    }
+
+    /// When a step of length `h` ends, whatever the length of the others.
+    pub(crate) fn after(mut self, h: R) -> R {
+        self.pass_length(h);
+        self.now(zero())
+    }
+
     /// The length of steps.
     pub fn step_size(&self) -> R {
         self.h

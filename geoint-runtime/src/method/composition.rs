@@ -210,7 +210,7 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let t = step.t;
+        let [t, end] = [step.t, step.end];
         for (i, substep) in prepared.iter().enumerate() {
             let (done, rest) = memory.split_at_mut(i);
             let Some((memory, later)) = rest.split_first_mut() else { break };
@@ -222,7 +222,8 @@ impl<S: PhaseSpace<R>, R: Real, M: Method<S, R>, const K: usize> Method<S, R> fo
                 };
                 M::follow(memory, [earlier(1), earlier(2)]);
             }
-            M::step(&substep.map, memory, step.part(t + substep.after))?;
+            let after = |i: usize| prepared.get(i).map_or(end, |substep| t + substep.after);
+            M::step(&substep.map, memory, step.part([i, i + 1].map(after)))?;
         }
         Ok(())
     }

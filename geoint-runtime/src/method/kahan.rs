@@ -66,7 +66,7 @@ impl<S: QuadraticField<R>, R: Real> Method<S, R> for Kahan {
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         (constants, h): &Self::Prepared,
         (): &mut (),
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (zero, one, half) = (S::Unknown::zero(), R::from_f64(1.0), R::from_f64(0.5) * *h);
         probe.visit(t, &x.z, &());

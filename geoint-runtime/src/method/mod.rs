@@ -186,7 +186,7 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         None
     }
 
-    /// `steps` steps, of which the `i`-th starts at `clock.at(i)`.
+    /// `steps` steps, of which the `i`-th starts at `clock.at(i)` and ends at `clock.at(i + 1)`.
     ///
     /// # Errors
     /// Where one of them has no result; point and memory are then worth nothing.
@@ -200,8 +200,8 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
         x: &mut Point<S::Phase, C, S::Action>,
     ) -> Result<(), Refusal> {
         for i in 0..steps {
-            let t = clock.at(i) + x.ahead.value();
-            Self::step(prepared, memory, Step { system, t, x, probe: &mut Unwatched })?;
+            let [t, end] = clock.ends(i, x.ahead.value());
+            Self::step(prepared, memory, Step { system, t, end, x, probe: &mut Unwatched })?;
         }
         Ok(())
     }
@@ -210,26 +210,24 @@ pub trait Method<S: PhaseSpace<R>, R: Real = f64>: Copy {
 /// Two estimates of the error of a step, the one of the higher order first.
 pub type Estimate<S, R> = [PerCoordinate<<S as PhaseSpace<R>>::Phase, <S as PhaseSpace<R>>::Action>; 2];
 
-/// A step of length `h` from the point of a state to that of another one, for callers that look at every step.
+/// A step from the point of a state to that of another one, for callers that look at every step.
 #[inline(always)]
 pub(crate) fn outer_step<S: PhaseSpace<R>, R: Real, M: Method<S, R>, C: Summation<S::Phase>, P: Probe<S, R>>(
     prepared: &M::Prepared,
     memory: &mut M::Memory,
-    h: R,
-    step: Step<'_, S, R, C, P>,
+    Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     if !M::INNER {
-        return M::step(prepared, memory, step);
+        return M::step(prepared, memory, Step { system, t, end, x, probe });
     }
-    let (system, t) = (step.system, step.t);
     // Rounding errors so far are those of other coordinates.
-    let mut inner: Point<S::Phase, Plain, S::Action> = Point::with_action(step.x.z, step.x.s);
+    let mut inner: Point<S::Phase, Plain, S::Action> = Point::with_action(x.z, x.s);
     M::enter(prepared, system, t, &mut inner.z);
-    M::step(prepared, memory, Step { system, t, x: &mut inner, probe: step.probe })?;
-    M::leave(prepared, system, t + h, &mut inner.z);
-    step.x.add(&difference(&inner.z, &step.x.z));
-    step.x.s = inner.s;
-    step.x.doubtful |= inner.doubtful;
+    M::step(prepared, memory, Step { system, t, end, x: &mut inner, probe })?;
+    M::leave(prepared, system, end, &mut inner.z);
+    x.add(&difference(&inner.z, &x.z));
+    x.s = inner.s;
+    x.doubtful |= inner.doubtful;
     Ok(())
 }
 
@@ -273,16 +271,24 @@ pub struct Step<'a, S: PhaseSpace<R>, R: Real, C, P> {
     pub system: &'a S,
     /// The time at which the step starts.
     pub t: R,
+    /// The time at which it ends, which is when the next one starts: t + h, but for rounding.
+    pub end: R,
     /// The point that is moved.
     pub x: &'a mut Point<S::Phase, C, S::Action>,
     /// Is shown every point at which the energy is evaluated.
     pub probe: &'a mut P,
 }
 
-impl<S: PhaseSpace<R>, R: Real, C, P> Step<'_, S, R, C, P> {
-    /// A part of this step, from time `t` on.
+impl<'a, S: PhaseSpace<R>, R: Real, C, P> Step<'a, S, R, C, P> {
+    /// A moment of a step.
     #[inline(always)]
-    pub fn part(&mut self, t: R) -> Step<'_, S, R, C, P> {
-        Step { system: self.system, t, x: self.x, probe: self.probe }
+    pub fn at(t: R, (system, x, probe): (&'a S, &'a mut Point<S::Phase, C, S::Action>, &'a mut P)) -> Self {
+        Step { system, t, end: t, x, probe }
+    }
+
+    /// This step, or a part of it between two times.
+    #[inline(always)]
+    pub fn part(&mut self, [t, end]: [R; 2]) -> Step<'_, S, R, C, P> {
+        Step { system: self.system, t, end, x: self.x, probe: self.probe }
     }
 }

@@ -42,7 +42,7 @@ impl<S: PhaseSpace<R>, R: Real> Probe<S, R> for Unwatched {
 /// A probe that remembers the end of the step at which an equation decided conditions of the energy last.
 pub(crate) struct Deciding<'a, P, Z> {
     pub probe: &'a mut P,
-    pub end: Z,
+    pub decided: Z,
 }
 
 impl<P: Observer, Z> Observer for Deciding<'_, P, Z> {
@@ -60,7 +60,7 @@ impl<P, Z: Array> Deciding<'_, P, Z> {
     {
         self.probe.visit(t, end, &());
         if !S::JUMPS.is_empty() {
-            self.end = *end;
+            self.decided = *end;
         }
     }
 }
@@ -70,13 +70,12 @@ impl<P, Z: Array> Deciding<'_, P, Z> {
 #[inline(always)]
 pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
-    times: [R; 2],
     before: &Start<S, R>,
     step: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let x = &*step.x;
-    Refusal::outside(step.system.outside_domain(times[1], &x.z, &x.s))?;
-    check_poles(poles, false, times, before, step)
+    Refusal::outside(step.system.outside_domain(step.end, &x.z, &x.s))?;
+    check_poles(poles, false, before, step)
 }
 
 /// Whether the energy has no pole on the way of a step from `before`; `divided` as in [`PhaseSpace::clear_of_poles`].
@@ -87,12 +86,11 @@ pub(crate) fn check_end<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
 pub(crate) fn check_poles<S: PhaseSpace<R>, R: Real, C, P: Probe<S, R>>(
     poles: &Poles,
     divided: bool,
-    times: [R; 2],
     (z, s): &Start<S, R>,
-    Step { system, x, .. }: Step<'_, S, R, C, P>,
+    Step { system, t, end: later, x, .. }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let Point { z: end, s: end_s, doubtful, .. } = x;
-    check_way::<S, R, P>(poles, divided, system, (times, [z, end], [s, end_s]), doubtful)
+    check_way::<S, R, P>(poles, divided, system, ([t, later], [z, end], [s, end_s]), doubtful)
 }
 
 /// The same of any way: that to a stage need not be between the ends of a step.

@@ -1,6 +1,6 @@
 //! What a flow keeps, and the mean velocities that keep it to order 4.
 
-use super::{Graded, Hamiltonian, PhaseSpace, VectorField};
+use super::{Graded, Hamiltonian, PhaseSpace, Span, VectorField};
 use crate::scalar::Real;
 use crate::space::{Array, Square};
 
@@ -109,8 +109,8 @@ pub trait FourthOrderField<R: Real = f64>: VectorField<R> + Graded<R> {
 
     /// What depends on parameters and h.
     fn fourth_parameters(&self, h: R) -> Self::FourthParameters;
-    /// What all evaluations of a step from `z` have in common; `t` is the time of its middle.
-    fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &Self::Phase) -> Self::FourthStart;
+    /// What all evaluations of a step from `z` have in common.
+    fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &Self::Phase) -> Self::FourthStart;
     /// h times the mean velocity, and 1 − ∂(that)/∂d.
     fn fourth_slope(
         &self,

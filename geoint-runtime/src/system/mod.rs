@@ -21,7 +21,7 @@ pub use contact::{Clock, Conformal, Contact, ContactStages, ImplicitStep, Mechan
 pub use implicit::{
     ByCanonical, ByConstraint, ByField, ByPolarisation, ByTree, ByVelocities, CanonicalForm, Collocated, Collocation,
     Constrained, ConstrainedStep, ContactCollocated, ContactGraded, ContactPolarised, ContactStage, ContactVelocities,
-    DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Unmet, VelocityForm,
+    DiscreteField, Graded, Gradients, MassForm, Mean, PolarisedForm, QuadraticField, Span, Unmet, VelocityForm,
     contact_gradient_of, energy_of, rate_of, unmet, velocity_of,
 };
 pub(crate) use implicit::{

@@ -5,7 +5,7 @@
 use crate::page::{Page, short};
 use crate::sources;
 use geoint_runtime::space::{Array, Square};
-use geoint_runtime::system::DiscreteField;
+use geoint_runtime::system::{DiscreteField, Span};
 use geoint_runtime::{Hamiltonian, hamiltonian};
 use geoint_tests::measure::Noise;
 use geoint_tests::scalars::Double;
@@ -167,7 +167,7 @@ fn divided<S: DiscreteField>(system: &S, q: f64, d: f64) -> f64 {
         array
     };
     let parameters = system.parameters(0.1);
-    let start = system.begin(&parameters, 0.0, &array(q));
+    let start = system.begin(&parameters, Span::at(0.0), &array(q));
     let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
     let rows: &mut Square<S::Unknown> = &mut jacobian;
     system.slope(&parameters, &start, &array(d), &mut f, rows);

@@ -23,7 +23,8 @@ pub(super) fn discrete_field(
     let unknown = context.unknown_type(increments.len());
     let places = context.unknown_places(increments.len());
     let names = [["Parameters", "parameters"], ["Start", "begin"]];
-    let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
+    let start =
+        ((&field.coordinates[..], "y"), &quote!(), &quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let (given, names) = ((&increments[..], "d"), [["f", "jacobian"], ["image", "matrix"]]);
     let slope = context.body(&plan.last[0], given, |values| write_field(context, names[0], &plan.last[0], &values));
@@ -110,7 +111,7 @@ pub(super) fn nothing_kept(context: &Context<'_>, graph: &Graph, missing: Missin
             fn parameters(&self, _: R) -> #never {
                 ::core::unreachable!()
             }
-            fn begin(&self, never: &#never, _: R, _: &#phase) -> #never {
+            fn begin(&self, never: &#never, _: Span<R>, _: &#phase) -> #never {
                 match *never {}
             }
             fn slope(&self, never: &#never, _: &#never, _: &#phase, _: &mut #phase, _: &mut Square<#phase>) {
@@ -163,8 +164,8 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
                 fourth_order::parameters(self, h)
             }
             #[inline(always)]
-            fn fourth_begin(&self, parameters: &Self::FourthParameters, t: R, z: &#phase) -> Self::FourthStart {
-                fourth_order::begin(self, parameters, t, z)
+            fn fourth_begin(&self, parameters: &Self::FourthParameters, span: Span<R>, z: &#phase) -> Self::FourthStart {
+                fourth_order::begin(self, parameters, span, z)
             }
             #[inline(always)]
             fn fourth_slope(
@@ -187,7 +188,8 @@ pub(super) fn canonical_fourth_order(context: &Context<'_>, momenta: &Plan, auto
 pub(super) fn fourth_order(context: &Context<'_>, field: &FieldKernels<Plan>, plan: &Plan) -> TokenStream {
     let (name, unknown) = (self_type(context), context.unknown_type(field.increments.len()));
     let names = [["FourthParameters", "fourth_parameters"], ["FourthStart", "fourth_begin"]];
-    let start = ((&field.coordinates[..], "y"), &quote!(), &quote!(t: R, y: &#unknown));
+    let start =
+        ((&field.coordinates[..], "y"), &quote!(), &quote!(Span { start, middle: t, end }: Span<R>, y: &#unknown));
     let Prepared { types, functions, prepared, started } = Prepared::for_steps(context, plan, names, start);
     let image = context.body(&plan.last[0], (&field.increments, "d"), |values| {
         write_field(context, ["image", "matrix"], &plan.last[0], &values)

@@ -128,6 +128,8 @@ fn point(noise: &mut Noise, h: f64) -> impl Fn(Symbol) -> f64 + Clone {
         Symbol::Dq(i) => d[i as usize],
         Symbol::Parameter(i) => a[i as usize],
         Symbol::T => T,
+        Symbol::Start => T - 0.5 * h,
+        Symbol::End => T + 0.5 * h,
         Symbol::H => h,
         other => panic!("{other:?}"),
     }

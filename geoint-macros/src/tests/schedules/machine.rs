@@ -76,7 +76,7 @@ impl Machine<'_> {
 pub(super) fn level(symbol: Symbol) -> usize {
     match symbol {
         Symbol::Parameter(_) | Symbol::H | Symbol::G => 0,
-        Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T => 1,
+        Symbol::Q(_) | Symbol::P(_) | Symbol::V(_) | Symbol::S | Symbol::T | Symbol::Start | Symbol::End => 1,
         Symbol::Dq(_) | Symbol::Dp(_) | Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 2,
     }
 }

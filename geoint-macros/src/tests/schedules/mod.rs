@@ -142,7 +142,7 @@ proptest! {
             Symbol::Dq(_) => 0.3 * point[3],
             Symbol::Dp(_) => 0.3 * point[4],
             Symbol::Ds | Symbol::Dv(_) | Symbol::Multiplier(_) => 0.3 * point[5],
-            Symbol::T => point[6],
+            Symbol::T | Symbol::Start | Symbol::End => point[6],
             Symbol::H | Symbol::G => 0.1 * point[7],
             Symbol::Parameter(i) => 0.4 + 0.3 * f64::from(i),
         };

@@ -75,10 +75,10 @@ const _: () = {
         LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
         PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
         PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
-        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
-        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, state_on_constraint, unmet, velocity_of,
+        TaylorMethod, Separable, Snapshot, Span, Square, State, VelocityEnergy,
+        StepError, Unmet, VelocityForm, canonical_rate, energy_of, from_positions,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = half_spring;
@@ -563,7 +563,12 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 1]; 2]) -> [R; 11] {
+        fn begin(
+            &self,
+            prepared: &[R; 0],
+            Span { start, middle: t, end }: Span<R>,
+            y: &[[R; 1]; 2],
+        ) -> [R; 11] {
             let (
                 p0,
                 k1,
@@ -821,10 +826,10 @@ const _: () = {
         fn fourth_begin(
             &self,
             parameters: &Self::FourthParameters,
-            t: R,
+            span: Span<R>,
             z: &[[R; 1]; 2],
         ) -> Self::FourthStart {
-            fourth_order::begin(self, parameters, t, z)
+            fourth_order::begin(self, parameters, span, z)
         }
         #[inline(always)]
         fn fourth_slope(

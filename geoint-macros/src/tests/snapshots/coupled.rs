@@ -81,10 +81,10 @@ const _: () = {
         LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
         PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
         PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
-        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
-        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, state_on_constraint, unmet, velocity_of,
+        TaylorMethod, Separable, Snapshot, Span, Square, State, VelocityEnergy,
+        StepError, Unmet, VelocityForm, canonical_rate, energy_of, from_positions,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = coupled;
@@ -562,7 +562,12 @@ const _: () = {
             []
         }
         #[inline(always)]
-        fn begin(&self, prepared: &[R; 0], t: R, y: &[[R; 2]; 2]) -> [R; 8] {
+        fn begin(
+            &self,
+            prepared: &[R; 0],
+            Span { start, middle: t, end }: Span<R>,
+            y: &[[R; 2]; 2],
+        ) -> [R; 8] {
             let (q0, k1, k2, p0, q1, p1, v0, v1, v2, v3, v4);
             q0 = y[0][0];
             k1 = R::from_f64(1.0);
@@ -714,10 +719,10 @@ const _: () = {
         fn fourth_begin(
             &self,
             parameters: &Self::FourthParameters,
-            t: R,
+            span: Span<R>,
             z: &[[R; 2]; 2],
         ) -> Self::FourthStart {
-            fourth_order::begin(self, parameters, t, z)
+            fourth_order::begin(self, parameters, span, z)
         }
         #[inline(always)]
         fn fourth_slope(

@@ -89,10 +89,10 @@ const _: () = {
         LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
         PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
         PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
-        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
-        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, state_on_constraint, unmet, velocity_of,
+        TaylorMethod, Separable, Snapshot, Span, Square, State, VelocityEnergy,
+        StepError, Unmet, VelocityForm, canonical_rate, energy_of, from_positions,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = turning;
@@ -907,7 +907,12 @@ const _: () = {
             [v0, a0, v1, v2, h, v3]
         }
         #[inline(always)]
-        fn begin(&self, prepared: &[R; 6], t: R, y: &[R; 2]) -> [R; 4] {
+        fn begin(
+            &self,
+            prepared: &[R; 6],
+            Span { start, middle: t, end }: Span<R>,
+            y: &[R; 2],
+        ) -> [R; 4] {
             let (k0, q0, q1, v0, v1);
             k0 = R::from_f64(2.0);
             q0 = y[0];
@@ -1236,7 +1241,12 @@ const _: () = {
             [h, v1, v3, v4, v5, v0, v2, a0, v6, v9, v10, v11]
         }
         #[inline(always)]
-        fn fourth_begin(&self, prepared: &[R; 12], t: R, y: &[R; 2]) -> [R; 8] {
+        fn fourth_begin(
+            &self,
+            prepared: &[R; 12],
+            Span { start, middle: t, end }: Span<R>,
+            y: &[R; 2],
+        ) -> [R; 8] {
             let (prepared_1, q1, prepared_7, q0, k4, prepared_5, v0, v1, v2, v3, v4, v5);
             prepared_1 = prepared[1];
             q1 = y[1];

@@ -85,10 +85,10 @@ const _: () = {
         LagrangianSystem, Mean, MechanicalContact, Method, ModifiedEnergy, NystromPieces,
         PerCoordinate, PerturbedGradient, PerturbedSystem, PhaseSpace, PieceClock,
         PrincipalAxes, ProofAnd, QuadraticKinetic, Rattle, Real, TaylorIntegrator,
-        TaylorMethod, Separable, Snapshot, Square, State, VelocityEnergy, StepError,
-        Unmet, VelocityForm, canonical_rate, energy_of, from_positions, fourth_order,
-        is_positive_semidefinite, modified_verlet, gradient_kick, planar_step, rate_of,
-        recurrence, slope, state_on_constraint, unmet, velocity_of,
+        TaylorMethod, Separable, Snapshot, Span, Square, State, VelocityEnergy,
+        StepError, Unmet, VelocityForm, canonical_rate, energy_of, from_positions,
+        fourth_order, is_positive_semidefinite, modified_verlet, gradient_kick,
+        planar_step, rate_of, recurrence, slope, state_on_constraint, unmet, velocity_of,
     };
     const _: fn() = || {
         let _ = pendulum;
@@ -427,7 +427,12 @@ const _: () = {
             [v2, v4, v11, v12]
         }
         #[inline(always)]
-        fn begin(&self, prepared: &[R; 4], t: R, y: &[R; 1]) -> [R; 1] {
+        fn begin(
+            &self,
+            prepared: &[R; 4],
+            Span { start, middle: t, end }: Span<R>,
+            y: &[R; 1],
+        ) -> [R; 1] {
             let (q0,);
             q0 = y[0];
             [q0]
@@ -563,10 +568,10 @@ const _: () = {
         fn fourth_begin(
             &self,
             parameters: &Self::FourthParameters,
-            t: R,
+            span: Span<R>,
             z: &[[R; 1]; 2],
         ) -> Self::FourthStart {
-            fourth_order::begin(self, parameters, t, z)
+            fourth_order::begin(self, parameters, span, z)
         }
         #[inline(always)]
         fn fourth_slope(

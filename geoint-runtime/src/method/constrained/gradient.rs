@@ -45,15 +45,15 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { constants, poles, h }: &Self::Prepared,
         Memory { newton, sums }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (z, half) = (x.z, R::from_f64(0.5));
         let middle = t + half * *h;
         probe.visit(t, &z, &());
         let equation = Equation { system, constants, begun: system.begin(constants, middle, &z), t, z };
-        let mut deciding = Deciding { probe, end: z };
+        let mut deciding = Deciding { probe, decided: z };
         let increments = equation.solve(newton, &mut deciding)?;
-        let Deciding { probe, end } = deciding;
+        let Deciding { probe, decided } = deciding;
 
         // The equation itself has the gradients in the middle beside those at the end.
         let between = moved(&z[0], half, &increments[0]);
@@ -61,7 +61,7 @@ impl<S: ConstrainedStep<DiscreteGradient, R>, R: Real> StepsOf<DiscreteGradient,
         let before = start::<S, R, C>(x);
         x.add_with(sums, &increments, &S::Phase::zero());
         held(system, t + *h, [&z, &x.z])?;
-        check_conditions(system, middle, &end, x)?;
-        check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
+        check_conditions(system, middle, &decided, x)?;
+        check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }
 }

@@ -45,14 +45,14 @@ impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { constants, poles, h }: &Self::Prepared,
+        Prepared { constants, poles, .. }: &Self::Prepared,
         newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let (z, end) = (x.z, t + *h);
+        let z = x.z;
         probe.visit(t, &z, &());
         let equation = Equation { system, constants, begun: system.begin(constants, t, &z), t, z };
-        let mut deciding = Deciding { probe, end: z };
+        let mut deciding = Deciding { probe, decided: z };
         let mut increments = equation.solve(newton, &mut deciding)?;
         let Deciding { probe, .. } = deciding;
 
@@ -63,7 +63,7 @@ impl<S: ConstrainedStep<Rattle, R>, R: Real> Method<S, R> for Rattle {
         let before = start::<S, R, C>(x);
         x.add(&increments);
         held(system, end, [&z, &x.z])?;
-        check_end(poles, [t, end], &before, Step { system, t, x, probe })
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }
 

@@ -76,7 +76,7 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     Prepared { constants, half, poles }: &PreparedFor<S, M, R>,
     newton: &mut Newton<S::Unknown>,
     ahead: f64,
-    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
 ) -> Result<(), Refusal> {
     let (n, middle) = (S::Phase::LEN, t + *half);
     let mut origin = S::Unknown::zero();
@@ -88,13 +88,13 @@ fn step<S: ImplicitStep<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R
     let Found { x: d, outcome, .. } = newton.solve(&equation, probe);
     outcome?;
 
-    let end = system.end(constants, &equation.begun, &d);
-    if !end.is_finite() {
+    let increments = system.end(constants, &equation.begun, &d);
+    if !increments.is_finite() {
         return Err(Refusal::Singular);
     }
     let before = start::<S, R, C>(x);
-    x.add_everywhere(&apart::<S, M, R>(&end));
-    check_end(poles, [t, middle + *half], &before, Step { system, t, x, probe })
+    x.add_everywhere(&apart::<S, M, R>(&increments));
+    check_end(poles, &before, Step { system, t, end, x, probe })
 }
 
 /// Positions, momenta and the action.

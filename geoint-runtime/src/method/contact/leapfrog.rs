@@ -49,7 +49,7 @@ impl<S: Mechanical<R>, R: Real> Method<S, R> for ContactLeapfrog {
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Prepared<S, R>,
         (): &mut (),
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Prepared { h, half_kick, drift } = prepared;
         let (one, half) = (R::from_f64(1.0), R::from_f64(0.5) * *h);

@@ -57,7 +57,7 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
         Memory { newton, regular, v: near }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (z, s, middle) = (x.z, x.s, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &s);
@@ -83,7 +83,7 @@ impl<S: ContactPolarised<R>, R: Real> StepsOf<ContactDiscreteGradient, S, R> for
         x.add_everywhere(&PerCoordinate { z: [equation.shift(&d), impulse], s: ds });
         *near = sum(&v, &equation.apart(&d).0);
         regular.follow(system, *is_definite, [(t, &z, &s), (t + *h, &x.z, &x.s)], *near)?;
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }
 

@@ -6,7 +6,7 @@ use crate::space::Array;
 use crate::space::vector::{dot, moved, opposite, sum, sum_of_products};
 pub use crate::system::Invariants;
 use crate::system::{
-    DiscreteField, Hamiltonian, KeepsEnergy, KeptMomenta, PhaseSpace, SteadyIntegrals, VectorField, VelocityForm,
+    DiscreteField, Hamiltonian, KeepsEnergy, KeptMomenta, PhaseSpace, Span, SteadyIntegrals, VectorField, VelocityForm,
     energy_of, velocity_of,
 };
 
@@ -47,7 +47,7 @@ impl<S: DiscreteField<R> + Hamiltonian<R>, R: Real> Invariants<S, R> for Canonic
         let ((y, mut changed), (d, change)) = (S::start(z), S::start(dz));
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
         let parameters = system.parameters(zero());
-        let start = system.begin(&parameters, zero(), &y);
+        let start = system.begin(&parameters, Span::at(zero()), &y);
         system.slope(&parameters, &start, &d, &mut f, &mut jacobian);
         if S::DERIVATIVE == 1 {
             // f̄ = J∇̄H: the rates of q and of p.

@@ -47,16 +47,15 @@ impl<M: Record<A::Real>, A: Array> Record<A::Real> for Memory<M, A> {
 
 /// What the method prepared, and the invariants.
 #[derive(Clone, Copy, Debug)]
-pub struct Prepared<P, I, R> {
+pub struct Prepared<P, I> {
     method: P,
-    h: R,
     poles: Poles,
     invariants: I,
 }
 
 impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S, R> for Projection<M, I> {
     type Proof = <M::Proof as And<I::Values>>::Both;
-    type Prepared = Prepared<M::Prepared, I, R>;
+    type Prepared = Prepared<M::Prepared, I>;
     type Memory = Memory<M::Memory, S::Phase>;
     const SCALES_STEPS: bool = M::SCALES_STEPS;
     const KEEPS: bool = I::Values::LEN > 0;
@@ -83,7 +82,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
     }
 
     fn prepare(&self, system: &S, h: R) -> Self::Prepared {
-        Prepared { method: self.0.prepare(system, h), h, poles: Poles::of(system), invariants: self.1 }
+        Prepared { method: self.0.prepare(system, h), poles: Poles::of(system), invariants: self.1 }
     }
 
     fn memory() -> Self::Memory {
@@ -92,14 +91,14 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
 
     #[inline]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
-        Prepared { method, h, poles, invariants }: &Self::Prepared,
+        Prepared { method, poles, invariants }: &Self::Prepared,
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Memory { method: memory, scales, sums } = memory;
         let before = step.x.z;
-        outer_step::<S, R, M, C, P>(method, memory, *h, step.part(step.t))?;
-        let Step { system, t, x, probe } = step;
+        outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
+        let Step { system, t, x, probe, .. } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
         scales.include(&before, &moved);
@@ -109,7 +108,7 @@ impl<S: VectorField<R>, R: Real, M: Method<S, R>, I: Invariants<S, R>> Method<S,
         if I::KEEP_ENERGY {
             check_conditions(system, t, &sum(&before, &way.decided), x)?;
         }
-        check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
+        check_poles(poles, false, &(before, ()), Step::at(t, (system, x, probe)))
     }
 }
 

@@ -95,8 +95,8 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let before = step.x.z;
-        outer_step::<S, R, M, C, P>(method, memory, *h, step.part(step.t))?;
-        let Step { system, t, x, probe } = step;
+        outer_step::<S, R, M, C, P>(method, memory, step.part([step.t, step.end]))?;
+        let Step { system, t, x, probe, .. } = step;
         probe.visit(t, &x.z, &());
         let moved = difference(&x.z, &before);
         sizes.include(&before, &moved);
@@ -133,7 +133,7 @@ impl<S: KeepsEnergy<R>, R: Real, M: Method<S, R>> Method<S, R> for Relaxation<M>
         x.correct(sums, &before, &moved, &scaled(excess, &moved));
         x.ahead.add(excess * *h);
         check_conditions(system, t, &sum(&before, &decided.get()), x)?;
-        check_poles(poles, false, [t; 2], &(before, ()), Step { system, t, x, probe })
+        check_poles(poles, false, &(before, ()), Step::at(t, (system, x, probe)))
     }
 }
 

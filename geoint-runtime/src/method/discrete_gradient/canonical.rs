@@ -8,7 +8,7 @@ use crate::method::Unwatched;
 use crate::scalar::Real;
 use crate::space::vector::{difference, entries, moved, scaled, sum};
 use crate::space::{Array, Square};
-use crate::system::{Collocation, Conservative, DiscreteField};
+use crate::system::{Collocation, Conservative, DiscreteField, Span};
 
 /// What depends on parameters and h.
 #[derive(Clone, Copy, Debug)]
@@ -21,10 +21,10 @@ pub struct Parameters<C, P, R> {
 /// [`Parameters`] of a system.
 pub type ParametersOf<S, R> = Parameters<<S as Collocation<R>>::Constants, <S as DiscreteField<R>>::Parameters, R>;
 
-/// Where a step starts: the time of its middle, the point, and f there.
+/// Where a step starts: its times, the point, and f there.
 #[derive(Clone, Copy, Debug)]
 pub struct Begun<A: Array> {
-    t: A::Real,
+    span: Span<A::Real>,
     z: [A; 2],
     rate: [A; 2],
     /// Whether momenta whose gradients nearly depend on that of the energy take no part.
@@ -41,13 +41,12 @@ pub fn parameters<S: DiscreteField<R> + Conservative<R>, R: Real>(system: &S, h:
 pub fn begin<S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
-    t: R,
+    span: Span<R>,
     z: &S::Phase,
 ) -> Begun<S::Array> {
-    let half = R::from_f64(0.5) * parameters.h;
     let mut unwatched = Unwatched;
-    let rate = turned(&energy(system, parameters, t, &mut unwatched).gradient(t - half, z).g);
-    Begun { t, z: *z, rate, loose: false }
+    let rate = turned(&energy(system, parameters, span.middle, &mut unwatched).gradient(span.start, z).g);
+    Begun { span, z: *z, rate, loose: false }
 }
 
 /// [`FourthOrderField::fourth_loosen`](crate::system::FourthOrderField::fourth_loosen).
@@ -66,16 +65,17 @@ pub fn loosen<A: Array>(start: &mut Begun<A>) -> bool {
 pub fn slope<const AUTONOMOUS: bool, const N: usize, S: DiscreteField<R> + Conservative<R>, R: Real>(
     system: &S,
     parameters: &ParametersOf<S, R>,
-    &Begun { t, z, rate, loose }: &Begun<S::Array>,
+    &Begun { span, z, rate, loose }: &Begun<S::Array>,
     momenta: impl Fn(&S::Phase) -> [S::Phase; N],
     d: &S::Phase,
     (image, matrix): (&mut S::Phase, &mut Square<S::Phase>),
 ) {
     let (h, [one, half, eighth, sixth]) = (parameters.h, [1.0, 1.0 / 2.0, 1.0 / 8.0, 1.0 / 6.0].map(R::from_f64));
     let mut unwatched = Unwatched;
+    let t = span.middle;
     let mut energy = energy(system, parameters, t, &mut unwatched);
     let end_of_step = sum(&z, d);
-    let mut end = energy.gradient(t + half * h, &end_of_step);
+    let mut end = energy.gradient(span.end, &end_of_step);
     let end_rate = turned(&end.g);
     let change = difference(&rate, &end_rate);
     let mut third = energy.gradient(t, &moved(&moved(&z, half, d), eighth * h, &change));

@@ -6,7 +6,7 @@ use crate::scalar::Real;
 use crate::solving::equation::Observer;
 use crate::space::vector::{entries, moved, opposite, sum};
 use crate::space::{Array, Square};
-use crate::system::{Conservative, DiscreteField};
+use crate::system::{Conservative, DiscreteField, Span};
 
 /// A gradient, or a mean of gradients between x and x + d, and its derivative with respect to x, or d.
 #[derive(Clone, Copy, Debug)]
@@ -57,7 +57,7 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real, P: Probe<S, R>> Energy<'_, 
         let (y, mut mean) = S::start(x);
         let (change, impulse) = S::start(d);
         let (mut f, mut jacobian) = (S::Unknown::zero(), S::Unknown::fill(S::Unknown::zero()));
-        let start = self.system.begin(self.parameters, self.t, &y);
+        let start = self.system.begin(self.parameters, Span::at(self.t), &y);
         self.system.slope(self.parameters, &start, &change, &mut f, &mut jacobian);
         let half = R::from_f64(0.5);
         mean.add_scaled(half, &impulse);

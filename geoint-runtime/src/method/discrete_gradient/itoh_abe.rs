@@ -124,8 +124,9 @@ impl<S: DiscreteField<R> + Conservative<R>, R: Real> Method<S, R> for ItohAbePai
         memory: &mut Self::Memory,
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        first.step(memory, step.part(step.t))?;
-        second.step(memory, step.part(step.t + *half))
+        let [start, middle, end] = [step.t, step.t + *half, step.end];
+        first.step(memory, step.part([start, middle]))?;
+        second.step(memory, step.part([middle, end]))
     }
 }
 

@@ -85,7 +85,7 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
     pub(super) fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         &self,
         Memory { sums, solver }: &mut Memory<S::Array>,
-        Step { system, t, x: point, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x: point, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let Prepared { mean, constants, parameters, h, poles } = self;
         let (n, half) = (S::Array::LEN, R::from_f64(0.5) * *h);
@@ -116,6 +116,6 @@ impl<G: MeanGradient, S: DiscreteField<R> + Conservative<R>, R: Real> Prepared<G
         })?;
         point.add_with(sums, &d, &S::Phase::zero());
         check_conditions(system, t + half, &decided, point)?;
-        check_end(poles, [t, t + *h], &(x, ()), Step { system, t, x: point, probe })
+        check_end(poles, &(x, ()), Step { system, t, end, x: point, probe })
     }
 }

@@ -9,7 +9,7 @@ use crate::solving::equation::StepEquation;
 use crate::solving::newton::{Found, Newton};
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Record, Snapshot, Square, Summation, Tape};
-use crate::system::{FourthOrderField, Invariants, KeptBy, Poles};
+use crate::system::{FourthOrderField, Invariants, KeptBy, Poles, Span};
 
 /// From so many unknowns on what is evaluated is so long that a call costs nothing beside it: Kepler's problem, with four, takes the same time, and
 /// two thirds of the code. With two, as a pendulum, a call costs a fifth of the time.
@@ -148,13 +148,13 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { parameters, h, poles }: &Self::Prepared,
         Memory { newton, sums }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let (z, h, half) = (x.z, *h, R::from_f64(0.5) * *h);
+        let (z, h, span) = (x.z, *h, Span::of([t, end], *h));
         probe.visit(t, &z, &());
-        let begun = system.fourth_begin(parameters, t + half, &z);
+        let begun = system.fourth_begin(parameters, span, &z);
         let compensation = if C::PLAIN { sums.compensation() } else { x.sums.compensation() };
-        let mut deciding = Deciding { probe, end: z };
+        let mut deciding = Deciding { probe, decided: z };
         let equation = Equation { system, parameters, t, h, z, compensation, begun };
         let before = P::PATIENT.then_some(*newton);
         let mut found = newton.solve(&equation, &mut deciding);
@@ -168,10 +168,10 @@ impl<S: FourthOrderField<R>, R: Real> Method<S, R> for FourthOrder<DiscreteGradi
         }
         let Found { x: d, lost, outcome } = found;
         outcome?;
-        let Deciding { probe, end } = deciding;
+        let Deciding { probe, decided } = deciding;
         let before = start::<S, R, C>(x);
         x.add_with(sums, &d, &lost);
-        check_conditions(system, t + half, &end, x)?;
-        check_end(poles, [t, t + h], &before, Step { system, t, x, probe })
+        check_conditions(system, span.middle, &decided, x)?;
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }

@@ -42,7 +42,7 @@ impl<S: Rates<R>, R: Real> Method<S, R> for ExplicitEuler {
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         h: &R,
         (): &mut (),
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &x.s);
         let mut increment = system.rates(t, &PerCoordinate { z: x.z, s: x.s });

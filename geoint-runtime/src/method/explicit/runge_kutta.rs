@@ -102,7 +102,7 @@ impl<R: Real, const K: usize> Prepared<R, K> {
     #[inline(always)]
     fn rates<S: Rates<R>, C, P: Probe<S, R>>(
         &self,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     ) -> [PerCoordinate<S::Phase, S::Action>; K] {
         let mut rates = [PerCoordinate::zero(); K];
         for i in 0..K {
@@ -150,7 +150,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         (): &mut (),
         mut step: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
-        let rates = prepared.rates(step.part(step.t));
+        let rates = prepared.rates(step.part([step.t; 2]));
         super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         Ok(())
     }
@@ -167,7 +167,7 @@ impl<S: Rates<R>, R: Real, const K: usize> Method<S, R> for RungeKutta<K> {
         mut step: Step<'_, S, R, C, P>,
     ) -> Option<Result<Estimate<S, R>, Refusal>> {
         let estimators = prepared.estimators.as_ref()?;
-        let rates = prepared.rates(step.part(step.t));
+        let rates = prepared.rates(step.part([step.t; 2]));
         super::end::<S, R, C>(step.x, &weighed(&prepared.b, &rates));
         Some(Ok(estimators.each_ref().map(|weights| weighed(weights, &rates))))
     }

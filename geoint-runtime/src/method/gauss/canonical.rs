@@ -39,7 +39,7 @@ where
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
         let begun = At::new(system, &prepared.constants, t, x.z);
@@ -55,10 +55,10 @@ where
             let stage = At::new(system, &prepared.constants, time, point);
             change.add_scaled(prepared.weights[i], &stage.rate);
         }
-        let end = equation.end(&change, d[S - 1])?;
+        let increment = equation.end(&change, d[S - 1])?;
         let before = start::<Y, R, C>(x);
-        x.add(&end);
-        check_end(&prepared.poles, [t, t + prepared.h], &before, Step { system, t, x, probe })
+        x.add(&increment);
+        check_end(&prepared.poles, &before, Step { system, t, end, x, probe })
     }
 }
 

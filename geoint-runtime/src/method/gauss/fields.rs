@@ -55,7 +55,7 @@ where
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let zero = Y::Unknown::zero();
         let (y0, changed) = Y::start(&x.z);
@@ -78,6 +78,6 @@ where
         }
         let before = start::<Y, R, C>(x);
         x.add(&Y::increments(&change, &impulse));
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }

@@ -61,7 +61,7 @@ where
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
         Memory { newton, regular }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z) = (Y::Array::zero(), x.z);
         probe.visit(t, &z, &());
@@ -90,7 +90,7 @@ where
         let before = start::<Y, R, C>(x);
         x.add(&[change, impulse]);
         regular.follow(system, *is_definite, [(t, &z, &()), (t + *h, &x.z, &())], v[S - 1])?;
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }
 

@@ -96,11 +96,11 @@ impl<S: Perturbed<R>, R: Real, M: Method<Inner<S>, R>> Method<S, R> for Perturba
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         prepared: &Self::Prepared,
         memory: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         Refusal::outside(prepared.unsuitable)?;
         let probe = &mut Seen { system, probe };
-        M::step(&prepared.table, memory, Step { system: &Inner(*system), t, x, probe })
+        M::step(&prepared.table, memory, Step { system: &Inner(*system), t, end, x, probe })
     }
 
     #[inline(always)]

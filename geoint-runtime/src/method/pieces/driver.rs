@@ -46,8 +46,8 @@ pub(super) fn step<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe
     let (all, start, middle) = (S::PIECES.len(), step.t, step.t + *half);
     let frozen = step.system.freeze(flows, middle);
     step.probe.visit(start, &step.x.z, &step.x.s);
-    pass::<S, M, R, C, P>(0..all, (flows, &frozen), step.part(start));
-    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen), step.part(middle));
+    pass::<S, M, R, C, P>(0..all, (flows, &frozen), step.part([start; 2]));
+    pass::<S, M, R, C, P>((0..all - 1).rev(), (flows, &frozen), step.part([middle; 2]));
     Ok(())
 }
 
@@ -63,18 +63,18 @@ pub(super) fn advance<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>>(
     let Prepared { flows, merged, half } = prepared;
     let (all, probe) = (S::PIECES.len(), &mut Unwatched);
     if !merges::<S, M, R>() {
-        return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step { system, t: clock.at(n), x, probe }));
+        return (0..steps).try_for_each(|n| step::<S, M, R, C, _>(prepared, Step::at(clock.at(n), (system, x, probe))));
     }
     let Some(last) = steps.checked_sub(1) else { return Ok(()) };
     let start = clock.at(0);
-    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start)), Step { system, t: start, x, probe });
+    pass::<S, M, R, C, _>(0..1, (flows, &system.freeze(flows, start)), Step::at(start, (system, x, probe)));
     for n in 0..steps {
         let (t, middle) = (clock.at(n), clock.at(n) + *half);
         let frozen = system.freeze(flows, middle);
         let outer = if n == last { flows } else { merged };
-        pass::<S, M, R, C, _>(1..all, (flows, &frozen), Step { system, t, x, probe });
-        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen), Step { system, t: middle, x, probe });
-        pass::<S, M, R, C, _>(0..1, (outer, &frozen), Step { system, t: middle, x, probe });
+        pass::<S, M, R, C, _>(1..all, (flows, &frozen), Step::at(t, (system, x, probe)));
+        pass::<S, M, R, C, _>((1..all - 1).rev(), (flows, &frozen), Step::at(middle, (system, x, probe)));
+        pass::<S, M, R, C, _>(0..1, (outer, &frozen), Step::at(middle, (system, x, probe)));
     }
     Ok(())
 }
@@ -137,7 +137,7 @@ pub(super) use splitting;
 pub(super) fn pass<S: Pieces<M, R>, M, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     pieces: impl Iterator<Item = usize>,
     (flows, frozen): (&S::Flows, &S::Frozen),
-    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
 ) {
     for piece in pieces {
         let named = P::PATIENT && S::PIECES[piece].may_end && x.is_finite();

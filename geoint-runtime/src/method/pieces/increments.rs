@@ -84,7 +84,7 @@ macro_rules! increments {
                 let (start, pieces) = (step.t, $pieces(S::PIECES.len()));
                 let frozen = step.system.freeze(flows, start + *half);
                 step.probe.visit(start, &step.x.z, &step.x.s);
-                pass::<S, PlanarItohAbe, R, C, P>(pieces, (flows, &frozen), step.part(start));
+                pass::<S, PlanarItohAbe, R, C, P>(pieces, (flows, &frozen), step.part([start; 2]));
                 Ok(())
             }
         }

@@ -130,7 +130,8 @@ impl<S: Pieces<M, R>, M: Splitting, R: Real, const K: usize> Method<S, R> for Pi
         let together = M::MERGES && merges::<S, M, R>();
         for n in 0..steps {
             let ends = [!together || n == 0, !together || n + 1 == steps];
-            let step = Step { system, t: clock.at(n), x: &mut *x, probe: &mut Unwatched };
+            let mut unwatched = Unwatched;
+            let step = Step::at(clock.at(n), (system, &mut *x, &mut unwatched));
             part::<S, M, R, C, _, K>(prepared, step, ends);
         }
         Ok(())
@@ -150,13 +151,13 @@ fn part<S: Pieces<M, R>, M: Splitting, R: Real, C: Summation<S::Phase>, P: Probe
         let frozen = [forth, back].map(|flows| step.system.freeze(flows, middle));
         step.probe.visit(start, &step.x.z, &step.x.s);
         let reached = usize::from(together && !(i == 0 && begins));
-        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0]), step.part(start));
+        pass::<S, M, R, C, P>(reached..all, (forth, &frozen[0]), step.part([start; 2]));
         if together && !(i + 1 == K && ends) {
-            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1]), step.part(middle));
+            pass::<S, M, R, C, P>((1..all - 1).rev(), (back, &frozen[1]), step.part([middle; 2]));
             let frozen = step.system.freeze(joint, middle);
-            pass::<S, M, R, C, P>(0..1, (joint, &frozen), step.part(middle));
+            pass::<S, M, R, C, P>(0..1, (joint, &frozen), step.part([middle; 2]));
         } else {
-            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1]), step.part(middle));
+            pass::<S, M, R, C, P>((0..all - 1).rev(), (back, &frozen[1]), step.part([middle; 2]));
         }
     }
 }

@@ -77,7 +77,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     /// inner₁, outer₂, inner₂, …, inner_K.
     #[inline(always)]
-    fn between<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe }: Step<'_, S, R, C, P>) {
+    fn between<C: Summation<S::Phase>, P: Probe<S, R>>(&self, Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>) {
         for i in 0..K {
             let [inner_at, outer_at] = self.times(t, i);
             let (inner, outer) = (&self.inner[i], &self.outer[i]);
@@ -85,9 +85,9 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
                 O::both((inner, inner_at), (outer, outer_at), moving(system, x));
                 continue;
             }
-            seen(!O::DRIFT_IS_OUTER, Step { system, t: inner_at.other, x, probe }, |x| O::inner(inner, inner_at, x));
+            seen(!O::DRIFT_IS_OUTER, Step::at(inner_at.other, (system, x, probe)), |x| O::inner(inner, inner_at, x));
             if i + 1 < K {
-                seen(O::DRIFT_IS_OUTER, Step { system, t: outer_at.other, x, probe }, |x| O::outer(outer, outer_at, x));
+                seen(O::DRIFT_IS_OUTER, Step::at(outer_at.other, (system, x, probe)), |x| O::outer(outer, outer_at, x));
             }
         }
     }
@@ -95,11 +95,11 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     /// The same and last.
     #[inline(always)]
     fn finish<C: Summation<S::Phase>, P: Probe<S, R>>(&self, mut step: Step<'_, S, R, C, P>) {
-        self.between(step.part(step.t));
-        let Step { system, t, x, probe } = step;
+        self.between(step.part([step.t; 2]));
+        let Step { system, t, x, probe, .. } = step;
         if let Some(last) = &self.last {
             let [_, at] = self.times(t, K - 1);
-            seen(O::DRIFT_IS_OUTER, Step { system, t: at.other, x, probe }, |x| O::outer(last, at, x));
+            seen(O::DRIFT_IS_OUTER, Step::at(at.other, (system, x, probe)), |x| O::outer(last, at, x));
         }
     }
 
@@ -125,7 +125,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         x: &mut Point<S::Phase, C, S::Action>,
     ) {
         let (Some(last), true) = (&self.last, self.repeats && C::PLAIN) else {
-            return self.step(Step { system, t, x, probe: &mut Unwatched });
+            return self.step(Step::at(t, (system, x, &mut Unwatched)));
         };
         let one = R::from_f64(1.0);
         // Without a branch for each entry.
@@ -135,7 +135,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
         } else {
             O::outer(&self.first, Times { own: t, other: t }, moving(system, x));
         }
-        self.between(Step { system, t, x, probe: &mut Unwatched });
+        self.between(Step::at(t, (system, x, &mut Unwatched)));
         // Acting on zero, the flow gives the increment.
         (kick.known, kick.impulse) = (true, S::Array::nothing());
         kick.q.copy_from(&x.z[0]);
@@ -147,10 +147,10 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
 
     #[inline(always)]
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(&self, step: Step<'_, S, R, C, P>) {
-        let Step { system, t, x, probe } = step;
+        let Step { system, t, x, probe, .. } = step;
         let at = Times { own: t, other: t };
-        seen(O::DRIFT_IS_OUTER, Step { system, t, x, probe }, |x| O::outer(&self.first, at, x));
-        self.finish(Step { system, t, x, probe });
+        seen(O::DRIFT_IS_OUTER, Step::at(t, (system, x, probe)), |x| O::outer(&self.first, at, x));
+        self.finish(Step::at(t, (system, x, probe)));
     }
 
     #[inline(always)]
@@ -188,7 +188,7 @@ impl<S: Separable<R>, R: Real, O: Order<S, R>, const K: usize> Sequence<S, R, O,
     /// makes the loop over six bodies up to a fifth slower.
     #[inline(never)]
     fn end<C: Summation<S::Phase>>(&self, system: &S, t: R, x: &mut Point<S::Phase, C, S::Action>) {
-        self.finish(Step { system, t, x, probe: &mut Unwatched });
+        self.finish(Step::at(t, (system, x, &mut Unwatched)));
     }
 }
 
@@ -214,7 +214,7 @@ fn mirrored<W: Copy + PartialEq, T: Clone, const K: usize>(
 #[inline(always)]
 fn seen<S: Separable<R>, R: Real, C: Summation<S::Phase>, P: Probe<S, R>>(
     is_drift: bool,
-    Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+    Step { system, t, x, probe, .. }: Step<'_, S, R, C, P>,
     flow: impl FnOnce(Moving<'_, S, R, C>),
 ) {
     probe.visit(t, &x.z, &x.s);

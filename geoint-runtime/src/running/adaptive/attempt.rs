@@ -1,6 +1,6 @@
 //! What one step of a given length leads to, and how wrong that is.
 
-use crate::method::{Method, Probe, Step, outer_step};
+use crate::method::{Clock, Method, Probe, Step, outer_step};
 use crate::running::error::Reason;
 use crate::running::tolerance::{Judged, Tolerance};
 use crate::running::watch::{Found, Watch};
@@ -38,6 +38,7 @@ impl<P> Prepared<P> {
 pub(super) struct Attempt<'a, S: PhaseSpace<R>, R: Real> {
     pub(super) system: &'a S,
     pub(super) t: R,
+    pub(super) clock: &'a Clock<R>,
     pub(super) x: &'a Carried<S, R>,
     pub(super) tolerance: &'a Tolerance<S::Phase, S::Action>,
     /// What part of the time in which the state changes a step takes.
@@ -53,7 +54,8 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
         probe: &mut P,
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let mut x = *self.x;
-        let step = Step { system: self.system, t: self.t, x: &mut x, probe };
+        let end = self.clock.after(R::from_f64(prepared.h));
+        let step = Step { system: self.system, t: self.t, end, x: &mut x, probe };
         match M::estimated::<_, P>(&prepared.whole, &mut memory[0], step) {
             None => self.halved::<M, P>(prepared, memory, probe),
             Some(estimate) => {
@@ -96,21 +98,14 @@ impl<S: PhaseSpace<R> + Rates<R>, R: Real> Attempt<'_, S, R> {
     ) -> Result<(Carried<S, R>, f64), Reason> {
         let (system, t, half) = (self.system, self.t, R::from_f64(0.5 * prepared.h));
         let (mut x, mut whole) = (*self.x, *self.x);
-        outer_step::<S, R, M, _, P>(
-            &prepared.whole,
-            memory_of_whole,
-            half + half,
-            Step { system, t, x: &mut whole, probe },
-        )?;
-        for end in [half, half + half] {
-            let start = t + (end - half) + x.ahead.value();
-            outer_step::<S, R, M, _, P>(
-                &prepared.half,
-                memory_of_halves,
-                half,
-                Step { system, t: start, x: &mut x, probe },
-            )?;
-            self.check(end, &x)?;
+        let [middle, end] = [half, half + half].map(|h| self.clock.after(h));
+        let step = Step { system, t, end, x: &mut whole, probe };
+        outer_step::<S, R, M, _, P>(&prepared.whole, memory_of_whole, step)?;
+        for (h, [t, end]) in [(half, [t, middle]), (half + half, [middle, end])] {
+            let [t, end] = [t, end].map(|t| t + x.ahead.value());
+            let step = Step { system, t, end, x: &mut x, probe };
+            outer_step::<S, R, M, _, P>(&prepared.half, memory_of_halves, step)?;
+            self.check(h, &x)?;
         }
         let [before, after] = [self.x, &x].map(PerCoordinate::of);
         let mut gap = after;

@@ -88,8 +88,8 @@ impl<S: PhaseSpace<R> + Rates<R>, M: Method<S, R>, R: Real> Steps<S, M, R> {
 
     /// A step from here.
     fn attempt(&self) -> Attempt<'_, S, R> {
-        let Self { system, x, tolerance, .. } = self;
-        Attempt { system, t: self.time(), x, tolerance, part: self.part() }
+        let Self { system, clock, x, tolerance, .. } = self;
+        Attempt { system, t: self.time(), clock, x, tolerance, part: self.part() }
     }
 
     /// A step that is not longer than `left`.

@@ -104,14 +104,14 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
     #[inline(always)]
     pub(super) fn step_within(&mut self, limit: Option<R>) -> Result<bool, StepError> {
         // In place: one copy of the state, for steps that are refused, in place of two, and none of what the method remembers, which may be much.
-        let (t, start) = (self.time(), self.x);
+        let ([t, end], start) = (self.clock.ends(0, self.x.ahead.value()), self.x);
         let memory = (M::SCALES_STEPS && limit.is_some()).then(|| self.memory.clone());
         if M::INNER {
             let mut x = start;
             self.enter(&mut x);
             self.x = x;
         }
-        let step = Step { system: &self.system, t, x: &mut self.x, probe: &mut Unwatched };
+        let step = Step { system: &self.system, t, end, x: &mut self.x, probe: &mut Unwatched };
         let good = M::step(&self.prepared, &mut self.memory, step).is_ok()
             && self.is_good(1, &self.x)
             && self.singular_time(1).is_none();
@@ -137,7 +137,8 @@ impl<S: PhaseSpace<R>, M: Method<S, R>, R: Real, C: Summation<S::Phase>> Steps<S
         let (mut memory, mut x) = (M::memory(), self.x);
         let mut watch = Watch::new(&self.system, self.time(), &self.seen());
         self.enter(&mut x);
-        let step = Step { system: &self.system, t: self.time(), x: &mut x, probe: &mut watch };
+        let [t, end] = self.clock.ends(0, x.ahead.value());
+        let step = Step { system: &self.system, t, end, x: &mut x, probe: &mut watch };
         let outcome = M::step(&self.prepared, &mut memory, step);
         let (t, singular) = (signed(self.time()), self.singular_time(1));
         if outcome.is_ok() && self.is_good(1, &x) {

@@ -66,6 +66,32 @@ pub enum Mean {
     NotClosed,
 }
 
+/// When a step starts, when it is half way, and when it ends, which is when the next one starts: to the last bit, so that what a function of
+/// time changes by in many steps is what it changes by in all of them. The length of a step is not that of its time, which is rounded.
+#[derive(Clone, Copy, Debug)]
+pub struct Span<R> {
+    /// The time of the first point.
+    pub start: R,
+    /// The time of the middle.
+    pub middle: R,
+    /// The time of the last point.
+    pub end: R,
+}
+
+impl<R: Real> Span<R> {
+    /// Those of a step of length `h` between its `ends`.
+    #[inline(always)]
+    pub fn of([start, end]: [R; 2], h: R) -> Self {
+        Span { start, middle: start + R::from_f64(0.5) * h, end }
+    }
+
+    /// Those of what is evaluated at one moment.
+    #[inline(always)]
+    pub fn at(t: R) -> Self {
+        Span { start: t, middle: t, end: t }
+    }
+}
+
 /// The field with the tree discrete gradient ∇̄H between y and y + d in place of ∇H: f̄ = J∇̄H; or −∇̄V, if T is quadratic.
 /// With damping f̄ = (J − R)∇̄H, R at the mean of the two points.
 ///
@@ -82,7 +108,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = By
     type Proof;
     /// What depends on parameters and h only.
     type Parameters: Copy + core::fmt::Debug;
-    /// What depends on y and t.
+    /// What depends on y and on times.
     type Start: Copy + core::fmt::Debug;
     /// [`Inverted`](crate::system::Inverted) where f̄ is affine in d, so that the matrix of a step is constant: H is a polynomial of
     /// degree 2 that does not depend on time, and damping is constant. Elsewhere `()`.
@@ -93,7 +119,7 @@ pub trait DiscreteField<R: Real = f64>: Collocation<R> + Graded<R, Gradient = By
     /// What depends on parameters and h only. f̄ does not depend on h.
     fn parameters(&self, h: R) -> Self::Parameters;
     /// What all evaluations from `y` have in common.
-    fn begin(&self, parameters: &Self::Parameters, t: R, y: &Self::Unknown) -> Self::Start;
+    fn begin(&self, parameters: &Self::Parameters, span: Span<R>, y: &Self::Unknown) -> Self::Start;
     /// f̄ and ∂f̄/∂d.
     fn slope(
         &self,

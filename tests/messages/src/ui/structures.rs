@@ -94,6 +94,22 @@ mod structure_se3_of_another_length {
     }
 }
 
+mod structure_that_moves_nothing {
+    use geoint_runtime::prelude::*;
+
+    /// Given below the diagonal, where nobody asks.
+    #[hamiltonian(structure = |i, j| if i > j { 1.0 } else { 0.0 })]
+    fn swing(x: [f64; 2]) -> f64 {
+        x[1] * x[1] / 2.0 - x[0].cos()
+    }
+
+    /// With friction it is a way downhill.
+    #[hamiltonian(structure = [[0.0, 0.0], [0.0, 0.0]], damping = k)]
+    fn downhill(x: [f64; 2], k: f64) -> f64 {
+        x[1] * x[1] / 2.0 - x[0].cos()
+    }
+}
+
 mod structure_with_momenta {
     use geoint_runtime::prelude::*;
 

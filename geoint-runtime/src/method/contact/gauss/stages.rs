@@ -140,7 +140,7 @@ where
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         prepared: &Self::Prepared,
         newton: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let mut origin = Y::Moved::zero();
         let entries = origin.as_mut_slice();
@@ -149,7 +149,7 @@ where
             *s = x.s;
         }
         probe.visit(t, &x.z, &x.s);
-        let Prepared { poles, h, constants, nodes, coupling, .. } = &prepared.stages;
+        let Prepared { poles, constants, nodes, coupling, .. } = &prepared.stages;
         let known = if varying::<Y, R>() {
             None
         } else {
@@ -164,9 +164,9 @@ where
             let way = ([t, t + nodes[i]], [&before.0, &z], [&before.1, &s]);
             check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
         }
-        let end = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
-        x.add_everywhere(&end);
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        let increments = equation.end((&d, x.s)).ok_or(Refusal::Singular)?;
+        x.add_everywhere(&increments);
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }
 

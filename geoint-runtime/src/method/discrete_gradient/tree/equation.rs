@@ -8,7 +8,7 @@ use crate::scalar::{Real, exact_sum, zero};
 use crate::solving::equation::StepEquation;
 use crate::space::vector::{moved, scaled, sum};
 use crate::space::{Array, Compensated, Point, Square, Summation};
-use crate::system::{DiscreteField, Invariants, KeptBy};
+use crate::system::{DiscreteField, Invariants, KeptBy, Span};
 
 /// What depends on parameters and h.
 #[derive(Clone, Debug)]
@@ -53,7 +53,7 @@ impl<S: DiscreteField<R>, R: Real> Coefficients<S, R> {
     /// Newton's matrix where that is the same in all steps.
     pub(super) fn constant_matrix(&self, system: &S) -> Square<S::Unknown> {
         let origin = S::Unknown::zero();
-        let start = system.begin(&self.parameters, zero(), &origin);
+        let start = system.begin(&self.parameters, Span::at(zero()), &origin);
         let (mut f, mut matrix) = (origin, S::Unknown::fill(origin));
         self.evaluate(system, &start, &origin, &mut f, &mut matrix);
         matrix
@@ -87,16 +87,16 @@ impl<'a, S: DiscreteField<R>, R: Real> Equation<'a, S, R> {
     pub(super) fn of_step<C: Summation<S::Phase>>(
         system: &'a S,
         coefficients: &'a Coefficients<S, R>,
-        t: R,
+        ends: [R; 2],
         x: &Point<S::Phase, C>,
         sums: &Compensated<S::Phase>,
     ) -> Self {
         let (y, changed) = S::start(&x.z);
-        let start = system.begin(&coefficients.parameters, t + R::from_f64(0.5) * coefficients.h, &y);
+        let start = system.begin(&coefficients.parameters, Span::of(ends, coefficients.h), &y);
         let lost = if C::PLAIN && S::DERIVATIVE == 1 { sums.compensation() } else { x.sums.compensation() };
         let (of_y, of_changed) = S::start(&lost);
         let compensation = ((!C::PLAIN || S::DERIVATIVE == 1).then_some(of_y), of_changed);
-        Equation { system, coefficients, t, z: x.z, y, changed, compensation, start }
+        Equation { system, coefficients, t: ends[0], z: x.z, y, changed, compensation, start }
     }
 
     /// The increments of (q, p) that go with an impulse.

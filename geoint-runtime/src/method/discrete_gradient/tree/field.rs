@@ -56,11 +56,11 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { coefficients, inverse, poles }: &Prepared<S, R>,
         Memory { newton, sums }: &mut Memory<S, R>,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         probe.visit(t, &x.z, &());
-        let equation = Equation::of_step(system, coefficients, t, x, sums);
-        let mut deciding = Deciding { probe, end: x.z };
+        let equation = Equation::of_step(system, coefficients, [t, end], x, sums);
+        let mut deciding = Deciding { probe, decided: x.z };
 
         // h·f̄ is affine in the impulse: one product with the inverse of its matrix.
         if S::Inverse::EXISTS {
@@ -71,17 +71,17 @@ impl<S: DiscreteField<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByTree {
                 return Err(Refusal::Singular);
             }
             // Poles that the simplified energy has not.
-            return check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe });
+            return check_poles(poles, true, &before, Step { system, t, end, x, probe });
         }
 
         let Found { x: impulse, lost, outcome } = newton.solve(&equation, &mut deciding);
         outcome?;
-        let Deciding { probe, end } = deciding;
+        let Deciding { probe, decided } = deciding;
 
         let before = start::<S, R, C>(x);
         let increments = equation.increments(&impulse);
         x.add_with(sums, &increments, &equation.lost::<C>(&impulse, &lost));
-        check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &end, x)?;
-        check_poles(poles, true, [t, t + coefficients.h], &before, Step { system, t, x, probe })
+        check_conditions(system, t + R::from_f64(0.5) * coefficients.h, &decided, x)?;
+        check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }
 }

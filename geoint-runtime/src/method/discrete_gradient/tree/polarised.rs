@@ -84,7 +84,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
     fn step<C: Summation<S::Phase>, P: Probe<S, R>>(
         Prepared { parameters, poles, h, is_definite }: &Self::Prepared,
         Memory { newton, regular, last, sums }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, S, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, S, R, C, P>,
     ) -> Result<(), Refusal> {
         let (z, middle) = (x.z, t + R::from_f64(0.5) * *h);
         probe.visit(t, &z, &());
@@ -99,7 +99,7 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         let begun = system.begin(parameters, middle, &z, &v);
         let equation = Equation { system, parameters, t, h: *h, z, v, begun, units };
         let none = S::Array::zero();
-        let deciding = Deciding { probe, end: z };
+        let deciding = Deciding { probe, decided: z };
         let mut seen = Seen { deciding, d: none, impulse: none, by_d: S::Array::fill(none) };
         let (d, _) = newton.solve(&equation, &mut seen).checked()?;
         // The impulse where it was evaluated last, and what the last correction changes it by: its square is rounding.
@@ -108,19 +108,19 @@ impl<S: PolarisedForm<R>, R: Real> StepsOf<DiscreteGradient, S, R> for ByPolaris
         for (p, row) in impulse.as_mut_slice().iter_mut().zip(S::Array::entries_of::<S::Array>(&seen.by_d)) {
             *p += dot(row, &correction);
         }
-        let Deciding { probe, end } = seen.deciding;
+        let Deciding { probe, decided } = seen.deciding;
 
         let increments = [equation.shift(&d), impulse];
         let before = start::<S, R, C>(x);
         x.add_with(sums, &increments, &S::Phase::zero());
-        check_conditions(system, middle, &end, x)?;
+        check_conditions(system, middle, &decided, x)?;
         let mut v = sum(&v, &d);
         if !is_definite {
             regular.follow(system, false, [(t, &z, &()), (t + *h, &x.z, &())], v)?;
             v = velocity_near(system, t + *h, &x.z, &(), v).ok_or(Refusal::Singular)?;
         }
         *last = Some(Known { z: x.z, v, ..known });
-        check_poles(poles, true, [t, t + *h], &before, Step { system, t, x, probe })
+        check_poles(poles, true, &before, Step { system, t, end, x, probe })
     }
 }
 

@@ -73,12 +73,12 @@ where
     fn step<C: Summation<Y::Phase>, P: Probe<Y, R>>(
         PreparedVelocities { stages: prepared, is_definite }: &Self::Prepared,
         Memory { newton, regular }: &mut Self::Memory,
-        Step { system, t, x, probe }: Step<'_, Y, R, C, P>,
+        Step { system, t, end, x, probe }: Step<'_, Y, R, C, P>,
     ) -> Result<(), Refusal> {
         let (none, z, s) = (Y::Array::zero(), x.z, x.s);
         probe.visit(t, &z, &s);
         let sign = regular.begin(system, *is_definite, (t, &z, &s))?;
-        let Prepared { poles, h, coupling, nodes, constants, .. } = prepared;
+        let Prepared { poles, coupling, nodes, constants, .. } = prepared;
         let known = if varying::<Y, R>() {
             None
         } else {
@@ -95,12 +95,12 @@ where
             let way = ([t, t + nodes[i]], [&z, &stage_z], [&s, &stage_s]);
             check_way::<Y, R, P>(poles, false, system, way, &mut x.doubtful)?;
         }
-        let end = equation.end(&d, &last).ok_or(Refusal::Singular)?;
+        let increments = equation.end(&d, &last).ok_or(Refusal::Singular)?;
         let before = start::<Y, R, C>(x);
-        x.add_everywhere(&end);
+        x.add_everywhere(&increments);
         let near = equation.apart(&d[S - 1]).0;
-        regular.follow(system, *is_definite, [(t, &z, &s), (t + *h, &x.z, &x.s)], near)?;
-        check_end(poles, [t, t + *h], &before, Step { system, t, x, probe })
+        regular.follow(system, *is_definite, [(t, &z, &s), (end, &x.z, &x.s)], near)?;
+        check_end(poles, &before, Step { system, t, end, x, probe })
     }
 }
 
