@@ -3,6 +3,7 @@
 use geoint_runtime::prelude::*;
 use geoint_runtime::{Method, Reason};
 use geoint_tests::measure::distance;
+use geoint_tests::methods::{self, Visitor};
 use geoint_tests::problems::flat;
 
 /// Two oscillators that know nothing of each other.
@@ -198,4 +199,24 @@ fn sizes_of_a_state_that_is_not_finite() {
     }
     check!(|start| system.adaptive(RK4, 1e-8, start));
     check!(|start| system.taylor(Taylor { tolerance: 1e-8 }, start));
+}
+
+/// A first step that is much too short costs a few steps, by methods of every order.
+#[test]
+fn steps_grow_by_every_order() {
+    struct Grow;
+    impl Visitor<TwoOscillators> for Grow {
+        fn visit<M: Method<TwoOscillators> + 'static>(&mut self, method: M) {
+            let system = TwoOscillators { m: [1.6, 0.5], k: [2.5, 32.0] };
+            let run = || system.adaptive(method, 1e-3, State::new([1.0, 0.5], [0.3, 0.2]));
+            let (mut usual, mut short) = (run(), run().first_step(1e-12).steps_at_most(2000));
+            for sim in [&mut usual, &mut short] {
+                sim.advance_to(1.0).unwrap_or_else(|error| panic!("{}: {error}", method.name()));
+            }
+            assert!(short.steps() < usual.steps() + 200, "{}: {}, {}", method.name(), short.steps(), usual.steps());
+        }
+    }
+    methods::general(&mut Grow);
+    methods::separable(&mut Grow);
+    Grow.visit(Gauss::<6>);
 }
